@@ -1,0 +1,19 @@
+// Linear algebra types used throughout: Trilinos (Epetra) vectors and matrices, distributed over MPI.
+#pragma once
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+namespace Amontons
+{
+  using namespace dealii;
+
+  namespace LA
+  {
+    using Vector       = TrilinosWrappers::MPI::Vector;
+    using SparseMatrix = TrilinosWrappers::SparseMatrix;
+  } // namespace LA
+
+  using Constraints = AffineConstraints<double>;
+} // namespace Amontons

@@ -14,7 +14,8 @@ namespace Amontons
   // Rigid motions (platens, obstacles, rigid bodies) have no unknowns of their own kind: each owns one coarse cell of the mesh,
   // the unit "carrier", never refined, assembled or written out, whose corner A stands at the motion's reference point and
   // whose edges of length `size` point along the axes. A rigid motion is affine, so u(X) = sum_k N_k(X) u_k over the corners
-  // A, B (+x), C (+y), D (+z), with N_B = (X-A)_x/size, ..., N_A = 1 - sum of the others.
+  // A, B (+x), C (+y), D (+z), with N_B = (X-A)_x/size, ..., N_A = 1 - sum of the others. A, B, C, D are the cell's vertices
+  // 0, 1, 2, 4. In axisymmetric scenes the reference has x = 0.
   struct CarrierCell
   {
     dealii::types::material_id material_id;
@@ -54,11 +55,12 @@ namespace Amontons
   private:
     unsigned int n_bodies = 0;
     template <int d>
-    friend void make_geometry(const Scene &, Geometry<d> &);
+    friend void make_geometry(const Scene &, Geometry<d> &, const bool);
   };
 
   // Reads or makes the mesh of every body, places it, joins all (without fusing touching bodies) with the carriers into the
-  // coarse mesh, attaches the manifolds, and refines each body uniformly as the scene says. Throws InputError.
+  // coarse mesh, attaches the manifolds, and refines each body uniformly as the scene says (unless `refine` is false: a mesh
+  // that is loaded from a checkpoint starts coarse). Throws InputError. Collective.
   template <int dim>
-  void make_geometry(const Scene &scene, Geometry<dim> &geometry);
+  void make_geometry(const Scene &scene, Geometry<dim> &geometry, const bool refine = true);
 } // namespace Amontons

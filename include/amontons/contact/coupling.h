@@ -1,0 +1,50 @@
+// The result of the surface integrals: what a pair of surfaces says about displacements. Plain values.
+#pragma once
+
+#include <amontons/base/linear_algebra.h>
+
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <vector>
+
+namespace Amontons
+{
+  // A quadrature point of the region where slave and master lie above each other.
+  template <int dim>
+  struct OverlapPoint
+  {
+    unsigned int   slave_face, master_face; // master_face: invalid for an analytic obstacle
+    Point<dim - 1> xi_slave, xi_master;
+    Point<dim>     x_slave, x_master; // reference positions on the true surfaces
+    Tensor<1, dim> normal;            // unit, outward from the slave
+    double         gap;               // initial gap along the normal (or as the scene declares it)
+    double         weight;            // slave area, in axisymmetric scenes of the full turn
+  };
+
+  template <int dim>
+  using NodeDofs = std::array<types::global_dof_index, dim>;
+
+  // One multiplier. Jump: Delta = sum slave weight u - sum master weight u (each sum of weights is 1), and contact says
+  //   g = gap - normal . Delta >= 0,   p >= 0,   p g = 0,
+  // with virtual work -area p normal . delta(Delta).
+  template <int dim>
+  struct CouplingRow
+  {
+    unsigned int                                  node; // of the slave surface: the node that is eliminated
+    double                                        area;
+    double                                        gap;
+    Tensor<1, dim>                                normal; // int psi n / area; not of unit length on curved surfaces
+    std::vector<std::pair<NodeDofs<dim>, double>> slave, master;
+    std::vector<std::pair<unsigned int, double>>  traces; // int psi B_j dA, by slave node: Bernstein traces
+  };
+
+  template <int dim>
+  struct Coupling
+  {
+    std::vector<CouplingRow<dim>>  rows;
+    std::vector<OverlapPoint<dim>> points;
+    // int B_i B_j dA over the overlap, by slave node
+    std::map<std::pair<unsigned int, unsigned int>, double> trace_mass;
+  };
+} // namespace Amontons

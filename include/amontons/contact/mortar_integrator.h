@@ -1,0 +1,37 @@
+// Dual mortar integrals of one pair: from overlaps to one coupling row per multiplier.
+#pragma once
+
+#include <amontons/contact/contact_surface.h>
+#include <amontons/contact/coupling.h>
+#include <amontons/geometry/rigid_surface.h>
+
+#include <functional>
+
+namespace Amontons
+{
+  // The side that receives the multiplier: a meshed surface or an analytic obstacle.
+  template <int dim>
+  struct MasterSide
+  {
+    const ContactSurface<dim> *surface  = nullptr;
+    const ObstacleData        *obstacle = nullptr;
+    unsigned int               carrier  = 0; // of the obstacle
+  };
+
+  // All overlaps of the pair whose gap is at most `reach`; gaps as the pair declares them (`Initial gap`, `Adjust`).
+  // Throws InputError where the bodies overlap without a declared interference. `pair` gives names for messages.
+  template <int dim>
+  std::vector<OverlapPoint<dim>> find_overlaps(const PairData            &pair,
+                                               const ContactSurface<dim> &slave,
+                                               const MasterSide<dim>     &master,
+                                               const double               reach,
+                                               const bool                 axisymmetric);
+
+  // carries_multiplier: by slave node, false where supports own the node whole.
+  template <int dim>
+  Coupling<dim> integrate_coupling(const Discretization<dim>        &discretization,
+                                   const ContactSurface<dim>        &slave,
+                                   const MasterSide<dim>            &master,
+                                   std::vector<OverlapPoint<dim>>    points,
+                                   const std::vector<bool>          &carries_multiplier);
+} // namespace Amontons

@@ -1,0 +1,33 @@
+// One linear equation, written into AffineConstraints by eliminating one of its degrees of freedom.
+#pragma once
+
+#include <amontons/base/linear_algebra.h>
+
+#include <map>
+#include <optional>
+
+namespace Amontons
+{
+  // sum_d coefficient_d u_d = value
+  struct LinearEquation
+  {
+    std::map<types::global_dof_index, double> coefficients;
+    double                                    value = 0;
+  };
+
+  // Replaces every DoF of the equation that `constraints` already eliminates (directly or through others) by what it
+  // depends on; if `only` is given, only those of its DoFs.
+  void substitute(LinearEquation                               &equation,
+                  const Constraints                            &constraints,
+                  const std::vector<types::global_dof_index> *only = nullptr);
+
+  // The DoF among `candidates` to be eliminated: unconstrained and with the largest coefficient. Empty if none
+  // exceeds `threshold` (others own the node); equations are scaled by unit normals, so that 1 is large.
+  std::optional<types::global_dof_index> choose_pivot(const LinearEquation                               &equation,
+                                                      const Constraints                                  &constraints,
+                                                      const std::vector<types::global_dof_index> &candidates,
+                                                      const double                                        threshold = 1e-6);
+
+  // Adds the line u_pivot = (value - sum of the others) / coefficient_pivot.
+  void eliminate(const LinearEquation &equation, const types::global_dof_index pivot, Constraints &constraints);
+} // namespace Amontons

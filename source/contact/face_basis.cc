@@ -1,0 +1,122 @@
+#include <amontons/contact/face_basis.h>
+
+#include <deal.II/base/exceptions.h>
+
+namespace Amontons
+{
+  void
+  lagrange_1d(const unsigned int   degree,
+              const double         x,
+              std::vector<double> &values,
+              std::vector<double> &derivatives)
+  {
+    values.assign(degree + 1, 1.);
+    derivatives.assign(degree + 1, 0.);
+    const double n = degree;
+    for (unsigned int i = 0; i <= degree; ++i)
+      for (unsigned int j = 0; j <= degree; ++j)
+        if (j != i)
+          {
+            const double slope  = n / (double(i) - double(j));
+            const double factor = slope * (x - j / n);
+            derivatives[i]      = derivatives[i] * factor + values[i] * slope;
+            values[i] *= factor;
+          }
+  }
+
+  void
+  bernstein_1d(const unsigned int degree, const double x, std::vector<double> &values)
+  {
+    if (degree == 1)
+      values = {1 - x, x};
+    else
+      {
+        Assert(degree == 2, dealii::ExcNotImplemented());
+        values = {(1 - x) * (1 - x), 2 * x * (1 - x), x * x};
+      }
+  }
+
+  namespace
+  {
+    // Product over the directions of one-dimensional factors f[direction][index], the first index fastest.
+    template <int fdim>
+    std::vector<double>
+    tensor_product(const std::array<std::vector<double>, fdim> &f)
+    {
+      std::vector<double> result = f[0];
+      for (unsigned int d = 1; d < fdim; ++d)
+        {
+          std::vector<double> larger;
+          for (const double outer : f[d])
+            for (const double inner : result)
+              larger.push_back(outer * inner);
+          result.swap(larger);
+        }
+      return result;
+    }
+  } // namespace
+
+  template <int fdim>
+  std::vector<double>
+  lagrange_values(const unsigned int degree, const Point<fdim> &xi)
+  {
+    std::array<std::vector<double>, fdim> f;
+    std::vector<double>                   unused;
+    for (unsigned int d = 0; d < fdim; ++d)
+      lagrange_1d(degree, xi[d], f[d], unused);
+    return tensor_product<fdim>(f);
+  }
+
+  template <int fdim>
+  std::vector<Tensor<1, fdim>>
+  lagrange_gradients(const unsigned int degree, const Point<fdim> &xi)
+  {
+    std::array<std::vector<double>, fdim> values, derivatives;
+    for (unsigned int d = 0; d < fdim; ++d)
+      lagrange_1d(degree, xi[d], values[d], derivatives[d]);
+    std::vector<Tensor<1, fdim>> gradients;
+    for (unsigned int d = 0; d < fdim; ++d)
+      {
+        auto f = values;
+        f[d]   = derivatives[d];
+        const auto product = tensor_product<fdim>(f);
+        gradients.resize(product.size());
+        for (unsigned int i = 0; i < product.size(); ++i)
+          gradients[i][d] = product[i];
+      }
+    return gradients;
+  }
+
+  template <int fdim>
+  std::vector<double>
+  bernstein_values(const unsigned int degree, const Point<fdim> &xi)
+  {
+    std::array<std::vector<double>, fdim> f;
+    for (unsigned int d = 0; d < fdim; ++d)
+      bernstein_1d(degree, xi[d], f[d]);
+    return tensor_product<fdim>(f);
+  }
+
+  std::vector<std::vector<double>>
+  control_matrix(const unsigned int degree, const unsigned int fdim)
+  {
+    const std::vector<std::vector<double>> T1 =
+      degree == 1 ? std::vector<std::vector<double>>{{1, 0}, {0, 1}} :
+                    std::vector<std::vector<double>>{{1, 0, 0}, {-0.5, 2, -0.5}, {0, 0, 1}};
+    if (fdim == 1)
+      return T1;
+    const unsigned int               n = degree + 1;
+    std::vector<std::vector<double>> T2(n * n, std::vector<double>(n * n));
+    for (unsigned int i = 0; i < n * n; ++i)
+      for (unsigned int j = 0; j < n * n; ++j)
+        T2[i][j] = T1[i % n][j % n] * T1[i / n][j / n];
+    return T2;
+  }
+
+  template std::vector<double>       lagrange_values(const unsigned int, const Point<1> &);
+  template std::vector<double>       lagrange_values(const unsigned int, const Point<2> &);
+  template std::vector<Tensor<1, 1>> lagrange_gradients(const unsigned int, const Point<1> &);
+  template std::vector<Tensor<1, 2>> lagrange_gradients(const unsigned int, const Point<2> &);
+  template std::vector<double>       bernstein_values(const unsigned int, const Point<1> &);
+  template std::vector<double>       bernstein_values(const unsigned int, const Point<2> &);
+} // namespace Amontons

@@ -1,0 +1,179 @@
+#include <amontons/contact/face_overlap.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+namespace Amontons
+{
+  namespace
+  {
+    double
+    cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+
+    // Root of f in [0, 1] for f(0) f(1) < 0, to rounding.
+    template <typename Function>
+    double
+    root(const Function &f, const double f0, const double f1)
+    {
+      if (f0 == 0)
+        return 0;
+      if (f1 == 0)
+        return 1;
+      boost::uintmax_t iterations = 100;
+      const auto       bracket =
+        boost::math::tools::toms748_solve(f, 0., 1., f0, f1, boost::math::tools::eps_tolerance<double>(52), iterations);
+      return 0.5 * (bracket.first + bracket.second);
+    }
+
+    // Quadrature on [a, b] of the slave face; at each point `opposite` returns the master's (face, xi, position), if any.
+    template <typename Opposite>
+    void
+    integrate_segment(const ContactSurface<2>      &slave,
+                      const unsigned int            slave_face,
+                      const double                  a,
+                      const double                  b,
+                      const unsigned int            n_points,
+                      const Opposite               &opposite,
+                      std::vector<OverlapPoint<2>> &points)
+    {
+      const QGauss<1> gauss(n_points);
+      for (unsigned int q = 0; q < gauss.size(); ++q)
+        {
+          OverlapPoint<2> p;
+          p.slave_face = slave_face;
+          p.xi_slave   = Point<1>(a + (b - a) * gauss.point(q)[0]);
+          p.x_slave    = slave.position(slave_face, p.xi_slave);
+          p.normal     = slave.nodal_normal(slave_face, p.xi_slave);
+          double jacobian;
+          slave.face_normal(slave_face, p.xi_slave, &jacobian);
+          p.weight = gauss.weight(q) * (b - a) * jacobian;
+          if (opposite(p))
+            {
+              p.gap = p.normal * (p.x_master - p.x_slave);
+              points.push_back(p);
+            }
+        }
+    }
+  } // namespace
+
+  double
+  project_to_slave(const ContactSurface<2> &slave, const unsigned int face, const Point<2> &y)
+  {
+    const auto miss = [&](const double xi) {
+      return cross(y - slave.position(face, Point<1>(xi)), slave.nodal_normal(face, Point<1>(xi)));
+    };
+    const double f0 = miss(0), f1 = miss(1);
+    if (f0 * f1 <= 0)
+      return root(miss, f0, f1);
+    return std::abs(f0) < std::abs(f1) ? 0 : 1;
+  }
+
+  std::optional<double>
+  project_to_master(const ContactSurface<2> &master, const unsigned int face, const Point<2> &x, const Tensor<1, 2> &n)
+  {
+    const auto   miss = [&](const double eta) { return cross(master.position(face, Point<1>(eta)) - x, n); };
+    const double f0 = miss(0), f1 = miss(1);
+    // Ends shared with the neighbouring face may be missed by rounding.
+    const double tolerance = 1e-12 * master.faces[face].size;
+    if (std::abs(f0) <= tolerance)
+      return 0.;
+    if (std::abs(f1) <= tolerance)
+      return 1.;
+    if (f0 * f1 > 0)
+      return {};
+    return root(miss, f0, f1);
+  }
+
+  void
+  overlap_faces(const ContactSurface<2>      &slave,
+                const unsigned int            slave_face,
+                const ContactSurface<2>      &master,
+                const unsigned int            master_face,
+                const unsigned int            n_points,
+                std::vector<OverlapPoint<2>> &points)
+  {
+    const Tensor<1, 2> n_slave = slave.face_normal(slave_face, Point<1>(0.5));
+    if (n_slave * master.face_normal(master_face, Point<1>(0.5)) > -0.1)
+      return;
+    double a = project_to_slave(slave, slave_face, master.position(master_face, Point<1>(0)));
+    double b = project_to_slave(slave, slave_face, master.position(master_face, Point<1>(1)));
+    if (a > b)
+      std::swap(a, b);
+    if (b - a < 1e-10)
+      return;
+    integrate_segment(
+      slave,
+      slave_face,
+      a,
+      b,
+      n_points,
+      [&](OverlapPoint<2> &p) {
+        const auto eta = project_to_master(master, master_face, p.x_slave, p.normal);
+        if (!eta)
+          return false;
+        p.master_face = master_face;
+        p.xi_master   = Point<1>(*eta);
+        p.x_master    = master.position(master_face, p.xi_master);
+        return true;
+      },
+      points);
+  }
+
+  void
+  overlap_obstacle(const ContactSurface<2>      &slave,
+                   const unsigned int            slave_face,
+                   const ObstacleData           &obstacle,
+                   const unsigned int            n_points,
+                   std::vector<OverlapPoint<2>> &points)
+  {
+    const auto opposite = [&](const double xi) {
+      return project_to_obstacle(obstacle,
+                                 slave.position(slave_face, Point<1>(xi)),
+                                 slave.nodal_normal(slave_face, Point<1>(xi)));
+    };
+    // Ends of the covered parts: sampled, then bisected. A part smaller than a sample interval inside one face is missed.
+    const unsigned int  n_samples = 16;
+    std::vector<double> ends;
+    bool                inside = opposite(0).has_value();
+    if (inside)
+      ends.push_back(0);
+    for (unsigned int i = 1; i <= n_samples; ++i)
+      {
+        const double xi        = double(i) / n_samples;
+        const bool   inside_xi = opposite(xi).has_value();
+        if (inside_xi != inside)
+          {
+            double lo = double(i - 1) / n_samples, hi = xi;
+            for (unsigned int k = 0; k < 60; ++k)
+              {
+                const double middle = 0.5 * (lo + hi);
+                (opposite(middle).has_value() == inside ? lo : hi) = middle;
+              }
+            ends.push_back(0.5 * (lo + hi));
+          }
+        inside = inside_xi;
+      }
+    if (inside)
+      ends.push_back(1);
+
+    for (unsigned int i = 0; i + 1 < ends.size(); i += 2)
+      if (ends[i + 1] - ends[i] > 1e-10)
+        integrate_segment(
+          slave,
+          slave_face,
+          ends[i],
+          ends[i + 1],
+          n_points,
+          [&](OverlapPoint<2> &p) {
+            const auto x  = project_to_obstacle(obstacle, p.x_slave, p.normal);
+            p.master_face = numbers::invalid_unsigned_int;
+            p.x_master    = x ? *x : p.x_slave;
+            return x.has_value();
+          },
+          points);
+  }
+} // namespace Amontons

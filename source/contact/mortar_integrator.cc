@@ -1,0 +1,215 @@
+#include <amontons/contact/dual_basis.h>
+#include <amontons/contact/face_basis.h>
+#include <amontons/contact/face_overlap.h>
+#include <amontons/contact/mortar_integrator.h>
+
+#include <deal.II/numerics/rtree.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace Amontons
+{
+  namespace
+  {
+    template <int dim>
+    Point<3>
+    as_3d(const Point<dim> &p)
+    {
+      Point<3> q;
+      for (unsigned int d = 0; d < dim; ++d)
+        q[d] = p[d];
+      return q;
+    }
+
+    template <int dim>
+    BoundingBox<dim>
+    bounding_box(const SurfaceFace<dim> &face, const double margin)
+    {
+      BoundingBox<dim> box(face.geometry);
+      box.extend(margin);
+      return box;
+    }
+
+    // The gap that counts at a point: declared, closed by `Adjust`, or geometric.
+    template <int dim>
+    void
+    apply_declared_gap(const PairData &pair, const double face_size, OverlapPoint<dim> &p)
+    {
+      if (pair.initial_gap)
+        {
+          p.gap = pair.initial_gap->value(as_3d(p.x_slave), 0);
+          return;
+        }
+      if (std::abs(p.gap) <= std::max(pair.adjust, 1e-10 * face_size))
+        p.gap = 0;
+      if (p.gap < -1e-4 * face_size && !pair.tied)
+        {
+          std::ostringstream found;
+          found << "the bodies overlap by " << -p.gap << " near (" << p.x_slave << ")";
+          throw InputError(pair.where,
+                           found.str(),
+                           "declare an interference with 'Initial gap' (negative), close mesh gaps up to a size with "
+                           "'Adjust', declare round boundaries in 'Curved boundaries', or move the bodies apart");
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  std::vector<OverlapPoint<dim>>
+  find_overlaps(const PairData            &pair,
+                const ContactSurface<dim> &slave,
+                const MasterSide<dim>     &master,
+                const double               reach,
+                const bool                 axisymmetric)
+  {
+    // psi x N x geometry x r: degree 2p + 1 on straight faces; curved ones get two points more.
+    const unsigned int             n_points = slave.degree + 3;
+    std::vector<OverlapPoint<dim>> points;
+
+    std::vector<std::pair<BoundingBox<dim>, unsigned int>> boxes;
+    if (master.surface != nullptr)
+      for (unsigned int m = 0; m < master.surface->faces.size(); ++m)
+        boxes.emplace_back(bounding_box(master.surface->faces[m], 0), m);
+    const auto tree = pack_rtree(boxes);
+
+    for (unsigned int s = 0; s < slave.faces.size(); ++s)
+      {
+        std::vector<OverlapPoint<dim>> found;
+        if (master.surface == nullptr)
+          overlap_obstacle(slave, s, *master.obstacle, n_points, found);
+        else
+          {
+            std::vector<unsigned int> candidates;
+            const auto                box = bounding_box(slave.faces[s], reach);
+            for (auto it = tree.qbegin(boost::geometry::index::intersects(box)); it != tree.qend(); ++it)
+              candidates.push_back(it->second);
+            std::sort(candidates.begin(), candidates.end());
+            for (const unsigned int m : candidates)
+              overlap_faces(slave, s, *master.surface, m, n_points, found);
+          }
+        for (auto &p : found)
+          {
+            if (std::abs(p.gap) > reach)
+              continue;
+            apply_declared_gap(pair, slave.faces[s].size, p);
+            if (axisymmetric)
+              p.weight *= 2 * numbers::PI * p.x_slave[0];
+            points.push_back(p);
+          }
+      }
+    return points;
+  }
+
+  // Row i collects, over the faces at its node,
+  //   area = int psi_i,  area gap = int psi_i g,  area normal = int psi_i n,  int psi_i B_j (slave),  int psi_i N_q (master).
+  template <int dim>
+  Coupling<dim>
+  integrate_coupling(const Discretization<dim>     &discretization,
+                     const ContactSurface<dim>     &slave,
+                     const MasterSide<dim>         &master,
+                     std::vector<OverlapPoint<dim>> points,
+                     const std::vector<bool>       &carries_multiplier)
+  {
+    struct Sums
+    {
+      double                          area = 0, gap = 0;
+      Tensor<1, dim>                  normal;
+      std::map<unsigned int, double>  traces;
+      std::map<NodeDofs<dim>, double> master;
+    };
+    std::map<unsigned int, Sums> sums;
+    Coupling<dim>                coupling;
+
+    for (std::size_t begin = 0, end; begin < points.size(); begin = end)
+      {
+        for (end = begin; end < points.size() && points[end].slave_face == points[begin].slave_face;)
+          ++end;
+        const auto                 &nodes = slave.faces[points[begin].slave_face].nodes;
+        std::vector<Point<dim - 1>> xi;
+        std::vector<double>         weights;
+        std::vector<bool>           carries;
+        for (std::size_t q = begin; q < end; ++q)
+          {
+            xi.push_back(points[q].xi_slave);
+            weights.push_back(points[q].weight);
+          }
+        for (const unsigned int node : nodes)
+          carries.push_back(carries_multiplier[node]);
+        const auto basis = make_dual_basis<dim - 1>(slave.degree, xi, weights, carries);
+
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          {
+            for (unsigned int j = 0; j < nodes.size(); ++j)
+              coupling.trace_mass[{nodes[i], nodes[j]}] += basis.mass(i, j);
+            if (!carries[i])
+              continue;
+            Sums &row = sums[nodes[i]];
+            for (unsigned int j = 0; j < nodes.size(); ++j)
+              if (basis.traces(i, j) != 0)
+                row.traces[nodes[j]] += basis.traces(i, j);
+          }
+        for (std::size_t q = begin; q < end; ++q)
+          {
+            std::vector<std::pair<NodeDofs<dim>, double>> columns;
+            if (master.surface != nullptr)
+              {
+                const auto N = lagrange_values<dim - 1>(master.surface->degree, points[q].xi_master);
+                for (unsigned int k = 0; k < N.size(); ++k)
+                  columns.emplace_back(
+                    master.surface->nodes[master.surface->faces[points[q].master_face].nodes[k]].dofs, N[k]);
+              }
+            else
+              {
+                const auto N = discretization.carrier_weights(master.carrier, points[q].x_master);
+                for (unsigned int k = 0; k <= dim; ++k)
+                  columns.emplace_back(discretization.carrier_dofs[master.carrier][k], N[k]);
+              }
+            for (unsigned int i = 0; i < nodes.size(); ++i)
+              if (carries[i])
+                {
+                  Sums        &row    = sums[nodes[i]];
+                  const double weight = basis.psi(i, q - begin) * points[q].weight;
+                  row.area += weight;
+                  row.gap += weight * points[q].gap;
+                  row.normal += weight * points[q].normal;
+                  for (const auto &[dofs, N] : columns)
+                    row.master[dofs] += weight * N;
+                }
+          }
+      }
+
+    for (const auto &[node, row] : sums)
+      {
+        CouplingRow<dim> result;
+        result.node   = node;
+        result.area   = row.area;
+        result.gap    = row.gap / row.area;
+        result.normal = row.normal / row.area;
+        std::map<unsigned int, double> slave_weights;
+        for (const auto &[j, trace] : row.traces)
+          {
+            result.traces.emplace_back(j, trace);
+            for (const auto &[k, weight] : slave.nodes[j].control)
+              slave_weights[k] += weight * trace / row.area;
+          }
+        for (const auto &[k, weight] : slave_weights)
+          if (std::abs(weight) > 1e-14)
+            result.slave.emplace_back(slave.nodes[k].dofs, weight);
+        for (const auto &[dofs, weight] : row.master)
+          if (std::abs(weight) > 1e-14 * row.area)
+            result.master.emplace_back(dofs, weight / row.area);
+        coupling.rows.push_back(result);
+      }
+    coupling.points = std::move(points);
+    return coupling;
+  }
+
+  template std::vector<OverlapPoint<2>>
+  find_overlaps(const PairData &, const ContactSurface<2> &, const MasterSide<2> &, const double, const bool);
+  template Coupling<2> integrate_coupling(const Discretization<2> &,
+                                          const ContactSurface<2> &,
+                                          const MasterSide<2> &,
+                                          std::vector<OverlapPoint<2>>,
+                                          const std::vector<bool> &);
+} // namespace Amontons

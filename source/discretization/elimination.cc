@@ -1,0 +1,67 @@
+#include <amontons/discretization/elimination.h>
+
+#include <algorithm>
+
+namespace Amontons
+{
+  void
+  substitute(LinearEquation                             &equation,
+             const Constraints                          &constraints,
+             const std::vector<types::global_dof_index> *only)
+  {
+    const auto selected = [&](const types::global_dof_index dof) {
+      return only == nullptr || std::find(only->begin(), only->end(), dof) != only->end();
+    };
+    for (bool changed = true; changed;)
+      {
+        changed = false;
+        for (const auto &[dof, coefficient] : equation.coefficients)
+          if (selected(dof) && constraints.is_constrained(dof))
+            {
+              const auto  d       = dof;
+              const auto  factor  = coefficient;
+              const auto *entries = constraints.get_constraint_entries(d);
+              equation.coefficients.erase(d);
+              if (entries != nullptr)
+                for (const auto &[other, weight] : *entries)
+                  equation.coefficients[other] += factor * weight;
+              equation.value -= factor * constraints.get_inhomogeneity(d);
+              changed = true;
+              break;
+            }
+      }
+  }
+
+  std::optional<types::global_dof_index>
+  choose_pivot(const LinearEquation                       &equation,
+               const Constraints                          &constraints,
+               const std::vector<types::global_dof_index> &candidates,
+               const double                                threshold)
+  {
+    std::optional<types::global_dof_index> best;
+    double                                 largest = threshold;
+    for (const auto dof : candidates)
+      {
+        const auto entry = equation.coefficients.find(dof);
+        if (entry != equation.coefficients.end() && !constraints.is_constrained(dof) &&
+            std::abs(entry->second) > largest)
+          {
+            // A clear margin, so that rounding does not let ranks or runs choose differently.
+            largest = std::abs(entry->second) * (1 + 1e-6);
+            best    = dof;
+          }
+      }
+    return best;
+  }
+
+  void
+  eliminate(const LinearEquation &equation, const types::global_dof_index pivot, Constraints &constraints)
+  {
+    const double coefficient = equation.coefficients.at(pivot);
+    constraints.add_line(pivot);
+    for (const auto &[dof, weight] : equation.coefficients)
+      if (dof != pivot && weight != 0)
+        constraints.add_entry(pivot, dof, -weight / coefficient);
+    constraints.set_inhomogeneity(pivot, equation.value / coefficient);
+  }
+} // namespace Amontons

@@ -1,0 +1,284 @@
+// What the scene prescribes about displacements, as affine constraints.
+#include <amontons/discretization/discretization.h>
+#include <amontons/discretization/elimination.h>
+#include <amontons/scene/reference_solution.h>
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    template <int dim>
+    Point<3>
+    as_3d(const Point<dim> &p)
+    {
+      Point<3> q;
+      for (unsigned int d = 0; d < dim; ++d)
+        q[d] = p[d];
+      return q;
+    }
+
+    // Calls action(dofs of the node by component, position, unit normal of the face there) for every node of every face of `boundary`.
+    template <int dim, typename Action>
+    void
+    for_each_node_on(const Discretization<dim> &discretization, const types::boundary_id boundary, const Action &action)
+    {
+      const auto                          &fe   = discretization.fe;
+      const auto                          &base = fe.base_element(0);
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      std::array<types::global_dof_index, dim> node;
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (!cell->is_artificial() && cell->at_boundary())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == boundary)
+              {
+                cell->get_dof_indices(dofs);
+                const auto       nodes = nodes_on_face(base, f);
+                Quadrature<dim>  at_nodes(base.get_unit_support_points());
+                FEValues<dim>    values(discretization.mapping, fe, at_nodes, update_quadrature_points | update_inverse_jacobians);
+                values.reinit(cell);
+                for (const unsigned int i : nodes)
+                  {
+                    for (unsigned int c = 0; c < dim; ++c)
+                      node[c] = dofs[fe.component_to_system_index(c, i)];
+                    Tensor<1, dim> normal; // J^-T N
+                    const double   sign = f % 2 == 1 ? 1 : -1;
+                    for (unsigned int d = 0; d < dim; ++d)
+                      normal[d] = sign * values.inverse_jacobian(i)[f / 2][d];
+                    action(node, values.quadrature_point(i), normal / normal.norm());
+                  }
+              }
+    }
+  } // namespace
+
+  template <int dim>
+  Constraints
+  Discretization<dim>::make_supports(const double t) const
+  {
+    Constraints constraints(relevant);
+    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+    constrain_carriers(constraints, t);
+    constrain_rigid_bodies(constraints);
+    for (const auto &condition : scene.conditions)
+      if (condition.type == ConditionData::Type::displacement)
+        constrain_displacement(constraints, condition, t);
+    for (const auto &condition : scene.conditions)
+      if (condition.type == ConditionData::Type::symmetry)
+        constrain_symmetry(constraints, condition);
+    for (const auto &condition : scene.conditions)
+      if (condition.type == ConditionData::Type::platen)
+        constrain_platen(constraints, condition);
+    if (scene.kind == Kind::axisymmetric) // u_r = 0 on the axis
+      {
+        const auto                          &base = fe.base_element(0);
+        std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          if (!cell->is_artificial() && cell->at_boundary() && is_deformable(cell->material_id()))
+            for (const unsigned int f : cell->face_indices())
+              if (cell->face(f)->at_boundary() && std::abs(cell->face(f)->center()[0]) < 1e-10 * cell->diameter())
+                {
+                  cell->get_dof_indices(dofs);
+                  for (const unsigned int i : nodes_on_face(base, f))
+                    {
+                      const auto dof = dofs[fe.component_to_system_index(0, i)];
+                      if (!constraints.is_constrained(dof))
+                        constraints.add_line(dof);
+                    }
+                }
+      }
+    constraints.make_consistent_in_parallel(locally_owned, relevant, geometry.communicator);
+    constraints.close();
+    return constraints;
+  }
+
+  // With A the corner at the reference point, B, C, D at distance s along x, y, z:
+  //   u_B = u_A + s theta x e_x = u_A + s (0, theta_z, -theta_y),   u_C = u_A + s (-theta_z, 0, theta_x),
+  //   u_D = u_A + s (theta_y, -theta_x, 0).
+  // A free rotation is carried by B_y (theta_z), B_z (theta_y) and C_z (theta_x).
+  template <int dim>
+  void
+  Discretization<dim>::constrain_carriers(Constraints &constraints, const double t) const
+  {
+    using Terms = std::vector<std::pair<types::global_dof_index, double>>;
+    const auto tie = [&](const types::global_dof_index dof, const Terms &terms, const double value) {
+      if (!constraints.can_store_line(dof) || constraints.is_constrained(dof))
+        return;
+      constraints.add_line(dof);
+      constraints.add_entries(dof, terms);
+      constraints.set_inhomogeneity(dof, value);
+    };
+    const bool axisymmetric = scene.kind == Kind::axisymmetric;
+
+    for (unsigned int m = 0; m < carrier_dofs.size(); ++m)
+      {
+        const MotionData &motion = geometry.carriers[m].motion;
+        const double      s      = geometry.carriers[m].size;
+        const auto       &u      = carrier_dofs[m];
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            if (axisymmetric && c == 0)
+              tie(u[0][c], {}, 0);
+            else if (motion.displacement[c])
+              tie(u[0][c], {}, motion.displacement[c]->value(motion.reference, t));
+            for (unsigned int k = 1; k <= dim; ++k)
+              if (k == c + 1 || axisymmetric)
+                tie(u[k][c], {{u[0][c], 1.}}, 0);
+          }
+        if (axisymmetric)
+          continue;
+
+        // theta about `axis`: u[k+1][c] = u[0][c] + sign s theta for (k, c, sign) and its opposite.
+        struct Rotation
+        {
+          unsigned int axis, k, c;
+          double       sign;
+          unsigned int opposite_k, opposite_c;
+        };
+        const std::vector<Rotation> rotations =
+          dim == 2 ? std::vector<Rotation>{{2, 1, 1, 1., 2, 0}} :
+                     std::vector<Rotation>{{2, 1, 1, 1., 2, 0}, {1, 1, 2, -1., 3, 0}, {0, 2, 2, 1., 3, 1}};
+        for (const auto &r : rotations)
+          {
+            const auto dof = u[r.k][r.c], opposite = u[r.opposite_k][r.opposite_c];
+            const auto origin = u[0][r.c], opposite_origin = u[0][r.opposite_c];
+            if (motion.rotation[r.axis])
+              {
+                const double theta = motion.rotation[r.axis]->value(motion.reference, t);
+                tie(dof, {{origin, 1.}}, r.sign * s * theta);
+                tie(opposite, {{opposite_origin, 1.}}, -r.sign * s * theta);
+              }
+            else
+              tie(opposite, {{opposite_origin, 1.}, {dof, -1.}, {origin, 1.}}, 0);
+          }
+      }
+
+    // The other nodes of the carrier cells follow their corners.
+    const auto                          &base = fe.base_element(0);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (!cell->is_artificial() && geometry.is_carrier(cell->material_id()))
+        {
+          const unsigned int m = cell->material_id() - scene.bodies.size();
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < base.n_dofs_per_cell(); ++i)
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                const auto dof    = dofs[fe.component_to_system_index(c, i)];
+                bool       corner = false;
+                for (unsigned int k = 0; k <= dim; ++k)
+                  corner = corner || dof == carrier_dofs[m][k][c];
+                if (corner)
+                  continue;
+                const Point<dim> xi = base.unit_support_point(i);
+                Terms            terms;
+                double           first = 1;
+                for (unsigned int k = 0; k < dim; ++k)
+                  {
+                    if (xi[k] != 0)
+                      terms.emplace_back(carrier_dofs[m][k + 1][c], xi[k]);
+                    first -= xi[k];
+                  }
+                if (first != 0)
+                  terms.emplace_back(carrier_dofs[m][0][c], first);
+                tie(dof, terms, 0);
+              }
+        }
+  }
+
+  template <int dim>
+  void
+  Discretization<dim>::constrain_rigid_bodies(Constraints &constraints) const
+  {
+    const auto                          &base = fe.base_element(0);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    FEValues<dim> values(mapping, fe, Quadrature<dim>(base.get_unit_support_points()), update_quadrature_points);
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (!cell->is_artificial() && !geometry.is_carrier(cell->material_id()) && !is_deformable(cell->material_id()))
+        {
+          const unsigned int m = carrier_of_body[cell->material_id()];
+          values.reinit(cell);
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < base.n_dofs_per_cell(); ++i)
+            {
+              const auto weights = carrier_weights(m, values.quadrature_point(i));
+              for (unsigned int c = 0; c < dim; ++c)
+                {
+                  const auto dof = dofs[fe.component_to_system_index(c, i)];
+                  if (constraints.is_constrained(dof))
+                    continue;
+                  constraints.add_line(dof);
+                  for (unsigned int k = 0; k <= dim; ++k)
+                    constraints.add_entry(dof, carrier_dofs[m][k][c], weights[k]);
+                }
+            }
+        }
+  }
+
+  template <int dim>
+  void
+  Discretization<dim>::constrain_platen(Constraints &constraints, const ConditionData &condition) const
+  {
+    const unsigned int m = geometry.carrier(condition.motion->name);
+    for (const auto &name : condition.boundaries)
+      for_each_node_on(*this, geometry.boundary(name, scene).id, [&](const auto &node, const auto &X, const auto &) {
+        const auto weights = carrier_weights(m, X);
+        for (unsigned int c = 0; c < dim; ++c)
+          if (!constraints.is_constrained(node[c]))
+            {
+              constraints.add_line(node[c]);
+              for (unsigned int k = 0; k <= dim; ++k)
+                if (weights[k] != 0)
+                  constraints.add_entry(node[c], carrier_dofs[m][k][c], weights[k]);
+            }
+      });
+  }
+
+  template <int dim>
+  void
+  Discretization<dim>::constrain_displacement(Constraints         &constraints,
+                                              const ConditionData &condition,
+                                              const double         t) const
+  {
+    for (const auto &name : condition.boundaries)
+      {
+        const Boundary &boundary = geometry.boundary(name, scene);
+        std::function<Tensor<1, 3>(const Point<3> &)> field;
+        if (condition.field)
+          field = make_displacement_field(*condition.field, scene.bodies[boundary.body].material);
+        for_each_node_on(*this, boundary.id, [&](const auto &node, const auto &X, const auto &) {
+          const Point<3> p = as_3d(X);
+          for (unsigned int c = 0; c < dim; ++c)
+            if ((field || condition.displacement[c]) && !constraints.is_constrained(node[c]))
+              {
+                constraints.add_line(node[c]);
+                constraints.set_inhomogeneity(node[c], field ? field(p)[c] : condition.displacement[c]->value(p, t));
+              }
+        });
+      }
+  }
+
+  // u . n = 0 with the normal of each plane, so that edges and corners between planes are held by each of them.
+  template <int dim>
+  void
+  Discretization<dim>::constrain_symmetry(Constraints &constraints, const ConditionData &condition) const
+  {
+    for (const auto &name : condition.boundaries)
+      for_each_node_on(*this,
+                       geometry.boundary(name, scene).id,
+                       [&](const auto &node, const auto &, const auto &normal) {
+                         LinearEquation equation;
+                         for (unsigned int c = 0; c < dim; ++c)
+                           if (std::abs(normal[c]) > 1e-10)
+                             equation.coefficients[node[c]] = normal[c];
+                         substitute(equation, constraints);
+                         const std::vector<types::global_dof_index> own(node.begin(), node.end());
+                         if (const auto pivot = choose_pivot(equation, constraints, own))
+                           eliminate(equation, *pivot, constraints);
+                       });
+  }
+
+  template Constraints Discretization<2>::make_supports(const double) const;
+  template Constraints Discretization<3>::make_supports(const double) const;
+} // namespace Amontons

@@ -1,0 +1,106 @@
+#include <amontons/elasticity/kinematics.h>
+
+namespace Amontons
+{
+  template <int dim>
+  StrainOperator<dim>::StrainOperator(const FiniteElement<dim> &fe, const Kind kind)
+    : fe(fe)
+    , kind(kind)
+    , n_dofs(fe.n_dofs_per_cell())
+  {
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      component.push_back(fe.system_to_component_index(i).first);
+  }
+
+  template <int dim>
+  void
+  StrainOperator<dim>::reinit(const FEValues<dim> &values)
+  {
+    const unsigned int n_q = values.n_quadrature_points;
+    B.resize(n_q * n_dofs);
+    weights.resize(n_q);
+    for (unsigned int q = 0; q < n_q; ++q)
+      {
+        const double r = values.quadrature_point(q)[0];
+        weights[q]     = values.JxW(q) * measure<dim>(kind, values.quadrature_point(q));
+        for (unsigned int i = 0; i < n_dofs; ++i)
+          {
+            Voigt<dim> &b = B[q * n_dofs + i];
+            b.fill(0);
+            const auto        &g = values.shape_grad(i, q);
+            const unsigned int c = component[i];
+            b[c]                 = g[c];
+            if (dim == 2)
+              {
+                b[3] = g[1 - c];
+                if (kind == Kind::axisymmetric && c == 0)
+                  b[2] = values.shape_value(i, q) / r;
+              }
+            else
+              {
+                // shears xy, xz, yz
+                if (c == 0)
+                  {
+                    b[3] = g[1];
+                    b[4] = g[dim - 1];
+                  }
+                else if (c == 1)
+                  {
+                    b[3] = g[0];
+                    b[n_voigt<dim> - 1] = g[dim - 1];
+                  }
+                else
+                  {
+                    b[4] = g[0];
+                    b[n_voigt<dim> - 1] = g[1];
+                  }
+              }
+          }
+      }
+    if (kind != Kind::plane_stress)
+      project_dilatation(values);
+  }
+
+  // Least squares in the cell: P div = sum_k m_k a_k with  sum_k (m_j, m_k) a_k = (m_j, div),  m = 1 (, xi_1, ..., xi_dim about the centre).
+  template <int dim>
+  void
+  StrainOperator<dim>::project_dilatation(const FEValues<dim> &values)
+  {
+    const unsigned int n_q = values.n_quadrature_points, n_m = fe.degree == 1 ? 1 : dim + 1;
+    const Point<dim>   centre = values.get_cell()->center();
+    const double       size   = values.get_cell()->diameter();
+    FullMatrix<double> m(n_q, n_m), mass(n_m, n_m), projector(n_q, n_q);
+    for (unsigned int q = 0; q < n_q; ++q)
+      for (unsigned int k = 0; k < n_m; ++k)
+        m(q, k) = k == 0 ? 1. : (values.quadrature_point(q)[k - 1] - centre[k - 1]) / size;
+    for (unsigned int q = 0; q < n_q; ++q)
+      for (unsigned int j = 0; j < n_m; ++j)
+        for (unsigned int k = 0; k < n_m; ++k)
+          mass(j, k) += weights[q] * m(q, j) * m(q, k);
+    FullMatrix<double> inverse(n_m, n_m), m_inverse(n_q, n_m);
+    inverse.invert(mass);
+    m.mmult(m_inverse, inverse);
+    m_inverse.mTmult(projector, m); // (q, s): m_q mass^-1 m_s, still to be weighted at s
+
+    std::vector<double> divergence(n_q), projected(n_q);
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      {
+        for (unsigned int q = 0; q < n_q; ++q)
+          {
+            const Voigt<dim> &b = B[q * n_dofs + i];
+            divergence[q]       = b[0] + b[1] + b[2];
+          }
+        for (unsigned int q = 0; q < n_q; ++q)
+          {
+            double p = 0;
+            for (unsigned int s = 0; s < n_q; ++s)
+              p += projector(q, s) * weights[s] * divergence[s];
+            for (unsigned int k = 0; k < 3; ++k)
+              B[q * n_dofs + i][k] += (p - divergence[q]) / 3;
+          }
+      }
+  }
+
+  template class StrainOperator<2>;
+  template class StrainOperator<3>;
+} // namespace Amontons

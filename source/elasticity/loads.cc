@@ -1,0 +1,224 @@
+#include <amontons/elasticity/kinematics.h>
+#include <amontons/elasticity/loads.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    template <int dim>
+    Point<3>
+    as_3d(const Point<dim> &p)
+    {
+      Point<3> q;
+      for (unsigned int d = 0; d < dim; ++d)
+        q[d] = p[d];
+      return q;
+    }
+
+    template <int dim, typename Action>
+    void
+    for_each_face(const Discretization<dim> &discretization, const types::boundary_id boundary, const Action &action)
+    {
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned() && cell->at_boundary())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == boundary)
+              action(cell, f);
+    }
+
+    template <int dim>
+    class LoadAssembly
+    {
+    public:
+      LoadAssembly(const Discretization<dim> &discretization, const double t, const std::vector<CoveredPoint<dim>> &covered)
+        : discretization(discretization)
+        , kind(discretization.scene.kind)
+        , t(t)
+        , covered(covered)
+        , loads(discretization.make_owned_vector())
+        , face_values(discretization.mapping,
+                      discretization.fe,
+                      QGauss<dim - 1>(discretization.fe.degree + 2),
+                      update_values | update_quadrature_points | update_JxW_values | update_normal_vectors)
+        , dofs(discretization.fe.n_dofs_per_cell())
+      {}
+
+      LA::Vector
+      run()
+      {
+        add_body_forces();
+        for (const auto &condition : discretization.scene.conditions)
+          add_condition(condition);
+        if (Utilities::MPI::this_mpi_process(discretization.geometry.communicator) == 0)
+          add_motion_forces();
+        loads.compress(VectorOperation::add);
+        return loads;
+      }
+
+    private:
+      // f_i += weight force . phi_i(q)
+      void
+      add_point_force(const FEValuesBase<dim> &values, const unsigned int q, const Tensor<1, dim> &force)
+      {
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          {
+            const double value =
+              force[discretization.fe.system_to_component_index(i).first] * values.shape_value(i, q);
+            if (value != 0)
+              loads(dofs[i]) += value;
+          }
+      }
+
+      void
+      add_body_forces()
+      {
+        FEValues<dim> values(discretization.mapping,
+                             discretization.fe,
+                             QGauss<dim>(discretization.fe.degree + 1),
+                             update_values | update_quadrature_points | update_JxW_values);
+        for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
+            {
+              const auto &force = discretization.scene.bodies[cell->material_id()].body_force;
+              if (force[0].is_zero() && force[1].is_zero() && force[2].is_zero())
+                continue;
+              values.reinit(cell);
+              cell->get_dof_indices(dofs);
+              for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+                add_point_force(values, q, vector_at(force, values.quadrature_point(q)) * weight(values, q));
+            }
+      }
+
+      void
+      add_condition(const ConditionData &condition)
+      {
+        using Type = ConditionData::Type;
+        if (condition.type != Type::traction && condition.type != Type::pressure && condition.type != Type::total_force)
+          return;
+        double area = 1;
+        if (condition.type == Type::total_force)
+          area = total_area(condition);
+        for (const auto &name : condition.boundaries)
+          {
+            const auto id = discretization.geometry.boundary(name, discretization.scene).id;
+            for_each_face(discretization, id, [&](const auto &cell, const unsigned int f) {
+              face_values.reinit(cell, f);
+              cell->get_dof_indices(dofs);
+              for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
+                {
+                  const Point<dim> &X = face_values.quadrature_point(q);
+                  if (condition.type == Type::pressure)
+                    add_point_force(face_values,
+                                    q,
+                                    -condition.value[0].value(as_3d(X), t) * weight(face_values, q) *
+                                      face_values.normal_vector(q));
+                  else
+                    add_point_force(face_values, q, vector_at(condition.value, X) * (weight(face_values, q) / area));
+                }
+            });
+            if (condition.type == Type::pressure)
+              remove_covered_pressure(condition, id);
+          }
+      }
+
+      void
+      remove_covered_pressure(const ConditionData &condition, const types::boundary_id id)
+      {
+        for (const auto &point : covered)
+          if (point.cell->face(point.face)->boundary_id() == id)
+            {
+              Point<dim - 1> on_face;
+              for (unsigned int d = 0, k = 0; d < dim; ++d)
+                if (d != point.face / 2)
+                  on_face[k++] = point.unit_point[d];
+              FEFaceValues<dim> values(discretization.mapping,
+                                       discretization.fe,
+                                       Quadrature<dim - 1>(on_face),
+                                       update_values | update_quadrature_points | update_normal_vectors);
+              values.reinit(point.cell, point.face);
+              point.cell->get_dof_indices(dofs);
+              add_point_force(values,
+                              0,
+                              condition.value[0].value(as_3d(values.quadrature_point(0)), t) * point.weight *
+                                values.normal_vector(0));
+            }
+      }
+
+      // A moment about axis k acts on the corner that carries the rotation (discretization/supports.cc).
+      void
+      add_motion_forces()
+      {
+        for (unsigned int m = 0; m < discretization.carrier_dofs.size(); ++m)
+          {
+            const MotionData &motion = discretization.geometry.carriers[m].motion;
+            const double      s      = discretization.geometry.carriers[m].size;
+            const auto       &u      = discretization.carrier_dofs[m];
+            for (unsigned int c = 0; c < dim; ++c)
+              loads(u[0][c]) += motion.force[c].value(motion.reference, t);
+            const auto add_couple = [&](const unsigned int k, const unsigned int c, const double force) {
+              loads(u[k][c]) += force;
+              loads(u[0][c]) -= force;
+            };
+            if (kind == Kind::axisymmetric)
+              continue;
+            add_couple(1, 1, motion.moment[2].value(motion.reference, t) / s);
+            if (dim == 3)
+              {
+                add_couple(1, dim - 1, -motion.moment[1].value(motion.reference, t) / s);
+                add_couple(2, dim - 1, motion.moment[0].value(motion.reference, t) / s);
+              }
+          }
+      }
+
+      double
+      total_area(const ConditionData &condition)
+      {
+        double area = 0;
+        for (const auto &name : condition.boundaries)
+          for_each_face(discretization,
+                        discretization.geometry.boundary(name, discretization.scene).id,
+                        [&](const auto &cell, const unsigned int f) {
+                          face_values.reinit(cell, f);
+                          for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
+                            area += weight(face_values, q);
+                        });
+        return Utilities::MPI::sum(area, discretization.geometry.communicator);
+      }
+
+      double
+      weight(const FEValuesBase<dim> &values, const unsigned int q) const
+      {
+        return values.JxW(q) * measure<dim>(kind, values.quadrature_point(q));
+      }
+
+      Tensor<1, dim>
+      vector_at(const std::array<Expression, 3> &expressions, const Point<dim> &X) const
+      {
+        Tensor<1, dim> v;
+        for (unsigned int d = 0; d < dim; ++d)
+          v[d] = expressions[d].value(as_3d(X), t);
+        return v;
+      }
+
+      const Discretization<dim>            &discretization;
+      const Kind                            kind;
+      const double                          t;
+      const std::vector<CoveredPoint<dim>> &covered;
+      LA::Vector                            loads;
+      FEFaceValues<dim>                     face_values;
+      std::vector<types::global_dof_index>  dofs;
+    };
+  } // namespace
+
+  template <int dim>
+  LA::Vector
+  assemble_loads(const Discretization<dim> &discretization, const double t, const std::vector<CoveredPoint<dim>> &covered)
+  {
+    return LoadAssembly<dim>(discretization, t, covered).run();
+  }
+
+  template LA::Vector assemble_loads(const Discretization<2> &, const double, const std::vector<CoveredPoint<2>> &);
+  template LA::Vector assemble_loads(const Discretization<3> &, const double, const std::vector<CoveredPoint<3>> &);
+} // namespace Amontons

@@ -1,0 +1,311 @@
+#include <amontons/geometry/abaqus.h>
+
+#include <algorithm>
+#include <map>
+
+namespace Amontons
+{
+  namespace
+  {
+    class Parser
+    {
+    public:
+      Parser(MeshText &text, const unsigned int dim) : text(text), dim(dim) {}
+
+      FileMesh
+      parse()
+      {
+        while (text.next_line())
+          if (is_keyword())
+            {
+              read_keyword();
+              if (keyword == "*NODE")
+                read_nodes();
+              else if (keyword == "*ELEMENT")
+                read_elements();
+              else if (keyword == "*NSET")
+                read_set(node_sets, need("NSET"));
+              else if (keyword == "*ELSET")
+                read_set(element_sets, need("ELSET"));
+              else if (keyword == "*SURFACE" && (options.count("TYPE") == 0 || options["TYPE"] == "ELEMENT"))
+                read_surface();
+              else if (keyword == "*INSTANCE" && next_data_line())
+                text.fail("an instance that is moved", "the nodes of the part at their place");
+            }
+        if (mesh.nodes.empty())
+          text.fail("the file has no nodes", "*NODE and *ELEMENT");
+        add_element_sets();
+        add_node_sets();
+        return mesh;
+      }
+
+    private:
+      struct Element
+      {
+        unsigned int                dim;
+        std::array<unsigned int, 8> nodes;
+      };
+
+      bool
+      is_keyword() const
+      {
+        return text.line().size() > 1 && text.line()[0] == '*' && text.line()[1] != '*';
+      }
+
+      // "*ELEMENT, TYPE=CPE4, ELSET=all": the keyword and its options; values keep their case in `values`.
+      void
+      read_keyword()
+      {
+        options.clear();
+        values.clear();
+        keyword.clear();
+        for (bool more = true; more;)
+          {
+            more = text.line().back() == ',';
+            for (const auto &field : text.fields(','))
+              if (keyword.empty())
+                {
+                  keyword = upper_case(field);
+                  keyword.erase(std::remove(keyword.begin(), keyword.end(), ' '), keyword.end());
+                }
+              else
+                {
+                  const std::size_t equals = std::min(field.find('='), field.size());
+                  std::string       name   = upper_case(field.substr(0, equals));
+                  std::string       value(equals < field.size() ? field.substr(equals + 1) : "");
+                  name.erase(name.find_last_not_of(' ') + 1);
+                  value.erase(0, value.find_first_not_of(" \""));
+                  value.erase(value.find_last_not_of(" \"") + 1);
+                  options[name] = upper_case(value);
+                  values[name]  = value;
+                }
+            if (more && !text.next_line())
+              more = false;
+          }
+      }
+
+      std::string
+      need(const std::string &option) const
+      {
+        const auto entry = values.find(option);
+        if (entry == values.end() || entry->second.empty())
+          text.fail(keyword + " without " + option, option + " = NAME");
+        return entry->second;
+      }
+
+      // The next line of data before the next keyword.
+      bool
+      next_data_line()
+      {
+        while (text.next_line())
+          if (is_keyword())
+            {
+              text.unread_line();
+              return false;
+            }
+          else if (!text.line().empty() && text.line()[0] != '*')
+            return true;
+        return false;
+      }
+
+      void
+      read_nodes()
+      {
+        const std::string in_set = values.count("NSET") ? values["NSET"] : "";
+        while (next_data_line())
+          {
+            const auto fields = text.fields(',');
+            if (fields.size() < 3)
+              text.fail("a node with " + std::to_string(fields.size()) + " numbers", "number, x, y, z");
+            const long id = text.integer(fields[0]);
+            mesh.add_node(id,
+                          {text.number(fields[1]),
+                           text.number(fields[2]),
+                           fields.size() > 3 && !fields[3].empty() ? text.number(fields[3]) : 0.},
+                          text);
+            if (!in_set.empty())
+              node_sets.at(in_set).ids.push_back(id);
+          }
+      }
+
+      void
+      read_elements()
+      {
+        const AbaqusElementType &t      = abaqus_element_type(need("TYPE"), text);
+        const std::string        in_set = values.count("ELSET") ? values["ELSET"] : "";
+        while (next_data_line())
+          {
+            const int         line = text.line_number();
+            std::vector<long> numbers;
+            do
+              for (const auto &field : text.fields(','))
+                numbers.push_back(text.integer(field));
+            while (numbers.size() < 1 + t.n_nodes && next_data_line());
+            if (numbers.size() != 1 + t.n_nodes)
+              text.fail("an element with " + std::to_string(numbers.size() - 1) + " nodes",
+                        std::to_string(t.n_nodes) + " nodes for " + t.name);
+            add_element(t, numbers, line);
+            if (!in_set.empty())
+              element_sets.at(in_set, true).ids.push_back(numbers[0]);
+          }
+      }
+
+      void
+      add_element(const AbaqusElementType &t, const std::vector<long> &numbers, const int line)
+      {
+        if (t.dim > dim)
+          text.fail("three-dimensional elements in a two-dimensional scene", "CPE4, CPS4 or CAX4");
+        Element element{t.dim, {}};
+        for (unsigned int v = 0; v < t.n_corners; ++v)
+          element.nodes[v] = mesh.node(numbers[1 + v], text);
+        if (t.kind != nullptr)
+          {
+            if (t.dim == dim)
+              mesh.add_other(t.kind, text);
+            return;
+          }
+        if (!elements.emplace(numbers[0], element).second)
+          text.fail("element " + std::to_string(numbers[0]) + " is defined twice", "one line per element");
+        if (t.dim == dim)
+          mesh.cells.push_back({element.nodes, line});
+      }
+
+      // A name or a number; "PART-1-1.NAME" is NAME.
+      std::string_view
+      without_instance(const std::string_view field) const
+      {
+        const std::size_t dot = field.rfind('.');
+        return dot == std::string_view::npos ? field : field.substr(dot + 1);
+      }
+
+      static bool
+      is_number(const std::string_view field)
+      {
+        return !field.empty() &&
+               std::all_of(field.begin(), field.end(), [](unsigned char c) { return std::isdigit(c); });
+      }
+
+      void
+      read_set(AbaqusSets &sets, const std::string &name)
+      {
+        const bool generate = options.count("GENERATE") > 0;
+        AbaqusSet &target   = sets.at(name);
+        while (next_data_line())
+          {
+            const auto fields = text.fields(',');
+            if (generate)
+              {
+                if (fields.size() < 2)
+                  text.fail("a range of one number", "first, last, increment");
+                const long last = text.integer(fields[1]);
+                const long step = fields.size() > 2 ? text.integer(fields[2]) : 1;
+                if (step <= 0 || last - text.integer(fields[0]) > 1000000000)
+                  text.fail("a range without end", "first, last, increment > 0");
+                for (long id = text.integer(fields[0]); id <= last; id += step)
+                  target.ids.push_back(id);
+              }
+            else
+              for (const auto &field : fields)
+                if (const auto entry = without_instance(field); is_number(entry))
+                  target.ids.push_back(text.integer(entry));
+                else if (!entry.empty())
+                  target.sets.push_back(entry);
+          }
+      }
+
+      unsigned int
+      name_index(const std::string &name)
+      {
+        for (unsigned int i = 0; i < mesh.names.size(); ++i)
+          if (upper_case(mesh.names[i]) == upper_case(name))
+            return i;
+        mesh.names.push_back(name);
+        return mesh.names.size() - 1;
+      }
+
+      // Lines "SET or NUMBER, S1".
+      void
+      read_surface()
+      {
+        const unsigned int name  = name_index(need("NAME"));
+        const auto        &faces = abaqus_faces(dim);
+        while (next_data_line())
+          {
+            const auto fields = text.fields(',');
+            const auto face   = fields.size() < 2 ? std::string() : upper_case(fields[1]);
+            if (face.size() != 2 || face[0] != 'S' || face[1] < '1' || face[1] > char('0' + faces.size()))
+              text.fail("a surface on face '" + face + "'", "S1 to S" + std::to_string(faces.size()));
+            const auto entry = without_instance(fields[0]);
+            for (const long id : is_number(entry) ? std::vector<long>{text.integer(entry)}
+                                                  : element_sets.members(entry, text))
+              {
+                const auto element = elements.find(id);
+                if (element == elements.end() || element->second.dim != dim)
+                  text.fail("there is no cell " + std::to_string(id), "surfaces of the elements above");
+                FileMesh::Face f{{}, name};
+                for (unsigned int v = 0; v < faces[face[1] - '1'].size(); ++v)
+                  f.nodes[v] = element->second.nodes[faces[face[1] - '1'][v]];
+                mesh.faces.push_back(f);
+              }
+          }
+      }
+
+      // Those of *ELSET before those of *ELEMENT: gmsh names the latter Line1, Surface1, ... by its entities.
+      void
+      add_element_sets()
+      {
+        for (const bool of_element : {false, true})
+          for (const AbaqusSet &s : element_sets.all)
+            if (s.of_element == of_element)
+              for (const long id : element_sets.members(s.name, text))
+                if (const auto element = elements.find(id);
+                    element != elements.end() && element->second.dim == dim - 1)
+                  {
+                    FileMesh::Face face{{}, name_index(s.name)};
+                    std::copy_n(element->second.nodes.begin(), 4, face.nodes.begin());
+                    mesh.faces.push_back(face);
+                  }
+      }
+
+      // Faces all of whose corners are in the set; a set of all nodes is no boundary.
+      void
+      add_node_sets()
+      {
+        const auto &faces = abaqus_faces(dim);
+        for (const AbaqusSet &s : node_sets.all)
+          {
+            std::vector<bool> inside(mesh.nodes.size(), false);
+            for (const long id : node_sets.members(s.name, text))
+              inside[mesh.node(id, text)] = true;
+            if (std::find(inside.begin(), inside.end(), false) == inside.end())
+              continue;
+            for (const auto &cell : mesh.cells)
+              for (const auto &corners : faces)
+                if (std::all_of(corners.begin(), corners.end(), [&](const unsigned int v) {
+                      return inside[cell.nodes[v]];
+                    }))
+                  {
+                    FileMesh::Face face{{}, name_index(s.name)};
+                    for (unsigned int v = 0; v < corners.size(); ++v)
+                      face.nodes[v] = cell.nodes[corners[v]];
+                    mesh.faces.push_back(face);
+                  }
+          }
+      }
+
+      MeshText                          &text;
+      const unsigned int                 dim;
+      FileMesh                           mesh;
+      std::unordered_map<long, Element>  elements;
+      AbaqusSets                         node_sets, element_sets;
+      std::string                        keyword;
+      std::map<std::string, std::string> options, values;
+    };
+  } // namespace
+
+  FileMesh
+  parse_abaqus(MeshText &text, const unsigned int dim)
+  {
+    return Parser(text, dim).parse();
+  }
+} // namespace Amontons

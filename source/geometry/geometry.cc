@@ -1,0 +1,243 @@
+#include <amontons/geometry/geometry.h>
+#include <amontons/geometry/grid_reader.h>
+#include <amontons/geometry/grids.h>
+#include <amontons/geometry/manifolds.h>
+#include <amontons/geometry/placement.h>
+
+#include <deal.II/base/bounding_box.h>
+
+#include <algorithm>
+
+namespace Amontons
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    CoarseMesh<dim>
+    make_body(const BodyData &body, const Kind kind, MPI_Comm communicator)
+    {
+      CoarseMesh<dim> mesh = body.shape == "file" ? read_grid<dim>(body, communicator) : make_grid<dim>(body);
+      for (const auto &[name, shape] : body.true_geometry)
+        {
+          if (std::find(mesh.names.begin(), mesh.names.end(), name) == mesh.names.end())
+            throw InputError(body.where,
+                             "a curved geometry for boundary '" + name + "', which the body does not have" +
+                                 suggestion(name, mesh.names));
+          mesh.geometry[name] = shape;
+        }
+      place(body, kind, mesh);
+      return mesh;
+    }
+
+    // The motions in the order of their carriers.
+    std::vector<MotionData>
+    all_motions(const Scene &scene)
+    {
+      std::vector<MotionData> motions;
+      for (const auto &body : scene.bodies)
+        if (body.rigid)
+          motions.push_back(*body.rigid);
+      for (const auto &obstacle : scene.obstacles)
+        motions.push_back(obstacle.motion);
+      for (const auto &condition : scene.conditions)
+        if (condition.motion)
+          motions.push_back(*condition.motion);
+      return motions;
+    }
+
+    // The coarse mesh of all bodies and carriers.
+    template <int dim>
+    struct Assembly
+    {
+      std::vector<Point<dim>>                    vertices;
+      std::vector<CellData<dim>>                 cells;
+      std::map<FaceKey<dim>, types::boundary_id> ids;
+      std::vector<types::boundary_id>            unnamed; // by material id
+      types::boundary_id                         next_id = 1;
+    };
+
+    template <int dim>
+    void
+    add_body(CoarseMesh<dim>        mesh,
+             const unsigned int     body,
+             std::vector<Boundary> &boundaries,
+             Assembly<dim>         &assembly)
+    {
+      const unsigned int first_vertex = assembly.vertices.size();
+      assembly.vertices.insert(assembly.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+      for (auto &cell : mesh.cells)
+        {
+          for (unsigned int &v : cell.vertices)
+            v += first_vertex;
+          cell.material_id = body;
+          assembly.cells.push_back(cell);
+        }
+
+      const types::boundary_id first_id = assembly.next_id;
+      for (const auto &[old_key, name] : mesh.boundaries)
+        {
+          FaceKey<dim> key = old_key;
+          for (unsigned int &v : key)
+            v += first_vertex;
+          assembly.ids[key] = first_id + name;
+        }
+      for (const std::string &name : mesh.names)
+        boundaries.push_back({body,
+                              name,
+                              assembly.next_id++,
+                              mesh.geometry.count(name) ? mesh.geometry[name] : TrueGeometry()});
+      assembly.unnamed.push_back(assembly.next_id++);
+    }
+
+    template <int dim>
+    void
+    add_carrier(const CarrierCell &carrier, Assembly<dim> &assembly)
+    {
+      CellData<dim> cell;
+      cell.material_id = carrier.material_id;
+      for (unsigned int v = 0; v < cell.vertices.size(); ++v)
+        {
+          Point<dim> p;
+          for (unsigned int d = 0; d < dim; ++d)
+            p[d] = carrier.motion.reference[d] + ((v >> d) & 1) * carrier.size;
+          cell.vertices[v] = assembly.vertices.size();
+          assembly.vertices.push_back(p);
+        }
+      assembly.cells.push_back(cell);
+      assembly.unnamed.push_back(assembly.next_id++);
+    }
+
+    template <int dim>
+    void
+    set_boundary_ids(const Assembly<dim> &assembly, Triangulation<dim> &triangulation)
+    {
+      for (const auto &cell : triangulation.cell_iterators_on_level(0))
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+            {
+              FaceKey<dim> key;
+              for (unsigned int v = 0; v < key.size(); ++v)
+                key[v] = face->vertex_index(v);
+              std::sort(key.begin(), key.end());
+              const auto named = assembly.ids.find(key);
+              face->set_all_boundary_ids(named != assembly.ids.end() ? named->second
+                                                                     : assembly.unnamed[cell->material_id()]);
+            }
+    }
+
+    template <int dim>
+    void
+    refine_bodies(const std::vector<BodyData> &bodies, Triangulation<dim> &triangulation)
+    {
+      unsigned int n_refinements = 0;
+      for (const auto &body : bodies)
+        n_refinements = std::max(n_refinements, body.refinements);
+      for (unsigned int i = 0; i < n_refinements; ++i)
+        {
+          for (const auto &cell : triangulation.active_cell_iterators())
+            if (cell->is_locally_owned() && cell->material_id() < bodies.size() &&
+                i < bodies[cell->material_id()].refinements)
+              cell->set_refine_flag();
+          triangulation.execute_coarsening_and_refinement();
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  Geometry<dim>::Geometry(MPI_Comm communicator) : communicator(communicator), triangulation(communicator)
+  {
+  }
+
+  template <int dim>
+  const Boundary &
+  Geometry<dim>::boundary(const BoundaryName &name, const Scene &scene) const
+  {
+    std::vector<std::string> bodies, names;
+    for (const auto &body : scene.bodies)
+      bodies.push_back(body.name);
+    const auto body = std::find(bodies.begin(), bodies.end(), name.body);
+    if (body == bodies.end())
+      throw InputError(name.where, "there is no body '" + name.body + "'" + suggestion(name.body, bodies));
+
+    std::string list;
+    for (const Boundary &b : boundaries)
+      if (b.body == body - bodies.begin())
+        {
+          if (b.name == name.boundary)
+            return b;
+          names.push_back(b.name);
+          list += (list.empty() ? "" : ", ") + b.name;
+        }
+    throw InputError(name.where,
+                     "body '" + name.body + "' has no boundary '" + name.boundary + "'" +
+                         suggestion(name.boundary, names),
+                     "its boundaries: " + (list.empty() ? "none has a name" : list));
+  }
+
+  template <int dim>
+  unsigned int
+  Geometry<dim>::carrier(const std::string &motion) const
+  {
+    for (unsigned int i = 0; i < carriers.size(); ++i)
+      if (carriers[i].motion.name == motion)
+        return i;
+    AssertThrow(false, ExcMessage("There is no motion called " + motion));
+    return numbers::invalid_unsigned_int;
+  }
+
+  template <int dim>
+  bool
+  Geometry<dim>::is_carrier(const types::material_id id) const
+  {
+    return id >= n_bodies;
+  }
+
+  template <int dim>
+  void
+  make_geometry(const Scene &scene, Geometry<dim> &geometry, const bool refine)
+  {
+    Assembly<dim>                        assembly;
+    std::vector<std::optional<Point<3>>> polar_centres;
+    double                               largest = 0;
+    geometry.n_bodies                            = scene.bodies.size();
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        const auto mesh = make_body<dim>(scene.bodies[b], scene.kind, geometry.communicator);
+        const auto box  = BoundingBox<dim>(mesh.vertices).get_boundary_points();
+        geometry.body_sizes.push_back(box.first.distance(box.second));
+        largest = std::max(largest, geometry.body_sizes.back());
+        polar_centres.push_back(mesh.polar_centre);
+        add_body(mesh, b, geometry.boundaries, assembly);
+      }
+
+    for (const MotionData &motion : all_motions(scene))
+      {
+        geometry.carriers.push_back(
+            {static_cast<types::material_id>(geometry.n_bodies + geometry.carriers.size()),
+             motion,
+             largest > 0 ? largest : 1.});
+        if (scene.kind == Kind::axisymmetric)
+          geometry.carriers.back().motion.reference[0] = 0;
+        add_carrier(geometry.carriers.back(), assembly);
+      }
+
+    auto &triangulation = geometry.triangulation;
+    triangulation.create_triangulation(assembly.vertices, assembly.cells, SubCellData());
+    set_boundary_ids(assembly, triangulation);
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      if (polar_centres[b])
+        attach_polar_manifold(b, *polar_centres[b], assembly.unnamed[b], triangulation);
+    attach_manifolds(scene, geometry);
+    if (refine)
+      refine_bodies(scene.bodies, triangulation);
+  }
+
+  template class Geometry<2>;
+  template class Geometry<3>;
+  template void
+  make_geometry<2>(const Scene &, Geometry<2> &, const bool);
+  template void
+  make_geometry<3>(const Scene &, Geometry<3> &, const bool);
+} // namespace Amontons

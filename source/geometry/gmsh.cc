@@ -1,0 +1,283 @@
+#include <amontons/geometry/mesh_file.h>
+
+#include <map>
+
+namespace Amontons
+{
+  namespace
+  {
+    struct ElementType
+    {
+      int          number;
+      unsigned int dim, n_corners, n_nodes;
+      const char  *kind; // other than point, line, quadrilateral, hexahedron
+    };
+
+    const std::vector<ElementType> element_types = {
+        {15, 0, 1, 1, nullptr},       {1, 1, 2, 2, nullptr},        {8, 1, 2, 3, nullptr},
+        {26, 1, 2, 4, nullptr},       {2, 2, 3, 3, "triangles"},    {9, 2, 3, 6, "triangles"},
+        {21, 2, 3, 10, "triangles"},  {3, 2, 4, 4, nullptr},        {10, 2, 4, 9, nullptr},
+        {16, 2, 4, 8, nullptr},       {36, 2, 4, 16, nullptr},      {4, 3, 4, 4, "tetrahedra"},
+        {11, 3, 4, 10, "tetrahedra"}, {29, 3, 4, 20, "tetrahedra"}, {5, 3, 8, 8, nullptr},
+        {12, 3, 8, 27, nullptr},      {17, 3, 8, 20, nullptr},      {92, 3, 8, 64, nullptr},
+        {6, 3, 6, 6, "prisms"},       {13, 3, 6, 18, "prisms"},     {18, 3, 6, 15, "prisms"},
+        {7, 3, 5, 5, "pyramids"},     {14, 3, 5, 14, "pyramids"},   {19, 3, 5, 13, "pyramids"}};
+
+    class Parser
+    {
+    public:
+      Parser(MeshText &text, const unsigned int dim) : text(text), dim(dim) {}
+
+      FileMesh
+      parse()
+      {
+        while (text.next_line())
+          {
+            const std::string section(text.line());
+            if (section == "$MeshFormat")
+              read_format();
+            else if (section == "$PhysicalNames")
+              read_names();
+            else if (section == "$Entities")
+              read_entities();
+            else if (section == "$Nodes")
+              version < 4 ? read_nodes_2() : read_nodes_4();
+            else if (section == "$Elements")
+              version < 4 ? read_elements_2() : read_elements_4();
+            else if (section == "$PartitionedEntities")
+              text.fail("the mesh is partitioned", "a mesh in one part: without -part in gmsh");
+            else if (!section.empty() && section[0] == '$')
+              skip(section);
+            else if (version == 0)
+              text.fail("this is no gmsh mesh", "a file that begins with $MeshFormat");
+          }
+        for (const char *const needed : {"$MeshFormat", "$Nodes", "$Elements"})
+          if (sections.count(needed) == 0)
+            text.fail("the file ends without " + std::string(needed), "a complete gmsh mesh");
+        return mesh;
+      }
+
+    private:
+      using Fields = std::vector<std::string_view>;
+
+      Fields
+      line(const std::string &section, const std::size_t n_fields)
+      {
+        text.need_line(section);
+        Fields fields = text.fields();
+        if (fields.size() < n_fields)
+          text.fail("damaged " + section + ": " + std::to_string(fields.size()) + " fields in this line",
+                    "at least " + std::to_string(n_fields));
+        return fields;
+      }
+
+      // The line that closes a section whose count of entries has been read.
+      void
+      end(const std::string &section)
+      {
+        text.need_line(section);
+        if (text.line() != "$End" + section.substr(1))
+          text.fail("found '" + std::string(text.line().substr(0, 40)) + "' where " + section + " should end",
+                    "$End" + section.substr(1) + " (the section's counts are wrong, or lines are missing)");
+        ++sections[section];
+      }
+
+      void
+      skip(const std::string &section)
+      {
+        do
+          text.need_line(section);
+        while (text.line() != "$End" + section.substr(1));
+      }
+
+      void
+      read_format()
+      {
+        const Fields fields = line("$MeshFormat", 3);
+        version             = text.number(fields[0]);
+        if (version != 2.2 && version != 4.1)
+          text.fail("version " + std::string(fields[0]) + " of gmsh's format",
+                    "versions 2.2 and 4.1 (gmsh -format msh41)");
+        if (fields[1] != "0")
+          text.fail("a binary mesh", "an ASCII mesh (Mesh.Binary = 0 in gmsh)");
+        end("$MeshFormat");
+      }
+
+      void
+      read_names()
+      {
+        const long n = text.integer(line("$PhysicalNames", 1)[0]);
+        for (long i = 0; i < n; ++i)
+          {
+            const Fields      fields = line("$PhysicalNames", 3);
+            const std::string whole(text.line());
+            const std::size_t first = whole.find('"'), last = whole.rfind('"');
+            if (first == std::string::npos || last <= first)
+              text.fail("damaged $PhysicalNames: no name in quotes", "dimension number \"name\"");
+            if (text.integer(fields[0]) == dim - 1)
+              group_names[text.integer(fields[1])] = whole.substr(first + 1, last - first - 1);
+          }
+        end("$PhysicalNames");
+      }
+
+      void
+      read_entities()
+      {
+        const Fields counts = line("$Entities", 4);
+        for (unsigned int d = 0; d < 4; ++d)
+          for (long i = text.integer(counts[d]); i > 0; --i)
+            {
+              const std::size_t at     = d == 0 ? 4 : 7;
+              const Fields      fields = line("$Entities", at + 1);
+              const std::size_t n      = text.integer(fields[at]);
+              if (fields.size() < at + 1 + n)
+                text.fail("damaged $Entities: physical groups are missing");
+              if (d == dim - 1 && n > 0)
+                entity_groups[text.integer(fields[0])] = text.integer(fields[at + 1]);
+            }
+        end("$Entities");
+      }
+
+      dealii::Point<3>
+      point(const Fields &fields, const unsigned int first) const
+      {
+        return {text.number(fields[first]), text.number(fields[first + 1]), text.number(fields[first + 2])};
+      }
+
+      void
+      read_nodes_2()
+      {
+        const long n = text.integer(line("$Nodes", 1)[0]);
+        for (long i = 0; i < n; ++i)
+          {
+            const Fields fields = line("$Nodes", 4);
+            mesh.add_node(text.integer(fields[0]), point(fields, 1), text);
+          }
+        end("$Nodes");
+      }
+
+      void
+      read_nodes_4()
+      {
+        const long n_blocks = text.integer(line("$Nodes", 4)[0]);
+        for (long b = 0; b < n_blocks; ++b)
+          {
+            const long        n = block_size("$Nodes");
+            std::vector<long> ids;
+            for (long i = 0; i < n; ++i)
+              ids.push_back(text.integer(line("$Nodes", 1)[0]));
+            for (const long id : ids)
+              mesh.add_node(id, point(line("$Nodes", 3), 0), text);
+          }
+        end("$Nodes");
+      }
+
+      // The last of the four numbers that head a block.
+      long
+      block_size(const std::string &section)
+      {
+        const long n = text.integer(line(section, 4)[3]);
+        if (n < 0)
+          text.fail("damaged " + section + ": a block of " + std::to_string(n) + " entries");
+        return n;
+      }
+
+      const ElementType &
+      type(const long number) const
+      {
+        for (const ElementType &t : element_types)
+          if (t.number == number)
+            return t;
+        text.fail("elements of gmsh's type " + std::to_string(number),
+                  "quadrilaterals and hexahedra of order 1 to 3 (Mesh.ElementOrder = 1)");
+      }
+
+      unsigned int
+      group_index(const long group)
+      {
+        const auto [entry, is_new] = group_indices.emplace(group, mesh.names.size());
+        if (is_new)
+          {
+            const auto name = group_names.find(group);
+            mesh.names.push_back(name != group_names.end() ? name->second : std::to_string(group));
+          }
+        return entry->second;
+      }
+
+      // An element whose nodes are the fields from `first` on; group 0: none.
+      void
+      add_element(const ElementType &t, const long group, const Fields &fields, const std::size_t first)
+      {
+        if (fields.size() < first + t.n_nodes)
+          text.fail("damaged $Elements: an element with " + std::to_string(fields.size() - first) + " nodes",
+                    std::to_string(t.n_nodes) + " nodes for this type");
+        if (t.dim > dim)
+          text.fail("three-dimensional elements in a two-dimensional scene", "a plane mesh (gmsh -2)");
+        if (t.dim == dim && t.kind != nullptr)
+          mesh.add_other(t.kind, text);
+        else if (t.dim == dim)
+          {
+            FileMesh::Cell cell{{}, text.line_number()};
+            for (unsigned int v = 0; v < t.n_corners; ++v)
+              cell.nodes[v] = mesh.node(text.integer(fields[first + v]), text);
+            mesh.cells.push_back(cell);
+          }
+        else if (t.dim == dim - 1 && t.kind == nullptr && group != 0)
+          {
+            FileMesh::Face face{{}, group_index(std::abs(group))};
+            for (unsigned int v = 0; v < t.n_corners; ++v)
+              face.nodes[v] = mesh.node(text.integer(fields[first + v]), text);
+            mesh.faces.push_back(face);
+          }
+      }
+
+      void
+      read_elements_2()
+      {
+        const long n = text.integer(line("$Elements", 1)[0]);
+        for (long i = 0; i < n; ++i)
+          {
+            const Fields      fields = line("$Elements", 4);
+            const std::size_t n_tags = text.integer(fields[2]);
+            if (n_tags > 100 || fields.size() < 3 + n_tags)
+              text.fail("damaged $Elements: tags are missing");
+            add_element(
+                type(text.integer(fields[1])), n_tags > 0 ? text.integer(fields[3]) : 0, fields, 3 + n_tags);
+          }
+        end("$Elements");
+      }
+
+      void
+      read_elements_4()
+      {
+        const long n_blocks = text.integer(line("$Elements", 4)[0]);
+        for (long b = 0; b < n_blocks; ++b)
+          {
+            const long         n      = block_size("$Elements");
+            const Fields       head   = text.fields();
+            const ElementType &t      = type(text.integer(head[2]));
+            const auto         group  = entity_groups.find(text.integer(head[1]));
+            const bool         in_one = t.dim == dim - 1 && group != entity_groups.end();
+            for (long i = 0; i < n; ++i)
+              add_element(t, in_one ? group->second : 0, line("$Elements", 2), 1);
+          }
+        end("$Elements");
+      }
+
+      MeshText                    &text;
+      const unsigned int           dim;
+      double                       version = 0;
+      FileMesh                     mesh;
+      std::map<std::string, int>   sections; // complete ones
+      std::map<long, std::string>  group_names;
+      std::map<long, long>         entity_groups; // of dimension dim-1: their first group
+      std::map<long, unsigned int> group_indices;
+    };
+  } // namespace
+
+  FileMesh
+  parse_gmsh(MeshText &text, const unsigned int dim)
+  {
+    return Parser(text, dim).parse();
+  }
+} // namespace Amontons

@@ -1,0 +1,170 @@
+#include <amontons/geometry/grid_reader.h>
+#include <amontons/geometry/mesh_file.h>
+
+#include <deal.II/base/geometry_info.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <set>
+
+namespace Amontons
+{
+  using namespace dealii;
+
+  namespace
+  {
+    void
+    check_cell_kinds(const FileMesh &mesh, const unsigned int dim, const Where &where)
+    {
+      const std::string wanted = dim == 2 ? "quadrilaterals" : "hexahedra";
+      const std::string how =
+          wanted + " only; from gmsh, with these lines at the end of the .geo file: " +
+          (dim == 2 ? "Recombine Surface{:}; Mesh.RecombinationAlgorithm = 1; Mesh.SubdivisionAlgorithm = 1;"
+                    : "Mesh.SubdivisionAlgorithm = 2; (or transfinite volumes with recombined surfaces)");
+      if (mesh.n_others > 0)
+        throw InputError({where.file, mesh.other_line, where.entry},
+                         "the mesh has " + std::to_string(mesh.n_others) + " " + mesh.other_cells,
+                         how);
+      if (mesh.cells.empty())
+        throw InputError({where.file, 0, where.entry},
+                         "the mesh has no " + wanted,
+                         how + " (gmsh saves only what is in a physical group, if there is one)");
+    }
+
+    // The determinant of the map at every corner.
+    template <int dim>
+    bool
+    is_convex(const CoarseMesh<dim> &mesh, const CellData<dim> &cell)
+    {
+      for (unsigned int v = 0; v < cell.vertices.size(); ++v)
+        {
+          Tensor<2, dim> edges;
+          double         product = 1;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              edges[d] =
+                  mesh.vertices[cell.vertices[v | (1u << d)]] - mesh.vertices[cell.vertices[v & ~(1u << d)]];
+              product *= edges[d].norm();
+            }
+          if (!(determinant(edges) > 1e-6 * product))
+            return false;
+        }
+      return true;
+    }
+
+    template <int dim>
+    void
+    add_cells(const FileMesh &file, const Where &where, CoarseMesh<dim> &mesh)
+    {
+      double smallest = 0, largest = 0;
+      for (const auto &p : file.nodes)
+        {
+          mesh.vertices.emplace_back();
+          for (unsigned int d = 0; d < dim; ++d)
+            mesh.vertices.back()[d] = p[d];
+          smallest = std::min(smallest, p[2] - file.nodes[0][2]);
+          largest  = std::max(largest, std::max(p[2] - file.nodes[0][2], std::abs(p[0]) + std::abs(p[1])));
+        }
+      for (const auto &p : file.nodes)
+        if (dim == 2 && std::abs(p[2] - file.nodes[0][2]) > 1e-8 * largest)
+          throw InputError({where.file, 0, where.entry},
+                           "nodes with different z in a two-dimensional scene",
+                           "a mesh in the x-y plane");
+
+      // gmsh writes a cell once for every group that it belongs to
+      std::set<std::array<unsigned int, 8>> known;
+      for (const auto &c : file.cells)
+        {
+          std::array<unsigned int, 8> sorted = c.nodes;
+          std::sort(sorted.begin(), sorted.begin() + (1 << dim));
+          if (!known.insert(sorted).second)
+            continue;
+          std::vector<CellData<dim>> cell(1);
+          for (unsigned int v = 0; v < (1 << dim); ++v)
+            cell[0].vertices[GeometryInfo<dim>::ucd_to_deal[v]] = c.nodes[v];
+          GridTools::invert_cells_with_negative_measure(mesh.vertices, cell);
+          if (!is_convex(mesh, cell[0]))
+            throw InputError(
+                {where.file, c.line, where.entry}, "the cell is degenerate or folded", "convex cells");
+          mesh.cells.push_back(cell[0]);
+        }
+    }
+
+    // The named faces, of those on the boundary; names without any are dropped.
+    template <int dim>
+    void
+    add_boundaries(const FileMesh &file, CoarseMesh<dim> &mesh)
+    {
+      const auto                          all = boundary_faces(mesh);
+      std::map<std::string, unsigned int> index;
+      for (const auto &face : file.faces)
+        {
+          FaceKey<dim> key;
+          std::copy_n(face.nodes.begin(), key.size(), key.begin());
+          std::sort(key.begin(), key.end());
+          if (!std::binary_search(all.begin(), all.end(), key) || mesh.boundaries.count(key) > 0)
+            continue;
+          const auto [entry, is_new] = index.emplace(file.names[face.name], mesh.names.size());
+          if (is_new)
+            mesh.names.push_back(file.names[face.name]);
+          mesh.boundaries[key] = entry->second;
+        }
+    }
+
+    template <int dim>
+    void
+    delete_unused_vertices(CoarseMesh<dim> &mesh)
+    {
+      std::vector<unsigned int> number(mesh.vertices.size(), numbers::invalid_unsigned_int);
+      std::vector<Point<dim>>   vertices;
+      for (auto &cell : mesh.cells)
+        for (unsigned int &v : cell.vertices)
+          {
+            if (number[v] == numbers::invalid_unsigned_int)
+              {
+                number[v] = vertices.size();
+                vertices.push_back(mesh.vertices[v]);
+              }
+            v = number[v];
+          }
+      std::map<FaceKey<dim>, unsigned int> boundaries;
+      for (const auto &[old_key, name] : mesh.boundaries)
+        {
+          FaceKey<dim> key = old_key;
+          for (unsigned int &v : key)
+            v = number[v];
+          std::sort(key.begin(), key.end());
+          boundaries[key] = name;
+        }
+      mesh.vertices   = vertices;
+      mesh.boundaries = boundaries;
+    }
+  } // namespace
+
+  template <int dim>
+  CoarseMesh<dim>
+  read_grid(const BodyData &body, MPI_Comm communicator)
+  {
+    // lines of what gmsh made of a .geo file are not lines of that file
+    const Where    where{body.mesh_file + (file_ending(body.mesh_file) == ".geo" ? " (meshed by gmsh)" : ""),
+                      0,
+                      body.where.entry};
+    MeshText       text(read_mesh_text(body, dim, communicator), where);
+    const FileMesh file =
+        file_ending(body.mesh_file) == ".inp" ? parse_abaqus(text, dim) : parse_gmsh(text, dim);
+    check_cell_kinds(file, dim, where);
+
+    CoarseMesh<dim> mesh;
+    add_cells(file, where, mesh);
+    add_boundaries(file, mesh);
+    delete_unused_vertices(mesh);
+    orient_cells(mesh);
+    return mesh;
+  }
+
+  template CoarseMesh<2>
+  read_grid<2>(const BodyData &, MPI_Comm);
+  template CoarseMesh<3>
+  read_grid<3>(const BodyData &, MPI_Comm);
+} // namespace Amontons

@@ -1,0 +1,279 @@
+// Mesh files give cells and named boundaries; what is wrong in them is said with its line and a remedy.
+#include "check.h"
+
+#include <amontons/geometry/geometry.h>
+#include <amontons/geometry/grid_reader.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+using namespace Amontons;
+using namespace dealii;
+
+std::string folder;
+
+bool
+is_first()
+{
+  return Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+}
+
+// Writes a file on rank 0.
+std::string
+write(const std::string &name, const std::string &text)
+{
+  if (is_first())
+    std::ofstream(folder + "/" + name) << text;
+  MPI_Barrier(MPI_COMM_WORLD);
+  return folder + "/" + name;
+}
+
+// Runs gmsh on rank 0.
+std::string
+mesh_with_gmsh(const std::string &geo, const std::string &name, const std::string &options)
+{
+  if (is_first())
+    check::is_true(std::system(("env -i PATH=\"$PATH\" HOME=/tmp gmsh " + geo + " " + options + " -v 1 -o " +
+                                folder + "/" + name)
+                                   .c_str()) == 0,
+                   "gmsh runs");
+  MPI_Barrier(MPI_COMM_WORLD);
+  return folder + "/" + name;
+}
+
+std::string
+read(const std::string &file)
+{
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+BodyData
+file_body(const std::string &file)
+{
+  BodyData body;
+  body.name      = "it";
+  body.shape     = "file";
+  body.mesh_file = file;
+  body.where     = {"scene.prm", 3, "Body it"};
+  return body;
+}
+
+template <int dim>
+void
+check_mesh(const std::string &file, const double volume, const std::map<std::string, double> &boundaries)
+{
+  const auto mesh = read_grid<dim>(file_body(file), MPI_COMM_WORLD);
+  double     sum  = 0;
+  for (const auto &cell : mesh.cells)
+    sum += GridTools::cell_measure<dim>(mesh.vertices,
+                                        make_array_view(cell.vertices.begin(), cell.vertices.end()));
+  check::is_close(sum, volume, 1e-10, file + " volume");
+
+  std::map<std::string, double> found;
+  for (const auto &[key, name] : mesh.boundaries)
+    if (dim == 2)
+      found[mesh.names[name]] += mesh.vertices[key[0]].distance(mesh.vertices[key[1]]);
+    else
+      found[mesh.names[name]] += 1;
+  check::is_true(found.size() == boundaries.size() && mesh.names.size() == boundaries.size(),
+                 file + " number of boundaries");
+  for (const auto &[name, size] : boundaries)
+    check::is_close(found[name], size, 1e-10, file + " " + name);
+}
+
+template <int dim>
+void
+check_error(const std::string &file, const std::vector<std::string> &words)
+{
+  try
+    {
+      read_grid<dim>(file_body(file), MPI_COMM_WORLD);
+      check::is_true(false, file + ": no error");
+    }
+  catch (const InputError &e)
+    {
+      const std::string message = e.what();
+      for (const auto &word : words)
+        check::is_true(message.find(word) != std::string::npos || !is_first(),
+                       "'" + word + "' in " + message);
+      check::is_true(message.find('\n') == std::string::npos, "one line");
+    }
+}
+
+const std::string square = R"(
+Mesh.MeshSizeMax = 0.6;
+Point(1) = {0, 0, 0}; Point(2) = {2, 0, 0}; Point(3) = {2, 1, 0}; Point(4) = {0, 1, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Physical Curve("left side") = {-4}; Physical Curve("rest") = {1, 3}; Physical Curve(7) = {2};
+Physical Surface("body") = {1}; Physical Surface("again") = {1};
+)";
+const std::string recombine =
+    "Recombine Surface{:}; Mesh.RecombinationAlgorithm = 1; Mesh.SubdivisionAlgorithm = 1;\n";
+
+void
+check_gmsh()
+{
+  const std::map<std::string, double> boundaries = {{"left side", 1}, {"rest", 4}, {"7", 1}};
+
+  const std::string geo = write("quads.geo", square + recombine);
+  check_mesh<2>(geo, 2, boundaries);
+  check_mesh<2>(mesh_with_gmsh(geo, "q22.msh", "-2 -format msh22"), 2, boundaries);
+  check_mesh<2>(mesh_with_gmsh(geo, "q41.msh", "-2 -format msh41"), 2, boundaries);
+  check_mesh<2>(mesh_with_gmsh(geo, "bin22.msh", "-2 -format msh22 -bin"), 2, boundaries);
+  check_mesh<2>(mesh_with_gmsh(geo, "bin41.msh", "-2 -format msh41 -bin"), 2, boundaries);
+  check_mesh<2>(mesh_with_gmsh(geo, "quadratic.msh", "-2 -order 2"), 2, boundaries);
+
+  const std::string triangles = write("triangles.geo", square);
+  check_error<2>(triangles, {"triangles", "Mesh.SubdivisionAlgorithm = 1;", "Body it"});
+  check_error<2>(mesh_with_gmsh(triangles, "t41.msh", "-2"),
+                 {"t41.msh:", "triangles", "Recombine Surface{:};"});
+  check_error<2>(write("bad.geo", "Point(1 = {0, 0, 0};\n"), {"scene.prm:3", "gmsh made no mesh"});
+
+  const std::string box = "SetFactory(\"OpenCASCADE\"); Box(1) = {0, 0, 0, 1, 1, 1};\n"
+                          "Mesh.MeshSizeMax = 3; Physical Volume(\"v\") = {1};\n";
+  check_error<3>(write("tets.geo", box), {"tetrahedra", "Mesh.SubdivisionAlgorithm = 2"});
+  check_error<2>(mesh_with_gmsh(folder + "/tets.geo", "tets.msh", "-3"), {"three-dimensional elements"});
+  check_mesh<3>(write("hexes.geo",
+                      box +
+                          "Transfinite Curve{:} = 3; Transfinite Surface{:}; Recombine Surface{:};\n"
+                          "Transfinite Volume{:}; Physical Surface(\"low\") = {5}; Mesh.ElementOrder = 2;\n"),
+                1,
+                {{"low", 4}});
+}
+
+void
+check_damaged()
+{
+  const std::string good = read(folder + "/q22.msh"), good_4 = read(folder + "/q41.msh");
+  check_error<2>(folder + "/none.msh", {"scene.prm:3", "cannot read"});
+  check_error<2>(write("a.stl", ""), {".msh, .geo or .inp"});
+  check_error<2>(write("empty.msh", ""), {"$MeshFormat"});
+  check_error<2>(write("text.msh", "solid\n"), {"text.msh:1", "no gmsh mesh"});
+  for (const double part : {0.2, 0.5, 0.9})
+    for (const auto &text : {good, good_4})
+      check_error<2>(write("cut.msh", text.substr(0, text.size() * part)), {"cut.msh:"});
+
+  const auto changed = [&](const std::string &text, const std::string &from, const std::string &to) {
+    std::string       result = text;
+    const std::size_t at     = result.find(from);
+    if (at != std::string::npos)
+      result.replace(at, from.size(), to);
+    return write("changed.msh", result);
+  };
+  check_error<2>(changed(good, "$Nodes\n", "$Nodes\n1"), {"changed.msh:"});
+  check_error<2>(changed(good, "$Elements\n", "$Elements\n9"), {"$Elements"});
+  check_error<2>(changed(good, "\n2 2 0 0\n", "\n2 2 nan 0\n"), {"changed.msh:", "a finite number"});
+  check_error<2>(changed(good, "\n2 2 0 0\n", "\n900 2 0 0\n"), {"changed.msh:", "there is no node 2"});
+  check_error<2>(changed(good, "\n2 2 0 0\n", "\n2 -2 0 0\n"), {"changed.msh:", "degenerate or folded"});
+  check_error<2>(changed(good, "\n2 2 0 0\n", "\n2 2 0 1\n"), {"different z"});
+  check_error<2>(changed(good, "2.2 0 8", "3.0 0 8"), {"changed.msh:2", "versions 2.2 and 4.1"});
+}
+
+const std::string abaqus = R"(*Heading
+** two squares side by side
+*Part, name=P
+*Node
+ 1, 0., 0.
+ 2, 1., 0.
+ 3, 2., 0.
+ 4, 0., 1.
+ 5, 1., 1.
+ 6, 2.0e0, +1., 0.
+ 99, 7., 7.
+*ELEMENT, type=CPE4R, Elset=All
+ 1, 1, 2, 5, 4
+ 2, 3, 2, 5,
+    6
+*Nset, nset=Bottom, generate
+ 1, 3, 1
+*nset, nset="right end"
+ 3, 6
+*Elset, elset=second
+ 2,
+*Surface, name=Top, type=ELEMENT
+ 1, S3
+ SECOND, s3
+*End Part
+*Assembly
+*Instance, name=P-1, part=P
+*End Instance
+*End Assembly
+*Material, name=M
+*Elastic
+ 1., 0.3
+)";
+
+void
+check_abaqus()
+{
+  check_mesh<2>(write("two.inp", abaqus), 2, {{"Top", 2}, {"Bottom", 2}, {"right end", 1}});
+  check_error<2>(write("id.inp", "*NODE\n1, 0, 0\n*ELEMENT, TYPE=CPS4\n1, 1, 2, 3, 4\n"),
+                 {"id.inp:4", "no node 2"});
+  check_error<2>(write("tri.inp", "*NODE\n1,0,0\n2,1,0\n3,0,1\n*ELEMENT, TYPE=CPS3\n1, 1, 2, 3\n"),
+                 {"tri.inp:6", "triangles"});
+  check_error<2>(write("type.inp", "*NODE\n1,0,0\n*ELEMENT, TYPE=COH2D4\n1, 1, 1, 1, 1\n"),
+                 {"type.inp:", "COH2D4"});
+  check_error<2>(write("set.inp", abaqus + "*SURFACE, NAME=x\n secnod, S1\n"), {"did you mean"});
+  check_error<2>(write("cut.inp", abaqus.substr(0, abaqus.find("    6\n"))), {"an element with 3 nodes"});
+
+  std::string cube = "*NODE\n";
+  for (int i = 0; i < 8; ++i)
+    cube += std::to_string(i + 1) + ", " + std::to_string(i / 2 % 2 != i % 2) + ", " +
+            std::to_string(i / 2 % 2) + ", " + std::to_string(i / 4) + "\n";
+  cube += "*ELEMENT, TYPE=C3D8, ELSET=E\n 5, 1, 2, 3, 4, 5, 6, 7, 8\n*SURFACE, NAME=low\nE, S1\n*SURFACE, "
+          "NAME=sides\n"
+          "E, S3\nE, S4\nE, S5\nE, S6\n*NSET, NSET=high\n5,6,7,8\n";
+  check_mesh<3>(write("cube.inp", cube), 1, {{"low", 1}, {"high", 1}, {"sides", 4}});
+
+  check_mesh<2>(mesh_with_gmsh(folder + "/quads.geo", "quads.inp", "-2"),
+                2,
+                {{"left_side", 1}, {"rest", 4}, {"PhysicalLine7", 1}});
+}
+
+// A disk from gmsh with a declared circle: the vertices of refinement lie on it.
+void
+check_curved_file()
+{
+  const std::string disk = "Mesh.MeshSizeMax = 1; SetFactory(\"OpenCASCADE\"); Disk(1) = {0, 0, 0, 1};\n"
+                           "Physical Curve(\"rim\") = {1}; Physical Surface(\"s\") = {1};\n" +
+                           recombine;
+  Scene    scene;
+  BodyData body             = file_body(write("disk.geo", disk));
+  body.true_geometry["rim"] = {TrueGeometry::Type::circle, Point<3>(), {}};
+  body.shift                = Tensor<1, 3>({3, 0, 0});
+  body.refinements          = 2;
+  scene.bodies              = {body};
+  Geometry<2> geometry(MPI_COMM_WORLD);
+  make_geometry(scene, geometry);
+  const auto &rim = geometry.boundary({"it", "rim", {}}, scene);
+  for (const auto &cell : geometry.triangulation.active_cell_iterators())
+    for (const auto &face : cell->face_iterators())
+      if (!cell->is_artificial() && face->at_boundary())
+        {
+          check::is_true(face->boundary_id() == rim.id, "all of the boundary is the rim");
+          check::is_close(face->vertex(0).distance({3, 0}), 1, 1e-9, "vertex on the circle");
+        }
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  std::string name = (std::filesystem::temp_directory_path() / "amontons-test-XXXXXX").string();
+  if (is_first() && mkdtemp(name.data()) == nullptr)
+    return 1;
+  folder = Utilities::MPI::broadcast(MPI_COMM_WORLD, name, 0);
+  check_gmsh();
+  check_damaged();
+  check_abaqus();
+  check_curved_file();
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (is_first())
+    std::filesystem::remove_all(folder);
+  return check::result();
+}

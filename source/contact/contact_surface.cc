@@ -226,6 +226,9 @@ namespace Amontons
       for (const auto &[i, normals] : part)
         for (const auto &normal : normals)
           {
+            auto &known = nodes[i].symmetry_planes;
+            if (std::none_of(known.begin(), known.end(), [&](const auto &m) { return std::abs(m * normal) > 1 - 1e-6; }))
+              known.push_back(normal);
             Tensor<1, dim> &n         = nodes[i].normal;
             const auto      projected = n - (n * normal) * normal;
             if (projected.norm() > 1e-6)

@@ -240,6 +240,8 @@ namespace Amontons
                                                   : element_sets.members(entry, text))
               {
                 const auto element = elements.find(id);
+                if (element == elements.end() && mesh.n_others > 0)
+                  continue; // a triangle or tetrahedron, which is reported in the end
                 if (element == elements.end() || element->second.dim != dim)
                   text.fail("there is no cell " + std::to_string(id), "surfaces of the elements above");
                 FileMesh::Face f{{}, name};

@@ -41,7 +41,7 @@ namespace Amontons
     {
       for (const auto &[key, child] : tree)
         {
-          const std::string name = trim(key), path = path_of(section, name);
+          const std::string name = with_single_blanks(key), path = path_of(section, name);
           if (name.empty())
             throw InputError({file, 0, section}, "found an array of sections", "an object {\"NAME\": ...}");
           if (child.empty() || is_array(child))

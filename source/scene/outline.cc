@@ -80,7 +80,7 @@ namespace Amontons
   parse_override(const std::string &text)
   {
     const auto        equals = text.find('=');
-    const std::string path   = trim(text.substr(0, equals));
+    const std::string path   = with_single_blanks(text.substr(0, equals));
     if (equals == std::string::npos || path.empty())
       throw InputError({command_line, 0, ""}, "found '" + text + "'", "Section/Name = value");
     const auto        slash   = path.rfind('/');

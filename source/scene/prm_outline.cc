@@ -76,7 +76,7 @@ namespace Amontons
       {
         const Where here = {file, line.number, section()};
         if (keyword == "subsection")
-          enter(rest, here);
+          enter(with_single_blanks(rest), here);
         else if (keyword == "end" && rest.empty())
           {
             if (open.empty())
@@ -115,7 +115,7 @@ namespace Amontons
       set(const std::string &assignment, const Where &here)
       {
         const auto        equals = assignment.find('=');
-        const std::string name   = trim(assignment.substr(0, equals));
+        const std::string name   = with_single_blanks(assignment.substr(0, equals));
         if (equals == std::string::npos || name.empty())
           throw InputError(here, "found 'set " + assignment + "'", "set NAME = VALUE");
         outline.add(OutlineEntry{section(),

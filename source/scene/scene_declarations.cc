@@ -92,10 +92,11 @@ namespace Amontons
     void
     declare_obstacle(ParameterHandler &prm)
     {
-      prm.declare_entry("Surface",
-                        "plane",
-                        Patterns::Selection("plane|circle|sphere|cylinder|paraboloid|cone"),
-                        "Shape of the rigid surface.");
+      prm.declare_entry(
+          "Surface",
+          "plane",
+          Patterns::Selection("plane|circle|sphere|cylinder|paraboloid|cone"),
+          "plane | circle | sphere | cylinder | paraboloid | cone: shape of the rigid surface.");
       prm.declare_entry(
           "Centre", "0, 0, 0", coordinates, "A point of the plane; centre; apex of paraboloid and cone.");
       prm.declare_entry("Normal",
@@ -122,12 +123,12 @@ namespace Amontons
     declare_condition(ParameterHandler &prm)
     {
       prm.declare_entry("Boundaries", "", anything, "Where: 'BODY/BOUNDARY, BODY/BOUNDARY, ...'.");
-      prm.declare_entry(
-          "Type",
-          "displacement",
-          Patterns::Selection("displacement|symmetry|traction|pressure|total force|platen"),
-          "symmetry: no motion normal to the (plane) boundary; total force: spread as a uniform traction; "
-          "platen: the boundary moves as one rigid body, with the motion below.");
+      prm.declare_entry("Type",
+                        "displacement",
+                        Patterns::Selection("displacement|symmetry|traction|pressure|total force|platen"),
+                        "displacement | symmetry | traction | pressure | total force | platen. symmetry: no "
+                        "motion normal to the (plane) boundary; total force: spread as a uniform traction; "
+                        "platen: the boundary moves as one rigid body, with the motion below.");
       prm.declare_entry(
           "Value",
           "",
@@ -142,12 +143,16 @@ namespace Amontons
     void
     declare_contact(ParameterHandler &prm)
     {
-      prm.declare_entry("First", "", anything, "BODY/BOUNDARY.");
-      prm.declare_entry("Second", "", anything, "BODY/BOUNDARY of another body, or the name of an obstacle.");
+      prm.declare_entry("First", "", anything, "One side, BODY/BOUNDARY.");
+      prm.declare_entry("Second",
+                        "",
+                        anything,
+                        "The other side: BODY/BOUNDARY of another body, or the name of an obstacle.");
       prm.declare_entry("Slave",
                         "automatic",
                         Patterns::Selection("automatic|first|second"),
-                        "Which side carries the contact pressure; automatic: the finer, softer one.");
+                        "automatic | first | second: which side carries the contact pressure; automatic: the "
+                        "finer, softer one.");
       prm.declare_entry(
           "Initial gap",
           "",
@@ -195,11 +200,11 @@ namespace Amontons
   declare_top_level(ParameterHandler &prm)
   {
     prm.declare_entry("Title", "", anything, "One line for reports.");
-    prm.declare_entry(
-        "Kind",
-        "plane strain",
-        Patterns::Selection("plane strain|plane stress|axisymmetric|3D"),
-        "axisymmetric: x is the radius (r in expressions) and y the axis; forces are for the full turn.");
+    prm.declare_entry("Kind",
+                      "plane strain",
+                      Patterns::Selection("plane strain|plane stress|axisymmetric|3D"),
+                      "plane strain | plane stress | axisymmetric | 3D. axisymmetric: x is the radius (r in "
+                      "expressions) and y the axis; forces are for the full turn.");
     prm.declare_entry(
         "End time", "1", Patterns::Double(0), "Loads are functions of a time t from 0 to this one.");
     prm.declare_entry("Increments", "1", Patterns::Integer(1), "Equal steps from t = 0 to the end time.");

@@ -25,11 +25,12 @@ namespace Amontons
           dealii::Patterns::pattern_factory(pattern)->description(dealii::Patterns::PatternBase::Text);
       text = std::regex_replace(text, regex("A floating point number"), "a number");
       text = std::regex_replace(text, regex("An integer"), "an integer");
+      text = std::regex_replace(text, regex("Any one of"), "one of");
       text = std::regex_replace(text, regex(" v such that -MAX_DOUBLE <= v <= MAX_DOUBLE"), "");
       text = std::regex_replace(
           text, regex("([vn]) such that (\\S+) <= [vn] <= (MAX_DOUBLE|2147483647)"), "$1 >= $2");
-      return trim(
-          std::regex_replace(text, regex("(A list of \\S+ to \\S+ elements)"), "$1, separated by commas,"));
+      return trim(std::regex_replace(
+          text, regex("A list( of \\S+ to \\S+ elements)"), "a list$1, separated by commas,"));
     }
 
     std::string
@@ -86,6 +87,9 @@ namespace Amontons
           continue;
         if (section.path == named->prefix)
           throw InputError(section.where, "this section has no name", named->prefix + " NAME");
+        const std::string name = section.path.substr(named->prefix.size() + 1);
+        if (name.find_first_of(",;=()") != std::string::npos)
+          throw InputError(section.where, "found the name '" + name + "'", "names without , ; = ( )");
         prm.enter_subsection(section.path);
         named->declare(prm);
         prm.leave_subsection();
@@ -149,7 +153,7 @@ namespace Amontons
           for (const char c : section.prefix + " ")
             if (c == ' ' && (end = name.find(' ', end + 1)) == std::string::npos)
               break;
-          if (end != std::string::npos)
+          if (end != std::string::npos && section.prefix + name.substr(end) != name)
             candidates.push_back(section.prefix + name.substr(end));
           allowed.push_back(section.prefix + " NAME");
         }

@@ -31,6 +31,18 @@ namespace Amontons
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
   }
 
+  std::string
+  with_single_blanks(const std::string &text)
+  {
+    std::string result;
+    for (const char c : trim(text))
+      if (std::isspace(static_cast<unsigned char>(c)) == 0)
+        result += c;
+      else if (result.back() != ' ')
+        result += ' ';
+    return result;
+  }
+
   std::vector<std::string>
   split(const std::string &text, const char separator)
   {

@@ -214,8 +214,10 @@ check_abaqus()
   check_mesh<2>(write("two.inp", abaqus), 2, {{"Top", 2}, {"Bottom", 2}, {"right end", 1}});
   check_error<2>(write("id.inp", "*NODE\n1, 0, 0\n*ELEMENT, TYPE=CPS4\n1, 1, 2, 3, 4\n"),
                  {"id.inp:4", "no node 2"});
-  check_error<2>(write("tri.inp", "*NODE\n1,0,0\n2,1,0\n3,0,1\n*ELEMENT, TYPE=CPS3\n1, 1, 2, 3\n"),
-                 {"tri.inp:6", "triangles"});
+  check_error<2>(
+      write("tri.inp",
+            "*NODE\n1,0,0\n2,1,0\n3,0,1\n*ELEMENT, TYPE=CPS3\n1, 1, 2, 3\n*SURFACE, NAME=s\n1, S1\n"),
+      {"tri.inp:6", "triangles"});
   check_error<2>(write("type.inp", "*NODE\n1,0,0\n*ELEMENT, TYPE=COH2D4\n1, 1, 1, 1, 1\n"),
                  {"type.inp:", "COH2D4"});
   check_error<2>(write("set.inp", abaqus + "*SURFACE, NAME=x\n secnod, S1\n"), {"did you mean"});

@@ -4,17 +4,19 @@
 
 #include <amontons/scene/scene_reader.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include <unistd.h>
 
 using namespace Amontons;
 
 namespace
 {
-  const std::string folder = (std::filesystem::temp_directory_path() / "amontons_scene_reader").string();
+  const std::string folder =
+      (std::filesystem::temp_directory_path() / ("amontons_scene_reader_" + std::to_string(getpid())))
+          .string();
 
   std::string
   write(const std::string &name, const std::string &text)
@@ -297,5 +299,6 @@ main()
   check_scene_of(write("scene.json", scene_json));
   check_overrides(folder + "/scene.prm");
   check_template();
+  std::filesystem::remove_all(folder);
   return check::result();
 }

@@ -6,12 +6,16 @@
 #include <filesystem>
 #include <fstream>
 
+#include <unistd.h>
+
 using namespace Amontons;
 
 namespace
 {
-  const std::string folder = (std::filesystem::temp_directory_path() / "amontons_wrong_scenes").string();
-  const std::string file   = folder + "/scene.prm";
+  const std::string folder =
+      (std::filesystem::temp_directory_path() / ("amontons_wrong_scenes_" + std::to_string(getpid())))
+          .string();
+  const std::string file = folder + "/scene.prm";
 
   const std::string good = R"(set Kind = plane strain
 subsection Body lower
@@ -36,7 +40,7 @@ subsection Contact main
   set First = lower/top
   set Second = upper/bottom
 end
-)"; // 22 lines
+)"; // 23 lines
 
   struct Tolerances : ParameterGroup
   {
@@ -95,16 +99,16 @@ end
   void
   check_syntax()
   {
-    expect(message(good + "subsection Probe p\n"), {"scene.prm:23: Probe p", "no 'end'"});
-    expect(message(good + "end\n"), {"scene.prm:23", "no section is open"});
+    expect(message(good + "subsection Probe p\n"), {"scene.prm:24: Probe p", "no 'end'"});
+    expect(message(good + "end\n"), {"scene.prm:24", "no section is open"});
     expect(message(good + "Set a = 1\n"),
-           {"scene.prm:23", "'Set a = 1'", "did you mean 'set'", "include FILE"});
-    expect(message(good + "set End time 1\n"), {"scene.prm:23", "set NAME = VALUE"});
+           {"scene.prm:24", "'Set a = 1'", "did you mean 'set'", "include FILE"});
+    expect(message(good + "set End time 1\n"), {"scene.prm:24", "set NAME = VALUE"});
     expect(message(good + "subsection Body lower\nend\n"),
-           {"scene.prm:23: Body lower", "second time", "line 2"});
-    expect(message(good + "set Kind = 3D\n"), {"scene.prm:23: Kind", "second time", "line 1"});
-    expect(message(good + "include nowhere.prm\n"), {"scene.prm:23", "nowhere.prm' cannot be opened"});
-    expect(message(good + "set Title = a \\\n"), {"scene.prm:23", "continued line"});
+           {"scene.prm:24: Body lower", "second time", "line 2"});
+    expect(message(good + "set Kind = 3D\n"), {"scene.prm:24: Kind", "second time", "line 1"});
+    expect(message(good + "include nowhere.prm\n"), {"scene.prm:24", "nowhere.prm' cannot be opened"});
+    expect(message(good + "set Title = a \\\n"), {"scene.prm:24", "continued line"});
     expect(message("{\"Kind\": \"3D\",\n oops}", {}, folder + "/scene.json"), {"scene.json:2", "no JSON"});
     expect(message("{\"Kind\": \"2D\"}", {}, folder + "/scene.json"),
            {"scene.json: Kind: found '2D'", "plane stress"});
@@ -124,21 +128,24 @@ end
   check_names()
   {
     expect(message(good + "subsection Bdy third\nend\n"),
-           {"scene.prm:23",
+           {"scene.prm:24",
             "unknown section 'Bdy third'",
             "did you mean 'Body third'",
             "Obstacle NAME",
             "Newton"});
-    expect(message(good + "subsection Body\nend\n"), {"scene.prm:23", "no name", "Body NAME"});
+    expect(message("include scene.prm\n" + good), {"include each other"});
+    expect(message(good + "subsection Body a, b\nend\n"), {"scene.prm:24", "'a, b'", "without"});
+    expect(message(good + "subsection Body   upper\nend\n"), {"scene.prm:24: Body upper", "second time"});
+    expect(message(good + "subsection Body\nend\n"), {"scene.prm:24", "no name", "Body NAME"});
     expect(message(good + "subsection Newton\n  set Tolerence = 1\nend\n"),
-           {"scene.prm:24: Newton/Tolerence", "did you mean 'Tolerance'"});
+           {"scene.prm:25: Newton/Tolerence", "did you mean 'Tolerance'"});
     expect_set("Body lower/Young modulis = 1",
                {"--set: Body lower/Young modulis", "did you mean 'Young modulus'"});
     expect_set("Body lowr/Radius = 1", {"--set", "unknown section 'Body lowr'", "did you mean 'Body lower'"});
     expect_set("Increments", {"--set", "Section/Name = value"});
     expect_set("Newton/Tolerance = 2", {"--set: Newton/Tolerance: found 2; allowed less than 1"});
     expect_set("Newton/Tolerance = big", {"found 'big'", "a number v >= 0"});
-    expect_set("Kind = 2D", {"found '2D'", "Any one of plane strain, plane stress, axisymmetric, 3D"});
+    expect_set("Kind = 2D", {"found '2D'", "one of plane strain, plane stress, axisymmetric, 3D"});
     expect_set("Increments = 0", {"found '0'", "an integer n >= 1"});
   }
 
@@ -163,7 +170,7 @@ end
     expect_set("Body lower/Body force = 0; table(1)", {"time: value"});
     expect_set("Kind = 3D", {"3 numbers"});
     expect(message(good + "subsection Body b\n set Mesh = ring\n set Inner radius = 2\nend\n"),
-           {"scene.prm:25: Body b/Inner radius", "less than the outer"});
+           {"scene.prm:26: Body b/Inner radius", "less than the outer"});
   }
 
   void
@@ -186,7 +193,7 @@ end
     expect_set("Boundary condition load/Value = free; free", {"prescribes nothing"});
     expect_set("Boundary condition load/Value = hertz(a = x)", {"no constant"});
     expect_set("Boundary condition load/Displacement = 1; 1", {"use Value"});
-    expect(message(good + "subsection Obstacle push\nend\n"), {"push' is taken by", "line 23"});
+    expect(message(good + "subsection Obstacle push\nend\n"), {"push' is taken by", "line 24"});
   }
 
   void
@@ -195,7 +202,7 @@ end
     expect_set("Contact main/Second = lower/top", {"slave = master"});
     expect_set("Contact main/Second = lower/left", {"self contact is not supported"});
     expect_set("Contact main/Second = flor",
-               {"scene.prm:19", "unknown obstacle 'flor'", "did you mean 'floor'"});
+               {"scene.prm:20", "unknown obstacle 'flor'", "did you mean 'floor'"});
     expect_set("Contact main/Second = upper", {"upper/BOUNDARY"});
     expect_set("Contact main/First = floor", {"BODY/BOUNDARY"});
     expect(message(good, {"Contact main/Second = floor", "Contact main/Slave = second"}),
@@ -205,9 +212,9 @@ end
     expect(message(good, {"Body upper/Rigid = true"}), {"push", "the body 'upper' is rigid"});
     expect(
         message(good + "subsection Contact again\n set First = upper/bottom\n set Second = lower/top\nend\n"),
-        {"scene.prm:23", "same two surfaces"});
+        {"scene.prm:24", "same two surfaces"});
     expect_set("Contact main/Adjust = -1", {"a number v >= 0"});
-    expect(message(good + "subsection Probe p\n set Body = lower\nend\n"), {"scene.prm:23", "no place"});
+    expect(message(good + "subsection Probe p\n set Body = lower\nend\n"), {"scene.prm:24", "no place"});
     expect(message(good + "subsection Probe p\n set Body = x\n set Point = 0, 0\nend\n"),
            {"unknown body 'x'"});
     expect_set("Reference/Solution = hertz(a 1)", {"NAME(PARAMETER = NUMBER"});
@@ -224,5 +231,6 @@ main()
   check_bodies();
   check_motions_and_conditions();
   check_pairs_and_probes();
+  std::filesystem::remove_all(folder);
   return check::result();
 }

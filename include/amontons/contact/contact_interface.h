@@ -54,5 +54,6 @@ namespace Amontons
     double         peak_pressure = 0;
     double         contact_size  = 0; // half-width sqrt(4 int p x^2 / int p) (2D), radius sqrt(2.5 int p r^2 / int p) (3D, axisymmetric)
     Point<dim>     centre;            // about which the size is taken
+    double         symmetry_factor = 1; // 2 for each symmetry plane through the contact: only that part of it is meshed
   };
 } // namespace Amontons

@@ -15,6 +15,7 @@ namespace Amontons
     Tensor<1, dim>                           normal; // unit, outward: mean over the faces that meet here; within symmetry planes
     // Control value of the Bernstein trace at this node: c = sum of weight x nodal value (see face_basis.h).
     std::vector<std::pair<unsigned int, double>> control;
+    std::vector<Tensor<1, dim>>                  symmetry_planes; // unit normals of the planes (and the axis) that it lies on
   };
 
   template <int dim>

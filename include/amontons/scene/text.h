@@ -11,6 +11,10 @@ namespace Amontons
   std::string
   trim(const std::string &text);
 
+  // Trimmed, with one blank for each run of blanks.
+  std::string
+  with_single_blanks(const std::string &text);
+
   // The trimmed pieces between `separator`s that are outside of all parentheses; an empty text has no pieces.
   std::vector<std::string>
   split(const std::string &text, const char separator);

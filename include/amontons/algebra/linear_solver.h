@@ -1,0 +1,61 @@
+// Linear systems: CG with algebraic multigrid and rigid-body modes, or a direct solver.
+#pragma once
+
+#include <amontons/base/linear_algebra.h>
+#include <amontons/base/parameters.h>
+
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_solver.h>
+
+#include <memory>
+
+namespace Amontons
+{
+  struct LinearSolverParameters : ParameterGroup
+  {
+    std::string  type           = "automatic"; // automatic | direct | cg
+    std::string  direct_package = "automatic"; // automatic | Amesos_Mumps | Amesos_Umfpack | Amesos_Klu
+    double       tolerance      = 1e-10;
+    unsigned int max_iterations = 2000;
+
+    void declare(ParameterHandler &prm) override;
+  };
+
+  struct LinearSolveReport
+  {
+    bool         success    = true;
+    unsigned int iterations = 0; // Krylov; 1 for a direct solve
+  };
+
+  class LinearSolver
+  {
+  public:
+    LinearSolver(const LinearSolverParameters &parameters, const int dim);
+
+    // Rigid-body modes (values at all owned DoFs, by mode), or empty: translations are not enough for elasticity.
+    void set_near_null_space(std::vector<std::vector<double>> modes);
+
+    // The matrix has changed; `much`: the preconditioner must be rebuilt, else it is kept (a few nodes changed state).
+    void matrix_changed(const LA::SparseMatrix &matrix, const bool much);
+
+    // Solves to |r| <= relative_tolerance |rhs|; the direct solver ignores the tolerance. x: owned, initial guess 0.
+    LinearSolveReport solve(const LA::SparseMatrix &matrix,
+                            LA::Vector             &x,
+                            const LA::Vector       &rhs,
+                            const double            relative_tolerance);
+
+    bool is_direct(const types::global_dof_index n_dofs) const;
+
+  private:
+    void build_preconditioner(const LA::SparseMatrix &matrix);
+
+    const LinearSolverParameters                       &parameters;
+    const int                                           dim;
+    std::vector<std::vector<double>>                    modes;
+    std::unique_ptr<TrilinosWrappers::PreconditionAMG> amg;
+    bool                                                amg_is_old = true;
+    SolverControl                                       direct_control;
+    std::unique_ptr<TrilinosWrappers::SolverDirect>     direct;
+    bool                                                factorised = false;
+  };
+} // namespace Amontons

@@ -1,0 +1,41 @@
+// contact.csv: the slave surfaces node by node.
+#pragma once
+
+#include <amontons/contact/contact_interface.h>
+
+#include <string>
+#include <vector>
+
+namespace Amontons
+{
+  // A slave node; vectors have three components, the third is 0 in 2D.
+  struct ContactNode
+  {
+    std::string  pair;
+    Point<3>     X, x;   // reference, current
+    Tensor<1, 3> normal; // outward from the slave
+    double       area     = 0;
+    double       pressure = 0; // of the surface projection
+    Tensor<1, 3> traction;     // tangential
+    double       gap = 0;      // NaN without a coupling row
+    Tensor<1, 3> slip;
+    ContactState state = ContactState::open;
+    double       arc   = 0; // 2D: arc length along the surface, from the first node; 3D: 0
+  };
+
+  // The nodes of a surface in the order of a walk over its faces (2D: from the free end with the smallest x; closed curves from the
+  // smallest x; each further piece after the other), or sorted by position (3D). faces: node indices, ends first and last.
+  template <int dim>
+  std::vector<unsigned int> order_along_surface(const std::vector<Point<dim>>                &nodes,
+                                                const std::vector<std::vector<unsigned int>> &faces);
+
+  // All slave nodes, pair by pair, in order.
+  template <int dim>
+  std::vector<ContactNode> contact_table(const std::vector<ContactInterface<dim>> &interfaces,
+                                         const std::vector<SurfaceFields<dim>>    &fields);
+
+  // To be called on rank 0.
+  void write_contact_csv(const std::string &file, const std::vector<ContactNode> &table);
+
+  std::string state_name(const ContactState state); // "open", "slip", "stick"
+} // namespace Amontons

@@ -1,0 +1,41 @@
+// The deformed mesh of a 2D scene for the report.
+#pragma once
+
+#include <amontons/elasticity/stress_recovery.h>
+#include <amontons/output/summary.h>
+
+#include <array>
+
+namespace Amontons
+{
+  struct CellPicture
+  {
+    std::vector<float> outline; // x0, y0, x1, y1, ...: closed, counter-clockwise, current configuration
+    float              von_mises = 0;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &outline &von_mises;
+    }
+  };
+
+  using MeshPicture = std::vector<CellPicture>;
+
+  // The cells of all bodies, on rank 0; empty on the others and in 3D. Collective.
+  template <int dim>
+  MeshPicture gather_mesh_picture(const Discretization<dim> &discretization,
+                                  const StressRecovery<dim> &recovery,
+                                  const LA::Vector          &displacement);
+
+  // What a picture shows: centre and half the width of the square; half_width = 0: everything.
+  struct Window
+  {
+    std::array<double, 2> centre     = {{0, 0}};
+    double                half_width = 0;
+  };
+
+  // Cells coloured by von Mises stress, with a colour bar. Cells of less than a pixel are drawn as pixels, each once.
+  std::string svg_mesh(const MeshPicture &picture, const Window &window, const std::string &title);
+} // namespace Amontons

@@ -1,0 +1,127 @@
+// The answer of a run as plain values: one table feeds screen, CSV, JSON, report and tests.
+#pragma once
+
+#include <amontons/contact/contact_interface.h>
+
+#include <array>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Amontons
+{
+  // Vectors have `dimension` components. Unknown numbers are NaN (null in JSON).
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  // Contact forces on the slave body (axisymmetric: for the full turn; plane: per unit thickness).
+  struct PairSummary
+  {
+    std::string         name;
+    std::vector<double> normal_force, tangential_force;
+    double              peak_pressure = 0;
+    double              contact_size  = 0; // half-width or radius
+    std::vector<double> centre;            // about which the size is taken
+    unsigned int        n_open = 0, n_stick = 0, n_slip = 0; // of the nodes that carry a multiplier
+    unsigned int        n_without_multiplier = 0;            // supports own these nodes whole
+  };
+
+  struct ProbePoint
+  {
+    std::vector<double> point; // reference configuration
+    // Empty and NaN where the point lies outside its body.
+    std::vector<double> displacement, stress;
+    double              von_mises = unknown;
+  };
+
+  struct ProbeSummary
+  {
+    std::string             name;
+    std::vector<ProbePoint> points;
+  };
+
+  struct EstimateSummary
+  {
+    double bulk = unknown, contact = unknown; // relative
+  };
+
+  struct ReferenceSummary
+  {
+    std::string closed_form;
+    // Relative: normal_force, contact_size, peak_pressure, approach, pressure_l2, displacement_l2, displacement_h1, energy.
+    std::map<std::string, double>                errors;
+    std::map<std::string, std::array<double, 2>> values; // computed, exact
+  };
+
+  // The state reached on one mesh of one increment: a row of history.csv.
+  struct MeshSummary
+  {
+    unsigned int                    increment = 0, mesh = 0;
+    double                          t          = 0;
+    unsigned long long              cells      = 0, dofs = 0;
+    unsigned int                    iterations = 0, krylov_iterations = 0;
+    double                          residual = unknown;
+    double                          seconds  = unknown;
+    std::vector<PairSummary>        pairs;
+    EstimateSummary                 error_estimate;
+    double                          energy = unknown;
+    std::optional<double>           external_work;
+    std::vector<ProbeSummary>       probes;
+    std::optional<ReferenceSummary> reference;
+  };
+
+  // The semismooth Newton iteration on one mesh of one increment.
+  struct NewtonSummary
+  {
+    unsigned int              increment = 0, mesh = 0;
+    unsigned long long        dofs = 0, cells = 0;
+    unsigned int              iterations = 0;
+    std::vector<unsigned int> active_set_changes; // per iteration
+    unsigned int              krylov_iterations = 0;
+    double                    residual          = unknown; // the last one
+    std::vector<double>       residuals;                   // per iteration
+  };
+
+  struct ReactionSummary
+  {
+    std::string         condition, boundary; // boundary: "body/boundary"
+    std::vector<double> force, moment;       // by the support on the body; moment: 1 component in 2D, 3 in 3D
+  };
+
+  struct RunSummary
+  {
+    std::string status = "not converged"; // "converged", "not converged", ...
+    std::string message;
+    std::string scene, title; // scene: the file
+    Kind        kind = Kind::plane_strain;
+
+    unsigned long long            dofs = 0, cells = 0; // of the finest mesh
+    unsigned int                  ranks        = 1;
+    double                        wall_seconds = unknown;
+    std::map<std::string, double> timing; // seconds by phase
+    double                        one_linear_solve_seconds = unknown;
+    double                        finest_mesh_seconds      = unknown;
+
+    std::vector<NewtonSummary>      newton;
+    std::vector<MeshSummary>        meshes;
+    std::vector<PairSummary>        pairs;
+    double                          energy = unknown;
+    EstimateSummary                 error_estimate;
+    std::vector<ReactionSummary>    reactions;
+    std::vector<ProbeSummary>       probes;
+    std::optional<ReferenceSummary> reference;
+    std::map<std::string, double>   checks; // force_balance, complementarity, ...
+    std::vector<std::string>        notes;  // what was modelled and why, what regularises, what was left out
+  };
+
+  template <int dim>
+  PairSummary summarize_pair(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
+
+  std::string              kind_name(const Kind kind);    // "plane strain", ...
+  std::vector<std::string> stress_names(const Kind kind); // in the order of Voigt<dim>: "xx", "yy", ... ("rr", "zz", "tt", "rz")
+  std::vector<std::string> axis_names(const Kind kind);   // "x", "y"(, "z"); axisymmetric "r", "z"
+
+  // summary.json. To be called on rank 0.
+  void write_summary(const RunSummary &summary, const std::string &file);
+} // namespace Amontons

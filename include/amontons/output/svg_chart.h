@@ -1,0 +1,38 @@
+// Curves as an SVG picture that stands for itself: no script, no other file.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace Amontons
+{
+  struct Curve
+  {
+    std::string         name; // for the legend; empty: not listed
+    std::vector<double> x, y; // points that are not finite (or not positive on a log axis) are left out
+    bool                line = true, markers = false;
+  };
+
+  struct Chart
+  {
+    std::string        title, x_label, y_label;
+    bool               log_x = false, log_y = false;
+    std::vector<Curve> curves;
+    int                width = 560, height = 360;
+  };
+
+  std::string svg_chart(const Chart &chart);
+
+  // Round numbers between lower and upper, about n of them (log: powers of ten, thinned out; 2 and 5 times these on short axes).
+  std::vector<double> nice_ticks(const double lower, const double upper, const unsigned int n, const bool log);
+
+  // Colour of a value in [0, 1] as "#rrggbb": dark blue over green to yellow (viridis).
+  std::string colour_of(const double value);
+
+  // Text with <, >, & and quotes written so that SVG and HTML show them.
+  std::string escaped(const std::string &text);
+
+  // One decimal: pixels.
+  std::string pixels(const double value);
+} // namespace Amontons

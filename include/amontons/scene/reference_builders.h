@@ -1,0 +1,44 @@
+// One function per closed form: from its checked arguments to a ReferenceSolution. The table of
+// reference_solution.cc says which parameters each of them reads.
+#pragma once
+
+#include <amontons/base/closed_forms.h>
+#include <amontons/scene/closed_form_arguments.h>
+#include <amontons/scene/reference_solution.h>
+
+namespace Amontons
+{
+  // E* of (E1, nu1) and (E2, nu2); a body without them is rigid. Plane stress by the kind of the scene.
+  double
+  contact_modulus(const ClosedFormArguments &get, const Scene &scene);
+
+  ReferenceSolution
+  hertz_solution(const ClosedFormArguments &get, const ClosedForms::Hertz &hertz);
+
+  namespace ReferenceBuilders
+  {
+    ReferenceSolution
+    hertz_line(const ClosedFormArguments &get, const Scene &scene);
+    ReferenceSolution
+    hertz_point(const ClosedFormArguments &get, const Scene &scene);
+    // Hertz line contact of the half-width a, with the displacements and stresses of both half planes.
+    ReferenceSolution
+    half_plane_box(const ClosedFormArguments &get, const Scene &scene);
+    ReferenceSolution
+    flat_punch_line(const ClosedFormArguments &get, const Scene &scene);
+    ReferenceSolution
+    flat_punch_axisymmetric(const ClosedFormArguments &get, const Scene &scene);
+    ReferenceSolution
+    cone(const ClosedFormArguments &get, const Scene &scene);
+    ReferenceSolution
+    uniform(const ClosedFormArguments &get, const Scene &scene);
+    ReferenceSolution
+    two_block_patch(const ClosedFormArguments &get, const Scene &scene);
+    ReferenceSolution
+    shrink_fit_cylinders(const ClosedFormArguments &get, const Scene &scene);
+    ReferenceSolution
+    shrink_fit_spheres(const ClosedFormArguments &get, const Scene &scene);
+    ReferenceSolution
+    tubes_external_pressure(const ClosedFormArguments &get, const Scene &scene);
+  } // namespace ReferenceBuilders
+} // namespace Amontons

@@ -1,0 +1,58 @@
+// Rigid motions of the bodies: which ones supports leave, which of these contact can hold, and whether loads drive the others.
+#pragma once
+
+#include <amontons/contact/contact_interface.h>
+#include <amontons/discretization/discretization.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+namespace Amontons
+{
+  // The displacements of all bodies and carriers as rigid motions: v = sum_m q_m v_m with translations and rotations (scaled by the
+  // body's size) of each. A constraint line u_d = sum a u_j is violated by e_m = v_m,d - sum a v_m,j, a contact equation by a . v_m; the null
+  // space of S = sum e e^T over the lines are the motions that supports leave, that of S + C the ones that contact cannot hold either.
+  template <int dim>
+  class FloatingBodies
+  {
+  public:
+    FloatingBodies(const Discretization<dim>                &discretization,
+                   const Constraints                        &supports,
+                   const std::vector<ContactInterface<dim>> &interfaces);
+
+    // Names of the bodies and motions that supports alone do not hold.
+    const std::vector<bool> &floats() const { return floating; } // by body, then by carrier
+    bool                     any() const { return n_free > 0; }
+
+    // Whether the equations (of closed nodes) hold all of these motions.
+    bool held_by(const std::vector<const LinearEquation *> &equations) const;
+
+    // Throws InputError if loads work on a motion that neither supports nor any node that may close can hold; else returns a
+    // sentence about motions that nothing holds (and nothing drives), or "".
+    std::string check_loads(const LA::Vector &loads, const std::vector<const LinearEquation *> &all_equations) const;
+
+    // Body (or n_bodies + carrier) that a relevant DoF belongs to.
+    unsigned int owner_of(const types::global_dof_index dof) const;
+
+  private:
+    std::vector<double> violation(const std::map<types::global_dof_index, double> &coefficients) const;
+    void                add_modes_of(const types::global_dof_index dof, const double weight, std::vector<double> &e) const;
+    FullMatrix<double>  null_space(const FullMatrix<double> &S) const; // columns
+    FullMatrix<double>  with_equations(const std::vector<const LinearEquation *> &equations) const;
+    std::string         describe(const std::vector<double> &q) const;
+
+    struct DofPlace
+    {
+      unsigned int body, component;
+      Point<dim>   X;
+    };
+
+    const Discretization<dim>                    &discretization;
+    std::map<types::global_dof_index, DofPlace>   places;
+    std::vector<Point<dim>>                       centres; // by body, then carrier
+    std::vector<double>                           sizes;
+    unsigned int                                  modes_per_body, n_modes;
+    FullMatrix<double>                            supports_matrix;
+    std::vector<bool>                             floating;
+    unsigned int                                  n_free = 0;
+  };
+} // namespace Amontons

@@ -1,0 +1,296 @@
+#include <amontons/adaptivity/error_estimator.h>
+#include <amontons/contact/face_basis.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/tensor_product_polynomials.h>
+
+#include <set>
+
+namespace Amontons
+{
+  namespace
+  {
+    // sigma : C^-1 : sigma = ((1 + nu) sigma : sigma - nu (tr sigma)^2) / E, in plane stress as well, as
+    // sigma_zz = 0 there.
+    template <int dim>
+    double
+    complementary_energy(const Voigt<dim> &sigma, const MaterialData &material)
+    {
+      double square = 0, trace = 0;
+      for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+        square += (k < 3 ? 1 : 2) * sigma[k] * sigma[k];
+      for (unsigned int k = 0; k < 3; ++k)
+        trace += sigma[k];
+      return ((1 + material.poisson) * square - material.poisson * trace * trace) / material.young;
+    }
+
+    // sigma n; in the plane kinds zz takes no part.
+    template <int dim>
+    Tensor<1, dim>
+    traction(const Voigt<dim> &sigma, const Tensor<1, dim> &n)
+    {
+      Tensor<2, dim> tensor;
+      for (unsigned int d = 0; d < dim; ++d)
+        tensor[d][d] = sigma[d];
+      for (unsigned int i = 0, k = 3; i < dim; ++i)
+        for (unsigned int j = i + 1; j < dim; ++j, ++k)
+          tensor[i][j] = tensor[j][i] = sigma[k];
+      return tensor * n;
+    }
+
+    // Point xi of face f of the unit cell, the face's coordinates being the cell's remaining ones in their
+    // order.
+    template <int dim>
+    Point<dim>
+    on_unit_cell(const unsigned int f, const Point<dim - 1> &xi)
+    {
+      Point<dim>   p;
+      unsigned int k = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        p[d] = d == f / 2 ? f % 2 : xi[k++];
+      return p;
+    }
+
+    template <int dim>
+    class Estimation
+    {
+    public:
+      using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+      Estimation(const Discretization<dim>     &discretization,
+                 const ElasticityOperator<dim> &elasticity,
+                 const StressRecovery<dim>     &recovery,
+                 const LA::Vector              &displacement)
+          : discretization(discretization), elasticity(elasticity), recovery(recovery),
+            displacement(displacement), kind(discretization.scene.kind), gauss(discretization.fe.degree + 1),
+            gauss_polynomials(Polynomials::generate_complete_Lagrange_basis(
+                QGauss<1>(discretization.fe.degree + 1).get_points())),
+            on_face(discretization.fe.degree + 2),
+            values(discretization.mapping, discretization.fe, gauss, elasticity.needed_flags()),
+            squares(discretization.geometry.triangulation.n_active_cells())
+      {
+        prepare_faces();
+      }
+
+      void
+      add_bulk()
+      {
+        FEValues<dim> recovered(
+            discretization.mapping, recovery.dof_handler().get_fe(), gauss, update_values);
+        for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
+            {
+              values.reinit(cell);
+              recovered.reinit(recovery_cell(cell));
+              const auto  sigma    = elasticity.stresses(values, cell, displacement);
+              const auto  smooth   = recovery.values_at(recovered);
+              const auto &material = discretization.scene.bodies[cell->material_id()].material;
+              for (unsigned int q = 0; q < gauss.size(); ++q)
+                {
+                  Voigt<dim> difference = smooth[q];
+                  for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+                    difference[k] -= sigma[q][k];
+                  const double weight = values.JxW(q) * measure<dim>(kind, values.quadrature_point(q));
+                  const double square = weight * complementary_energy<dim>(difference, material);
+                  squares[cell->active_cell_index()] += square;
+                  bulk_error += square;
+                  bulk_energy += weight * complementary_energy<dim>(smooth[q], material);
+                }
+            }
+      }
+
+      void
+      add_interface(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+      {
+        const ContactSurface<dim> &slave = *interface.slave;
+        std::vector<bool>          has_row(slave.nodes.size(), false);
+        for (const auto &row : interface.coupling.rows)
+          has_row[row.node] = true;
+
+        std::vector<double> face_squares(slave.faces.size(), 0.);
+        for (unsigned int f = 0; f < slave.faces.size(); ++f)
+          if (slave.faces[f].rank == my_rank() &&
+              std::any_of(slave.faces[f].nodes.begin(),
+                          slave.faces[f].nodes.end(),
+                          [&](const unsigned int i) { return has_row[i]; }))
+            face_squares[f] = add_slave_face(interface, fields, f);
+        face_squares = Utilities::MPI::sum(face_squares, discretization.geometry.communicator);
+        if (interface.master_surface)
+          add_masters(interface, face_squares);
+      }
+
+      ErrorEstimate<dim>
+      result() const
+      {
+        const auto total = [&](const double part) {
+          return Utilities::MPI::sum(part, discretization.geometry.communicator);
+        };
+        const auto relative = [](const double error, const double reference) {
+          return reference > 0 ? std::sqrt(error / reference) : 0.;
+        };
+        ErrorEstimate<dim> estimate;
+        estimate.cell_indicators.reinit(squares.size());
+        for (unsigned int c = 0; c < squares.size(); ++c)
+          estimate.cell_indicators[c] = std::sqrt(squares[c]);
+        estimate.bulk    = relative(total(bulk_error), total(bulk_energy));
+        estimate.contact = relative(total(pressure_error), total(pressure_square));
+        return estimate;
+      }
+
+    private:
+      unsigned int
+      my_rank() const
+      {
+        return Utilities::MPI::this_mpi_process(discretization.geometry.communicator);
+      }
+
+      Cell
+      recovery_cell(const Cell &cell) const
+      {
+        return Cell(
+            &discretization.geometry.triangulation, cell->level(), cell->index(), &recovery.dof_handler());
+      }
+
+      // By face number: sigma* at the points of the face, and the matrix that continues sigma_h there from
+      // the Gauss points.
+      void
+      prepare_faces()
+      {
+        for (const unsigned int f : GeometryInfo<dim>::face_indices())
+          {
+            std::vector<Point<dim>> points;
+            FullMatrix<double>      matrix(on_face.size(), gauss.size());
+            for (unsigned int q = 0; q < on_face.size(); ++q)
+              {
+                points.push_back(on_unit_cell<dim>(f, on_face.point(q)));
+                for (unsigned int s = 0; s < gauss.size(); ++s)
+                  matrix(q, s) = gauss_polynomials.compute_value(s, points.back());
+              }
+            continuation.push_back(matrix);
+            recovered_on_face.push_back(std::make_unique<FEValues<dim>>(discretization.mapping,
+                                                                        recovery.dof_handler().get_fe(),
+                                                                        Quadrature<dim>(points),
+                                                                        update_values));
+          }
+      }
+
+      std::vector<Voigt<dim>>
+      stress_on_face(const Cell &cell, const unsigned int f)
+      {
+        values.reinit(cell);
+        const auto              inside = elasticity.stresses(values, cell, displacement);
+        std::vector<Voigt<dim>> result(on_face.size(), Voigt<dim>());
+        for (unsigned int q = 0; q < result.size(); ++q)
+          for (unsigned int s = 0; s < inside.size(); ++s)
+            for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+              result[q][k] += continuation[f](q, s) * inside[s][k];
+        return result;
+      }
+
+      // eta_F^2 of an owned slave face.
+      double
+      add_slave_face(const ContactInterface<dim> &interface,
+                     const SurfaceFields<dim>    &fields,
+                     const unsigned int           face)
+      {
+        const ContactSurface<dim> &slave = *interface.slave;
+        const auto &[cell, f]            = slave.owned[slave.faces[face].owned_index];
+        if (!discretization.is_deformable(cell->material_id()))
+          return 0;
+        recovered_on_face[f]->reinit(recovery_cell(cell));
+        const auto sigma  = stress_on_face(cell, f);
+        const auto smooth = recovery.values_at(*recovered_on_face[f]);
+
+        double square = 0;
+        for (unsigned int q = 0; q < on_face.size(); ++q)
+          {
+            const Point<dim - 1> &xi = on_face.point(q);
+            double                jacobian;
+            const Tensor<1, dim>  n = slave.face_normal(face, xi, &jacobian);
+            const double weight = on_face.weight(q) * jacobian * measure<dim>(kind, slave.position(face, xi));
+            const auto   N      = lagrange_values<dim - 1>(slave.degree, xi);
+            double       p      = 0;
+            for (unsigned int i = 0; i < N.size(); ++i)
+              p += N[i] * fields.pressure[slave.faces[face].nodes[i]];
+
+            const Tensor<1, dim> t        = traction<dim>(sigma[q], n);
+            const double         mismatch = p + n * t;
+            square += weight * mismatch * mismatch;
+            if (!interface.pair->tied)
+              square += weight * (t - (n * t) * n).norm_square();
+
+            const double p_star = -(n * traction<dim>(smooth[q], n));
+            pressure_error += weight * (p_star - p) * (p_star - p);
+            pressure_square += weight * p * p;
+          }
+        square *= slave.faces[face].size / discretization.scene.bodies[cell->material_id()].material.young;
+        squares[cell->active_cell_index()] += square;
+        return square;
+      }
+
+      // Each slave face's eta_F^2 is shared out by area between the master faces opposite.
+      void
+      add_masters(const ContactInterface<dim> &interface, const std::vector<double> &face_squares)
+      {
+        const ContactSurface<dim> &master = *interface.master_surface;
+        std::vector<double>        areas(face_squares.size(), 0.);
+        for (const auto &point : interface.coupling.points)
+          areas[point.slave_face] += point.weight;
+        for (const auto &point : interface.coupling.points)
+          if (point.master_face != numbers::invalid_unsigned_int && areas[point.slave_face] > 0 &&
+              master.faces[point.master_face].rank == my_rank())
+            {
+              const auto &cell = master.owned[master.faces[point.master_face].owned_index].first;
+              if (discretization.is_deformable(cell->material_id()))
+                squares[cell->active_cell_index()] +=
+                    face_squares[point.slave_face] * point.weight / areas[point.slave_face];
+            }
+      }
+
+      const Discretization<dim>          &discretization;
+      const ElasticityOperator<dim>      &elasticity;
+      const StressRecovery<dim>          &recovery;
+      const LA::Vector                   &displacement;
+      const Kind                          kind;
+      const QGauss<dim>                   gauss;
+      const TensorProductPolynomials<dim> gauss_polynomials; // Lagrange polynomials of the Gauss points
+      const QGauss<dim - 1>               on_face;
+      FEValues<dim>                       values;
+      std::vector<FullMatrix<double>>     continuation;
+      std::vector<std::unique_ptr<FEValues<dim>>> recovered_on_face;
+      std::vector<double>                         squares;                             // by active cell
+      double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0; // of this rank
+    };
+  } // namespace
+
+  template <int dim>
+  ErrorEstimate<dim>
+  estimate_error(const Discretization<dim>                &discretization,
+                 const ElasticityOperator<dim>            &elasticity,
+                 const StressRecovery<dim>                &recovery,
+                 const std::vector<ContactInterface<dim>> &interfaces,
+                 const std::vector<SurfaceFields<dim>>    &fields,
+                 const LA::Vector                         &displacement)
+  {
+    Estimation<dim> estimation(discretization, elasticity, recovery, displacement);
+    estimation.add_bulk();
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      estimation.add_interface(interfaces[i], fields[i]);
+    return estimation.result();
+  }
+
+  template ErrorEstimate<2>
+  estimate_error(const Discretization<2> &,
+                 const ElasticityOperator<2> &,
+                 const StressRecovery<2> &,
+                 const std::vector<ContactInterface<2>> &,
+                 const std::vector<SurfaceFields<2>> &,
+                 const LA::Vector &);
+  template ErrorEstimate<3>
+  estimate_error(const Discretization<3> &,
+                 const ElasticityOperator<3> &,
+                 const StressRecovery<3> &,
+                 const std::vector<ContactInterface<3>> &,
+                 const std::vector<SurfaceFields<3>> &,
+                 const LA::Vector &);
+} // namespace Amontons

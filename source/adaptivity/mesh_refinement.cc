@@ -1,0 +1,249 @@
+#include <amontons/adaptivity/mesh_refinement.h>
+
+#include <deal.II/distributed/solution_transfer.h>
+
+namespace Amontons
+{
+  void
+  RefinementParameters::declare(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Refinement");
+    prm.add_parameter("Cycles",
+                      cycles,
+                      "How often the mesh is refined after the first solution, from which the computation is "
+                      "then repeated.",
+                      Patterns::Integer(0));
+    prm.add_parameter("Maximum DoFs",
+                      max_dofs,
+                      "Refinement stops before the mesh gets more than about this many degrees of freedom.",
+                      Patterns::Integer(1));
+    prm.add_parameter(
+        "Target error",
+        target_error,
+        "Refinement stops once the estimated relative error of the contact pressure is below this. "
+        "0: only Cycles and Maximum DoFs count.",
+        Patterns::Double(0));
+    prm.add_parameter(
+        "Fraction",
+        fraction,
+        "Adaptive refinement takes the cells with the largest estimated errors that together make up "
+        "this part of the squared error.",
+        Patterns::Double(0, 1));
+    prm.add_parameter(
+        "Strategy",
+        strategy,
+        "adaptive: refine where the estimated error is large; uniform: refine all deformable bodies.",
+        Patterns::Selection("adaptive|uniform"));
+    prm.add_parameter(
+        "Initial refinements",
+        initial_refinements,
+        "Before the first solution, refine at most this often where the surfaces of a contact pair are "
+        "closest, so that the first solution sees the contact.",
+        Patterns::Integer(0));
+    prm.leave_subsection();
+  }
+
+  namespace
+  {
+    template <typename Cell, int dim>
+    bool
+    may_be_refined(const Discretization<dim> &discretization, const Cell &cell)
+    {
+      return cell->is_locally_owned() && discretization.is_deformable(cell->material_id());
+    }
+
+    // Squared indicators of the cells that may be refined, of this rank; questions about all ranks.
+    class SquaredErrors
+    {
+    public:
+      template <int dim>
+      SquaredErrors(const Discretization<dim> &discretization, const Vector<float> &indicators)
+          : communicator(discretization.geometry.communicator)
+      {
+        double mine = 0;
+        for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+          if (may_be_refined(discretization, cell))
+            {
+              const double eta = indicators[cell->active_cell_index()];
+              squares.push_back(eta * eta);
+              mine = std::max(mine, squares.back());
+            }
+        largest = Utilities::MPI::max(mine, communicator);
+      }
+
+      double
+      sum_above(const double threshold) const
+      {
+        double sum = 0;
+        for (const double square : squares)
+          if (square >= threshold)
+            sum += square;
+        return Utilities::MPI::sum(sum, communicator);
+      }
+
+      double
+      count_above(const double threshold) const
+      {
+        double n = 0;
+        for (const double square : squares)
+          if (square >= threshold)
+            ++n;
+        return Utilities::MPI::sum(n, communicator);
+      }
+
+      // Bisection between 0, where `holds` is true or nothing matters, and above the largest: the largest
+      // threshold that holds, if `holds` turns false with growing thresholds.
+      template <typename Condition>
+      double
+      largest_threshold(const Condition &holds) const
+      {
+        double low = 0, high = 2 * largest;
+        for (unsigned int i = 0; i < 60; ++i)
+          {
+            const double middle          = (low + high) / 2;
+            (holds(middle) ? low : high) = middle;
+          }
+        return low;
+      }
+
+      double largest;
+
+    private:
+      MPI_Comm            communicator;
+      std::vector<double> squares;
+    };
+
+    // How many cells can be refined within max_dofs.
+    template <int dim>
+    double
+    affordable_cells(const Discretization<dim> &discretization, const unsigned int max_dofs)
+    {
+      const double n_dofs       = discretization.dof_handler.n_dofs();
+      const double dofs_by_cell = n_dofs / discretization.geometry.triangulation.n_global_active_cells();
+      return (max_dofs - n_dofs) / (dofs_by_cell * (GeometryInfo<dim>::max_children_per_cell - 1));
+    }
+
+    // Doerfler marking: the largest squared error from which on the cells make up the fraction, or the
+    // smallest that can be afforded. Cells that differ by rounding only (symmetric meshes) are marked
+    // together.
+    double
+    adaptive_threshold(const SquaredErrors &errors, const double fraction, const double affordable)
+    {
+      constexpr double alike  = 1 - 1e-4;
+      const double     wanted = fraction * errors.sum_above(0);
+      const double     doerfler =
+          alike * errors.largest_threshold([&](const double t) { return errors.sum_above(t) >= wanted; });
+      if (errors.count_above(doerfler) <= affordable)
+        return doerfler;
+      return errors.largest_threshold([&](const double t) { return errors.count_above(t) > affordable; }) /
+             alike;
+    }
+  } // namespace
+
+  template <int dim>
+  bool
+  mark_cells(const Discretization<dim>  &discretization,
+             Geometry<dim>              &geometry,
+             const RefinementParameters &parameters,
+             const Vector<float>        &indicators)
+  {
+    const double        affordable = affordable_cells(discretization, parameters.max_dofs);
+    const SquaredErrors errors(discretization, indicators);
+    double              threshold = 0;
+    if (parameters.strategy == "uniform")
+      {
+        if (errors.count_above(0) > affordable)
+          return false;
+      }
+    else if (errors.largest > 0)
+      threshold = adaptive_threshold(errors, parameters.fraction, affordable);
+    else
+      return false;
+
+    unsigned int n_marked = 0;
+    for (const auto &cell : geometry.triangulation.active_cell_iterators())
+      if (may_be_refined(discretization, cell) &&
+          std::pow(double(indicators[cell->active_cell_index()]), 2) >= threshold)
+        {
+          cell->set_refine_flag();
+          ++n_marked;
+        }
+    return Utilities::MPI::sum(n_marked, geometry.communicator) > 0;
+  }
+
+  template <int dim>
+  unsigned int
+  mark_close_cells(const Discretization<dim>                &discretization,
+                   const std::vector<ContactInterface<dim>> &interfaces,
+                   const double                              distance)
+  {
+    const MPI_Comm     communicator = discretization.geometry.communicator;
+    const unsigned int me           = Utilities::MPI::this_mpi_process(communicator);
+    unsigned int       n_marked     = 0;
+    const auto         mark         = [&](const ContactSurface<dim> &surface, const unsigned int face) {
+      if (surface.faces[face].rank != me)
+        return;
+      const auto &cell = surface.owned[surface.faces[face].owned_index].first;
+      if (may_be_refined(discretization, cell) && !cell->refine_flag_set())
+        {
+          cell->set_refine_flag();
+          ++n_marked;
+        }
+    };
+    for (const auto &interface : interfaces)
+      for (const auto &point : interface.coupling.points)
+        if (point.gap <= distance)
+          {
+            mark(*interface.slave, point.slave_face);
+            if (interface.master_surface && point.master_face != numbers::invalid_unsigned_int)
+              mark(*interface.master_surface, point.master_face);
+          }
+    return Utilities::MPI::sum(n_marked, communicator);
+  }
+
+  template <int dim>
+  void
+  refine_and_transfer(Discretization<dim>         &discretization,
+                      Geometry<dim>               &geometry,
+                      SolutionState               &state,
+                      const std::function<void()> &rebuild)
+  {
+    std::vector<LA::Vector *> fields = {&state.displacement};
+    if (state.traction.size() == state.displacement.size())
+      fields.push_back(&state.traction);
+
+    parallel::distributed::SolutionTransfer<dim, LA::Vector> transfer(discretization.dof_handler);
+    geometry.triangulation.prepare_coarsening_and_refinement();
+    transfer.prepare_for_coarsening_and_refinement(
+        std::vector<const LA::Vector *>(fields.begin(), fields.end()));
+    geometry.triangulation.execute_coarsening_and_refinement();
+    rebuild();
+
+    std::vector<LA::Vector>   moved(fields.size());
+    std::vector<LA::Vector *> targets;
+    for (auto &vector : moved)
+      {
+        vector.reinit(discretization.locally_owned, geometry.communicator);
+        targets.push_back(&vector);
+      }
+    transfer.interpolate(targets);
+    for (unsigned int i = 0; i < fields.size(); ++i)
+      {
+        *fields[i] = discretization.make_relevant_vector();
+        *fields[i] = moved[i];
+      }
+  }
+
+  template bool
+  mark_cells(const Discretization<2> &, Geometry<2> &, const RefinementParameters &, const Vector<float> &);
+  template bool
+  mark_cells(const Discretization<3> &, Geometry<3> &, const RefinementParameters &, const Vector<float> &);
+  template unsigned int
+  mark_close_cells(const Discretization<2> &, const std::vector<ContactInterface<2>> &, const double);
+  template unsigned int
+  mark_close_cells(const Discretization<3> &, const std::vector<ContactInterface<3>> &, const double);
+  template void
+  refine_and_transfer(Discretization<2> &, Geometry<2> &, SolutionState &, const std::function<void()> &);
+  template void
+  refine_and_transfer(Discretization<3> &, Geometry<3> &, SolutionState &, const std::function<void()> &);
+} // namespace Amontons

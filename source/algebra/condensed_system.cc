@@ -1,0 +1,145 @@
+#include <amontons/algebra/condensed_system.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
+
+namespace Amontons
+{
+  LA::Vector
+  condense(const LA::Vector &raw, const Constraints &constraints, const LA::Vector &like)
+  {
+    LA::Vector result;
+    result.reinit(like);
+    for (const auto dof : raw.locally_owned_elements())
+      {
+        const double value = raw(dof);
+        if (value == 0)
+          continue;
+        if (!constraints.is_constrained(dof))
+          result(dof) += value;
+        else
+          for (const auto &[other, weight] : *constraints.get_constraint_entries(dof))
+            result(other) += weight * value;
+      }
+    result.compress(VectorOperation::add);
+    return result;
+  }
+
+  CondensedSystem::CondensedSystem(const IndexSet &locally_owned, const IndexSet &relevant, MPI_Comm communicator)
+    : locally_owned(locally_owned)
+    , relevant(relevant)
+    , communicator(communicator)
+  {}
+
+  void
+  CondensedSystem::setup(const CellMatrices                &cells,
+                         const Constraints                 &supports,
+                         const std::vector<LinearEquation> &candidates,
+                         const LA::Vector                  *proximal)
+  {
+    // The DoFs that a DoF of a possible slave node may be replaced by.
+    std::map<types::global_dof_index, std::set<types::global_dof_index>> partners;
+    for (const auto &equation : candidates)
+      for (const auto &a : equation.coefficients)
+        for (const auto &b : equation.coefficients)
+          partners[a.first].insert(b.first);
+    // Slave nodes of one pair may be masters of another: two steps reach what a chain of pairs connects.
+    std::vector<bool> is_surface(cells.n, false);
+
+    DynamicSparsityPattern               dsp(relevant);
+    std::vector<types::global_dof_index> dofs;
+    surface_cells.clear();
+    for (unsigned int c = 0; c < cells.n; ++c)
+      {
+        dofs = cells.dofs(c);
+        std::set<types::global_dof_index> more;
+        for (const auto dof : cells.dofs(c))
+          {
+            const auto add_partners_of = [&](const types::global_dof_index d) {
+              if (const auto found = partners.find(d); found != partners.end())
+                {
+                  is_surface[c] = true;
+                  for (const auto partner : found->second)
+                    {
+                      more.insert(partner);
+                      if (const auto next = partners.find(partner); next != partners.end() && candidates.size() < 4000)
+                        more.insert(next->second.begin(), next->second.end());
+                    }
+                }
+            };
+            add_partners_of(dof);
+            if (supports.is_constrained(dof))
+              for (const auto &entry : *supports.get_constraint_entries(dof))
+                add_partners_of(entry.first);
+          }
+        if (is_surface[c])
+          {
+            surface_cells.push_back(c);
+            for (const auto dof : dofs)
+              more.erase(dof);
+            dofs.insert(dofs.end(), more.begin(), more.end());
+          }
+        supports.add_entries_local_to_global(dofs, dsp, true);
+      }
+    for (const auto dof : locally_owned)
+      dsp.add(dof, dof);
+    SparsityTools::distribute_sparsity_pattern(dsp, locally_owned, communicator, relevant);
+    bulk.reinit(locally_owned, locally_owned, dsp, communicator);
+    system.reinit(bulk);
+
+    has_proximal = proximal != nullptr;
+    if (has_proximal)
+      proximal_diagonal = *proximal;
+
+    double largest = 0;
+    for (unsigned int c = 0; c < cells.n; ++c)
+      for (unsigned int i = 0; i < cells.matrix(c).m(); ++i)
+        largest = std::max(largest, cells.matrix(c)(i, i));
+    diagonal_scale = Utilities::MPI::max(largest, communicator);
+
+    bulk = 0;
+    for (unsigned int c = 0; c < cells.n; ++c)
+      if (!is_surface[c])
+        add_cell(cells, c, supports, bulk);
+    bulk.compress(VectorOperation::add);
+  }
+
+  void
+  CondensedSystem::add_cell(const CellMatrices &cells,
+                            const unsigned int  c,
+                            const Constraints  &constraints,
+                            LA::SparseMatrix   &matrix) const
+  {
+    constraints.distribute_local_to_global(cells.matrix(c), cells.dofs(c), matrix);
+  }
+
+  void
+  CondensedSystem::assemble(const CellMatrices &cells, const Constraints &constraints)
+  {
+    system.copy_from(bulk);
+    for (const unsigned int c : surface_cells)
+      add_cell(cells, c, constraints, system);
+    if (has_proximal)
+      {
+        FullMatrix<double> one(1, 1);
+        for (const auto dof : locally_owned)
+          if (proximal_diagonal(dof) != 0)
+            {
+              one(0, 0) = proximal_diagonal(dof);
+              constraints.distribute_local_to_global(one, std::vector<types::global_dof_index>{dof}, system);
+            }
+      }
+    system.compress(VectorOperation::add);
+    add_missing_diagonals(constraints, diagonal_scale, system);
+  }
+
+  // Rows that no cell reaches: carriers and rigid bodies (their DoFs are constrained or moved through others).
+  void
+  CondensedSystem::add_missing_diagonals(const Constraints &constraints, const double scale, LA::SparseMatrix &matrix) const
+  {
+    for (const auto dof : locally_owned)
+      if (constraints.is_constrained(dof) && matrix.diag_element(dof) == 0)
+        matrix.set(dof, dof, scale);
+    matrix.compress(VectorOperation::insert);
+  }
+} // namespace Amontons

@@ -1,0 +1,139 @@
+#include <amontons/algebra/linear_solver.h>
+
+#include <deal.II/lac/solver_cg.h>
+
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
+
+namespace Amontons
+{
+  void
+  LinearSolverParameters::declare(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Linear solver");
+    prm.add_parameter("Type",
+                      type,
+                      "direct (a sparse factorisation), cg (conjugate gradients with algebraic multigrid) or "
+                      "automatic: direct for plane problems up to 150000 unknowns and 3D ones up to 10000.",
+                      Patterns::Selection("automatic|direct|cg"));
+    prm.add_parameter("Direct package",
+                      direct_package,
+                      "Trilinos' name of the direct solver; automatic: the fastest measured (doc/benchmarks).",
+                      Patterns::Selection("automatic|Amesos_Mumps|Amesos_Umfpack|Amesos_Klu"));
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "Relative residual to which linear systems are solved once the contact set is found.",
+                      Patterns::Double(1e-15, 1e-2));
+    prm.add_parameter("Maximum iterations", max_iterations, "Of the Krylov solver.", Patterns::Integer(1));
+    prm.leave_subsection();
+  }
+
+  LinearSolver::LinearSolver(const LinearSolverParameters &parameters, const int dim)
+    : parameters(parameters)
+    , dim(dim)
+  {}
+
+  void
+  LinearSolver::set_near_null_space(std::vector<std::vector<double>> new_modes)
+  {
+    modes      = std::move(new_modes);
+    amg_is_old = true;
+  }
+
+  bool
+  LinearSolver::is_direct(const types::global_dof_index n_dofs) const
+  {
+    if (parameters.type == "automatic")
+      return n_dofs <= (dim == 2 ? 150000u : 10000u);
+    return parameters.type == "direct";
+  }
+
+  void
+  LinearSolver::matrix_changed(const LA::SparseMatrix &, const bool much)
+  {
+    factorised = false;
+    amg_is_old = amg_is_old || much;
+  }
+
+  void
+  LinearSolver::build_preconditioner(const LA::SparseMatrix &matrix)
+  {
+    Teuchos::ParameterList list;
+    list.set("default values", "SA");
+    list.set("ML output", 0);
+    list.set("max levels", 10);
+    list.set("aggregation: type", "Uncoupled");
+    list.set("aggregation: threshold", 0.02);
+    list.set("smoother: type", "Chebyshev");
+    list.set("smoother: sweeps", 2);
+    list.set("coarse: max size", 2000);
+    list.set("coarse: type", "Amesos-KLU");
+    list.set("PDE equations", dim);
+    std::unique_ptr<Epetra_MultiVector> null_space;
+    if (!modes.empty())
+      {
+        null_space = std::make_unique<Epetra_MultiVector>(matrix.trilinos_matrix().DomainMap(), modes.size());
+        for (unsigned int m = 0; m < modes.size(); ++m)
+          for (unsigned int i = 0; i < modes[m].size(); ++i)
+            (*null_space)[m][i] = modes[m][i];
+        list.set("null space: type", "pre-computed");
+        list.set("null space: dimension", int(modes.size()));
+        list.set("null space: vectors", null_space->Values());
+      }
+    amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
+    amg->initialize(matrix, list);
+    amg_is_old = false;
+  }
+
+  LinearSolveReport
+  LinearSolver::solve(const LA::SparseMatrix &matrix,
+                      LA::Vector             &x,
+                      const LA::Vector       &rhs,
+                      const double            relative_tolerance)
+  {
+    LinearSolveReport report;
+    x = 0;
+    if (rhs.l2_norm() == 0)
+      return report;
+    if (is_direct(matrix.m()))
+      {
+        if (!factorised)
+          {
+            const std::string package =
+              parameters.direct_package == "automatic" ? "Amesos_Mumps" : parameters.direct_package;
+            direct = std::make_unique<TrilinosWrappers::SolverDirect>(
+              direct_control, TrilinosWrappers::SolverDirect::AdditionalData(false, package));
+            direct->initialize(matrix);
+            factorised = true;
+          }
+        direct->solve(x, rhs);
+        report.iterations = 1;
+        report.success    = std::isfinite(x.l2_norm());
+        return report;
+      }
+    for (const bool retry : {false, true})
+      {
+        const bool fresh = amg_is_old || !amg || retry;
+        if (fresh)
+          build_preconditioner(matrix);
+        SolverControl control(parameters.max_iterations, relative_tolerance * rhs.l2_norm());
+        try
+          {
+            x = 0;
+            SolverCG<LA::Vector> cg(control);
+            cg.solve(matrix, x, rhs, *amg);
+            report.iterations += control.last_step();
+            report.success = true;
+            break;
+          }
+        catch (const SolverControl::NoConvergence &failure)
+          {
+            report.iterations += failure.last_step;
+            report.success = false;
+            if (fresh)
+              break;
+          }
+      }
+    return report;
+  }
+} // namespace Amontons

@@ -1,0 +1,117 @@
+#include <amontons/base/closed_forms_friction.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Amontons
+{
+  namespace ClosedForms
+  {
+    namespace
+    {
+      const double pi = 3.14159265358979323846;
+
+      // x sqrt(x^2-c^2) - c^2 arccosh(x/c) for |x| > c, else 0
+      double
+      slip_function(const double x, const double c)
+      {
+        const double X = std::abs(x);
+        if (X <= c)
+          return 0;
+        return X * std::sqrt(X * X - c * c) - (c > 0 ? c * c * std::acosh(X / c) : 0);
+      }
+
+      // p_s of the header; zero for s = 0
+      double
+      scaled_ellipse(const double x, const double p0, const double s, const double a)
+      {
+        return s > 0 ? elliptic_pressure(x, s, p0 * s / a) : 0;
+      }
+    } // namespace
+
+    double
+    cattaneo_stick_size(const double Q, const double P, const double mu, const double a)
+    {
+      return a * std::sqrt(std::max(0., 1 - std::abs(Q) / (mu * P)));
+    }
+
+    double
+    cattaneo_traction(const double x, const double Q, const double P, const double mu, const double a)
+    {
+      const double p0 = 2 * P / (pi * a), c = cattaneo_stick_size(Q, P, mu, a);
+      return std::copysign(mu, Q) * (scaled_ellipse(x, p0, a, a) - scaled_ellipse(x, p0, c, a));
+    }
+
+    double
+    cattaneo_traction_unloading(
+        const double x, const double Q, const double Q_max, const double P, const double mu, const double a)
+    {
+      const double p0 = 2 * P / (pi * a), c = cattaneo_stick_size(Q_max, P, mu, a);
+      const double c1 = cattaneo_stick_size((Q_max - Q) / 2, P, mu, a);
+      return mu *
+             (-scaled_ellipse(x, p0, a, a) + 2 * scaled_ellipse(x, p0, c1, a) - scaled_ellipse(x, p0, c, a));
+    }
+
+    double
+    cattaneo_slip(const double x, const double c, const double a, const double R, const double mu)
+    {
+      return std::abs(x) <= a ? mu / (2 * R) * slip_function(x, c) : 0;
+    }
+
+    // W = (4 mu^2/R) int_c^a p(x) [x sqrt(x^2-c^2) - c^2 arccosh(x/c)] dx, with x = a sin t.
+    double
+    cattaneo_dissipation_per_cycle(
+        const double P, const double Q, const double mu, const double R, const double modulus)
+    {
+      const Hertz             h = hertz_line(P, R, modulus);
+      const double            c = cattaneo_stick_size(Q, P, mu, h.size), begin = std::asin(c / h.size);
+      const dealii::QGauss<1> quadrature(200);
+      double                  integral = 0;
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          const double t = begin + (pi / 2 - begin) * quadrature.point(q)[0];
+          integral += h.peak * h.size * std::cos(t) * std::cos(t) * slip_function(h.size * std::sin(t), c) *
+                      (pi / 2 - begin) * quadrature.weight(q);
+        }
+      return 4 * mu * mu / R * integral;
+    }
+
+    double
+    mindlin_stick_radius(const double Q, const double P, const double mu, const double a)
+    {
+      return a * std::cbrt(std::max(0., 1 - std::abs(Q) / (mu * P)));
+    }
+
+    double
+    mindlin_traction(const double r, const double Q, const double P, const double mu, const double a)
+    {
+      const double p0 = 3 * P / (2 * pi * a * a), c = mindlin_stick_radius(Q, P, mu, a);
+      return std::copysign(mu, Q) * (scaled_ellipse(r, p0, a, a) - scaled_ellipse(r, p0, c, a));
+    }
+
+    double
+    mindlin_compliance(const double E1, const double nu1, const double E2, const double nu2)
+    {
+      return (2 - nu1) * 2 * (1 + nu1) / E1 + (2 - nu2) * 2 * (1 + nu2) / E2;
+    }
+
+    double
+    mindlin_displacement(
+        const double Q, const double P, const double mu, const double a, const double compliance)
+    {
+      const double t = 1 - std::abs(Q) / (mu * P);
+      return 3 * mu * P / (16 * a) * compliance * (1 - std::pow(t, 2. / 3.));
+    }
+
+    double
+    mindlin_dissipation_per_cycle(
+        const double Q, const double P, const double mu, const double a, const double compliance)
+    {
+      const double s = Q / (mu * P), t = 1 - s;
+      return 9 * mu * mu * P * P / (10 * a) * compliance *
+             (1 - std::pow(t, 5. / 3.) - 5 * s / 6 * (1 + std::pow(t, 2. / 3.)));
+    }
+  } // namespace ClosedForms
+} // namespace Amontons

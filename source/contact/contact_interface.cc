@@ -1,0 +1,144 @@
+#include <amontons/contact/contact_interface.h>
+#include <amontons/discretization/elimination.h>
+
+namespace Amontons
+{
+  template <int dim>
+  std::vector<bool>
+  choose_slaves(const Discretization<dim> &discretization)
+  {
+    const Scene      &scene = discretization.scene;
+    std::vector<bool> first_is_slave;
+    for (const auto &pair : scene.pairs)
+      {
+        const auto decide = [&]() {
+          if (!pair.second)
+            return true;
+          const Boundary &first  = discretization.geometry.boundary(pair.first, scene);
+          const Boundary &second = discretization.geometry.boundary(*pair.second, scene);
+          if (scene.bodies[first.body].rigid || scene.bodies[second.body].rigid)
+            return !scene.bodies[first.body].rigid;
+          if (pair.slave != PairData::Slave::automatic)
+            return pair.slave == PairData::Slave::first;
+          const double h1 = ContactSurface<dim>(discretization, first).mean_size;
+          const double h2 = ContactSurface<dim>(discretization, second).mean_size;
+          if (h1 * 1.5 < h2 || h2 * 1.5 < h1)
+            return h1 < h2;
+          return scene.bodies[first.body].material.young <= scene.bodies[second.body].material.young;
+        };
+        first_is_slave.push_back(decide());
+      }
+    return first_is_slave;
+  }
+
+  template <int dim>
+  std::vector<ContactInterface<dim>>
+  make_interfaces(const Discretization<dim> &discretization, const std::vector<bool> &first_is_slave)
+  {
+    const Scene                       &scene = discretization.scene;
+    std::vector<ContactInterface<dim>> interfaces;
+    for (unsigned int i = 0; i < scene.pairs.size(); ++i)
+      {
+        const PairData       &pair = scene.pairs[i];
+        ContactInterface<dim> interface;
+        interface.pair = &pair;
+        const auto surface = [&](const BoundaryName &name) {
+          return std::make_unique<ContactSurface<dim>>(discretization,
+                                                       discretization.geometry.boundary(name, scene));
+        };
+        if (pair.second)
+          {
+            interface.slave          = surface(first_is_slave[i] ? pair.first : *pair.second);
+            interface.master_surface = surface(first_is_slave[i] ? *pair.second : pair.first);
+            interface.master.surface = interface.master_surface.get();
+          }
+        else
+          {
+            interface.slave = surface(pair.first);
+            for (const auto &obstacle : scene.obstacles)
+              if (obstacle.name == pair.obstacle)
+                {
+                  interface.master.obstacle = &obstacle;
+                  interface.master.carrier  = discretization.geometry.carrier(obstacle.motion.name);
+                }
+          }
+        interfaces.push_back(std::move(interface));
+      }
+    return interfaces;
+  }
+
+  namespace
+  {
+    // How far a gap may be and still matter: bodies may be brought together across an initial gap, so the closest
+    // distance counts, and what lies within half the size of the smaller surface beyond it.
+    template <int dim>
+    double
+    search_distance(const ContactInterface<dim> &interface)
+    {
+      const auto extent = [](const ContactSurface<dim> &surface) {
+        std::vector<Point<dim>> points;
+        for (const auto &node : surface.nodes)
+          points.push_back(node.X);
+        const auto box = BoundingBox<dim>(points).get_boundary_points();
+        return box.first.distance(box.second);
+      };
+      double reach = extent(*interface.slave);
+      if (interface.master.surface == nullptr)
+        return 1e3 * reach;
+      reach = 0.5 * std::min(reach, extent(*interface.master.surface));
+      double closest = std::numeric_limits<double>::max();
+      for (const auto &face : interface.slave->faces)
+        for (const auto &other : interface.master.surface->faces)
+          closest = std::min(closest, face.centre.distance(other.centre));
+      return reach + 2 * closest;
+    }
+
+    template <int dim>
+    std::vector<bool>
+    find_carrying_nodes(const ContactSurface<dim> &slave, const Constraints &supports, const bool tied)
+    {
+      std::vector<bool> carries;
+      for (const auto &node : slave.nodes)
+        {
+          LinearEquation equation;
+          bool           any_free = false;
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              equation.coefficients[node.dofs[c]] = node.normal[c];
+              any_free                            = any_free || !supports.is_constrained(node.dofs[c]);
+            }
+          substitute(equation, supports);
+          const std::vector<types::global_dof_index> own(node.dofs.begin(), node.dofs.end());
+          carries.push_back(tied ? any_free : choose_pivot(equation, supports, own).has_value());
+        }
+      return carries;
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  integrate_couplings(const Discretization<dim>          &discretization,
+                      const Constraints                  &supports,
+                      std::vector<ContactInterface<dim>> &interfaces)
+  {
+    for (auto &interface : interfaces)
+      {
+        const auto carries = find_carrying_nodes(*interface.slave, supports, interface.pair->tied);
+        interface.n_without_multiplier = std::count(carries.begin(), carries.end(), false);
+        interface.coupling =
+          integrate_coupling(discretization,
+                             *interface.slave,
+                             interface.master,
+                             find_overlaps(*interface.pair,
+                                           *interface.slave,
+                                           interface.master,
+                                           search_distance(interface),
+                                           discretization.scene.kind == Kind::axisymmetric),
+                             carries);
+      }
+  }
+
+  template std::vector<bool>                  choose_slaves(const Discretization<2> &);
+  template std::vector<ContactInterface<2>> make_interfaces(const Discretization<2> &, const std::vector<bool> &);
+  template void integrate_couplings(const Discretization<2> &, const Constraints &, std::vector<ContactInterface<2>> &);
+} // namespace Amontons

@@ -1,0 +1,197 @@
+#include <amontons/contact/face_basis.h>
+#include <amontons/contact/surface_fields.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparse_direct.h>
+#include <deal.II/lac/sparse_matrix.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // Control values c of the projection: sum_j int B_i B_j c_j = sum_rows int psi_row B_i value_row over the overlap.
+    template <int dim>
+    std::vector<double>
+    project(const ContactInterface<dim> &interface, const std::vector<double> &row_values)
+    {
+      const auto                          &coupling = interface.coupling;
+      std::map<unsigned int, unsigned int> unknown; // by slave node
+      for (const auto &entry : coupling.trace_mass)
+        unknown.emplace(entry.first.first, unknown.size());
+      std::vector<double> control(interface.slave->nodes.size(), 0.);
+      const unsigned int  n = unknown.size();
+      if (n == 0)
+        return control;
+      DynamicSparsityPattern dsp(n, n);
+      for (const auto &[nodes, value] : coupling.trace_mass)
+        dsp.add(unknown[nodes.first], unknown[nodes.second]);
+      SparsityPattern pattern;
+      pattern.copy_from(dsp);
+      SparseMatrix<double> mass(pattern);
+      for (const auto &[nodes, value] : coupling.trace_mass)
+        mass.add(unknown[nodes.first], unknown[nodes.second], value);
+      Vector<double> rhs(n);
+      for (unsigned int r = 0; r < coupling.rows.size(); ++r)
+        for (const auto &[node, trace] : coupling.rows[r].traces)
+          rhs[unknown[node]] += trace * row_values[r];
+      SparseDirectUMFPACK solver;
+      solver.initialize(mass);
+      solver.solve(rhs);
+      for (const auto &[node, k] : unknown)
+        control[node] = rhs[k];
+      return control;
+    }
+
+    // Nodal values of a function given by control values.
+    template <int dim>
+    std::vector<double>
+    control_to_nodal(const ContactSurface<dim> &surface, const std::vector<double> &control)
+    {
+      std::vector<double> nodal(surface.nodes.size(), 0.);
+      const unsigned int  n = surface.degree + 1;
+      for (const auto &face : surface.faces)
+        for (unsigned int k = 0; k < face.nodes.size(); ++k)
+          {
+            Point<dim - 1> xi;
+            for (unsigned int d = 0, rest = k; d < dim - 1; ++d, rest /= n)
+              xi[d] = double(rest % n) / surface.degree;
+            const auto B = bernstein_values<dim - 1>(surface.degree, xi);
+            double     v = 0;
+            for (unsigned int j = 0; j < B.size(); ++j)
+              v += B[j] * control[face.nodes[j]];
+            nodal[face.nodes[k]] = v;
+          }
+      return nodal;
+    }
+
+    // The centre of a symmetric contact is where the slave surface meets the symmetry planes (or the axis).
+    template <int dim>
+    void
+    find_centre(const Discretization<dim> &discretization, const ContactInterface<dim> &interface, SurfaceFields<dim> &fields)
+    {
+      double     force = 0;
+      Point<dim> centre;
+      for (const auto &p : interface.coupling.points)
+        {
+          const double f = std::max(0., value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave)) * p.weight;
+          force += f;
+          centre += f * p.x_slave;
+        }
+      if (force > 0)
+        centre /= force;
+      const bool                  axisymmetric = discretization.scene.kind == Kind::axisymmetric;
+      std::vector<Tensor<1, dim>> planes;
+      for (unsigned int i = 0; i < interface.slave->nodes.size(); ++i)
+        if (fields.state[i] != ContactState::open)
+          for (const auto &normal : interface.slave->nodes[i].symmetry_planes)
+            if (std::none_of(planes.begin(), planes.end(), [&](const auto &m) { return std::abs(m * normal) > 1 - 1e-6; }))
+              {
+                planes.push_back(normal);
+                centre -= (normal * (centre - interface.slave->nodes[i].X)) * normal;
+                if (!axisymmetric)
+                  fields.symmetry_factor *= 2;
+              }
+      if (axisymmetric)
+        centre[0] = 0;
+      fields.centre = centre;
+    }
+
+    template <int dim>
+    void
+    add_resultants(const Discretization<dim> &discretization, const ContactInterface<dim> &interface, SurfaceFields<dim> &fields)
+    {
+      find_centre(discretization, interface, fields);
+      double force = 0, second_moment = 0;
+      for (const auto &p : interface.coupling.points)
+        {
+          const double f = value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave) * p.weight;
+          force += f;
+          const auto r = p.x_slave - fields.centre;
+          second_moment += f * (r * r - (r * p.normal) * (r * p.normal));
+        }
+      const double factor = dim == 2 && discretization.scene.kind != Kind::axisymmetric ? 4 : 2.5;
+      fields.contact_size = force > 0 ? std::sqrt(std::max(0., factor * second_moment / force)) : 0;
+      for (const double p : fields.pressure)
+        fields.peak_pressure = std::max(fields.peak_pressure, p);
+    }
+  } // namespace
+
+  template <int dim>
+  double
+  value_on_face(const ContactSurface<dim> &surface,
+                const std::vector<double> &nodal_values,
+                const unsigned int         face,
+                const Point<dim - 1>      &xi)
+  {
+    const auto N = lagrange_values<dim - 1>(surface.degree, xi);
+    double     v = 0;
+    for (unsigned int k = 0; k < N.size(); ++k)
+      v += N[k] * nodal_values[surface.faces[face].nodes[k]];
+    return v;
+  }
+
+  template <int dim>
+  SurfaceFields<dim>
+  make_surface_fields(const Discretization<dim>              &discretization,
+                      const ContactInterface<dim>            &interface,
+                      const std::vector<ContactState>        &states,
+                      const std::vector<double>              &pressures,
+                      const std::vector<double>              &gaps,
+                      const std::vector<std::vector<double>> &tied,
+                      const LA::Vector                       &displacement)
+  {
+    const auto        &slave = *interface.slave;
+    const unsigned int n     = slave.nodes.size();
+    SurfaceFields<dim> fields;
+    fields.multiplier.assign(n, 0.);
+    fields.gap.assign(n, std::numeric_limits<double>::quiet_NaN());
+    fields.area.assign(n, 0.);
+    fields.traction.resize(n);
+    fields.slip.resize(n);
+    fields.state.assign(n, ContactState::open);
+    for (const auto &node : slave.nodes)
+      {
+        fields.normal.push_back(node.normal);
+        Tensor<1, dim> u;
+        for (unsigned int c = 0; c < dim; ++c)
+          u[c] = displacement(node.dofs[c]);
+        fields.displacement.push_back(u);
+      }
+
+    std::vector<std::vector<double>> tangential(dim, std::vector<double>(pressures.size(), 0.));
+    for (unsigned int r = 0; r < interface.coupling.rows.size(); ++r)
+      {
+        const auto &row             = interface.coupling.rows[r];
+        fields.multiplier[row.node] = pressures[r];
+        fields.gap[row.node]        = gaps[r];
+        fields.area[row.node]       = row.area;
+        fields.state[row.node]      = states[r];
+        fields.normal_force -= row.area * pressures[r] * row.normal;
+        if (!tied[r].empty())
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              tangential[c][r] = -tied[r][c] + pressures[r] * row.normal[c];
+              fields.tangential_force[c] += row.area * tangential[c][r];
+            }
+      }
+    fields.pressure = control_to_nodal(slave, project(interface, pressures));
+    if (interface.pair->tied)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const auto values = control_to_nodal(slave, project(interface, tangential[c]));
+          for (unsigned int i = 0; i < n; ++i)
+            fields.traction[i][c] = values[i];
+        }
+    add_resultants(discretization, interface, fields);
+    return fields;
+  }
+
+  template double value_on_face(const ContactSurface<2> &, const std::vector<double> &, const unsigned int, const Point<1> &);
+  template SurfaceFields<2> make_surface_fields(const Discretization<2> &,
+                                                const ContactInterface<2> &,
+                                                const std::vector<ContactState> &,
+                                                const std::vector<double> &,
+                                                const std::vector<double> &,
+                                                const std::vector<std::vector<double>> &,
+                                                const LA::Vector &);
+} // namespace Amontons

@@ -1,0 +1,120 @@
+#include <amontons/contact_problem.h>
+#include <amontons/scene/scene_reader.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace
+{
+  using namespace Amontons;
+
+  struct CommandLine
+  {
+    std::string              scene;
+    std::vector<std::string> overrides;
+    std::string              output;
+    bool                     parameters = false, quiet = false, help = false;
+  };
+
+  const char *usage = "usage: amontons SCENE.prm [--set \"Section/Name = value\"]... [--output DIR] [--quiet]\n"
+                      "       amontons study STUDY.prm\n"
+                      "       amontons --parameters\n"
+                      "       mpirun -np 4 amontons SCENE.prm\n";
+
+  CommandLine
+  parse(const int argc, char **argv)
+  {
+    CommandLine line;
+    for (int i = 1; i < argc; ++i)
+      {
+        const std::string argument = argv[i];
+        const auto        next     = [&]() -> std::string {
+          if (++i >= argc)
+            throw InputError({"command line", 0, argument}, "its value is missing", usage);
+          return argv[i];
+        };
+        if (argument == "--set")
+          line.overrides.push_back(next());
+        else if (argument == "--output")
+          line.output = next();
+        else if (argument == "--parameters")
+          line.parameters = true;
+        else if (argument == "--quiet")
+          line.quiet = true;
+        else if (argument == "--help" || argument == "-h")
+          line.help = true;
+        else if (argument[0] == '-' || !line.scene.empty())
+          throw InputError({"command line", 0, argument}, "unknown argument", usage);
+        else
+          line.scene = argument;
+      }
+    return line;
+  }
+
+  // Output goes to the working directory: the scene's name without folder and ending.
+  std::string
+  default_output(const std::string &scene)
+  {
+    const auto slash = scene.find_last_of('/');
+    const auto name  = slash == std::string::npos ? scene : scene.substr(slash + 1);
+    return "output/" + name.substr(0, name.find_last_of('.'));
+  }
+
+  int
+  run(const int argc, char **argv)
+  {
+    const bool        is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    const CommandLine line    = parse(argc, argv);
+    Parameters        parameters;
+    if (line.help || (line.scene.empty() && !line.parameters))
+      {
+        if (is_root)
+          std::cout << usage;
+        return line.help ? 0 : 1;
+      }
+    if (line.parameters)
+      {
+        if (is_root)
+          print_parameters(std::cout, parameters.groups());
+        return 0;
+      }
+    const Scene scene = read_scene(line.scene, line.overrides, parameters.groups());
+    if (scene.kind == Kind::three_dimensional)
+      throw InputError({line.scene, 0, "Kind"}, "3D", "plane strain, plane stress or axisymmetric (3D contact is being built)");
+    ContactProblem<2> problem(scene, parameters, line.output.empty() ? default_output(line.scene) : line.output, line.quiet);
+    return problem.run().status == "converged" ? 0 : 1;
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  // Half of the start of a single process is Open MPI starting a daemon for it.
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMI_SIZE") == nullptr &&
+      std::getenv("PMIX_RANK") == nullptr)
+    {
+      setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+      setenv("OMPI_MCA_pml", "ob1", 0);
+      setenv("OMPI_MCA_btl", "self", 0);
+    }
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const bool is_root = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  try
+    {
+      return run(argc, argv);
+    }
+  catch (const Amontons::InputError &error)
+    {
+      if (is_root)
+        std::cerr << error.what() << std::endl;
+      return 1;
+    }
+  catch (const std::exception &error)
+    {
+      std::cerr << "amontons: internal error: " << error.what() << std::endl;
+      MPI_Abort(MPI_COMM_WORLD, 2);
+      return 2;
+    }
+}

@@ -1,0 +1,147 @@
+// Words for people: the scene in a paragraph, the answer in lines.
+#include <amontons/output/terminal.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace Amontons
+{
+  namespace
+  {
+    std::string
+    count(const std::size_t n, const std::string &one, const std::string &many)
+    {
+      return std::to_string(n) + " " + (n == 1 ? one : many);
+    }
+
+    std::string
+    vector_text(const std::vector<double> &v)
+    {
+      std::string text;
+      for (const double x : v)
+        text += (text.empty() ? "" : ", ") + short_number(x);
+      return "(" + text + ")";
+    }
+
+    double
+    norm(const std::vector<double> &v)
+    {
+      double sum = 0;
+      for (const double x : v)
+        sum += x * x;
+      return std::sqrt(sum);
+    }
+
+    std::string
+    percent(const double fraction)
+    {
+      return std::isfinite(fraction) ? short_number(100 * fraction) + " %" : "unknown";
+    }
+
+    std::string
+    body_text(const BodyData &body)
+    {
+      std::string shape = body.shape;
+      if (shape == "file")
+        shape = "mesh " + body.mesh_file.substr(body.mesh_file.find_last_of('/') + 1);
+      if (body.rigid)
+        return body.name + " (" + shape + ", rigid)";
+      return body.name + " (" + shape + ", E " + short_number(body.material.young) + ", nu " +
+             short_number(body.material.poisson) + ")";
+    }
+
+    std::string
+    pair_text(const PairData &pair)
+    {
+      return pair.name + " (" + pair.first.body + "/" + pair.first.boundary + " on " +
+             (pair.second ? pair.second->body + "/" + pair.second->boundary : pair.obstacle) +
+             (pair.tied ? ", tied" : "") + ")";
+    }
+
+    using Lines = std::vector<std::pair<std::string, std::string>>;
+
+    void
+    add_pair(Lines &lines, const PairSummary &pair, const Kind kind)
+    {
+      const std::string full_turn = kind == Kind::axisymmetric ? ", full turn" : "";
+      lines.emplace_back("pair " + pair.name, "");
+      lines.emplace_back("  normal force",
+                         short_number(norm(pair.normal_force)) + "   " + vector_text(pair.normal_force) + full_turn);
+      if (norm(pair.tangential_force) > 1e-12 * norm(pair.normal_force))
+        lines.emplace_back("  tangential force", vector_text(pair.tangential_force) + full_turn);
+      lines.emplace_back("  peak pressure", short_number(pair.peak_pressure));
+      lines.emplace_back(kind == Kind::three_dimensional || kind == Kind::axisymmetric ?
+                           "  contact radius" :
+                           "  contact half-width",
+                         short_number(pair.contact_size) + "   (of the Hertz pressure with the same spread)");
+      lines.emplace_back("  nodes",
+                         std::to_string(pair.n_open) + " open, " + std::to_string(pair.n_stick) + " stick, " +
+                           std::to_string(pair.n_slip) + " slip");
+    }
+
+    void
+    add_reference(Lines &lines, const ReferenceSummary &reference)
+    {
+      lines.emplace_back("against " + reference.closed_form, "");
+      for (const auto &[name, error] : reference.errors)
+        {
+          std::string text  = percent(error);
+          const auto  value = reference.values.find(name);
+          if (value != reference.values.end())
+            text += "   (" + short_number(value->second[0]) + ", exact " + short_number(value->second[1]) + ")";
+          lines.emplace_back("  error of " + name, text);
+        }
+    }
+  } // namespace
+
+  std::string
+  short_number(const double number)
+  {
+    if (!std::isfinite(number))
+      return "-";
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.5g", number);
+    return text;
+  }
+
+  std::string
+  describe_scene(const Scene &scene, const unsigned int n_ranks)
+  {
+    std::string text = (scene.title.empty() ? scene.file : scene.title) + ": " + kind_name(scene.kind) + ", " +
+                       count(scene.bodies.size(), "body", "bodies") + " - ";
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+      text += (b == 0 ? "" : ", ") + body_text(scene.bodies[b]);
+    for (const ObstacleData &obstacle : scene.obstacles)
+      text += ", rigid obstacle " + obstacle.name;
+    text += "; " + count(scene.pairs.size(), "contact pair", "contact pairs");
+    for (std::size_t p = 0; p < scene.pairs.size(); ++p)
+      text += (p == 0 ? " - " : ", ") + pair_text(scene.pairs[p]);
+    text += "; " + count(scene.conditions.size(), "condition", "conditions") + "; " +
+            count(scene.n_increments, "increment", "increments") + " to t = " + short_number(scene.end_time) +
+            "; " + count(n_ranks, "process", "processes") + ".";
+    return text;
+  }
+
+  Lines
+  answer_lines(const RunSummary &summary)
+  {
+    Lines lines = {{"status", summary.status + (summary.message.empty() ? "" : ": " + summary.message)}};
+    for (const PairSummary &pair : summary.pairs)
+      add_pair(lines, pair, summary.kind);
+    if (!std::isnan(summary.error_estimate.contact))
+      lines.emplace_back("estimated error of the pressure", percent(summary.error_estimate.contact));
+    if (!std::isnan(summary.error_estimate.bulk))
+      lines.emplace_back("estimated error of the stress", percent(summary.error_estimate.bulk));
+    if (!std::isnan(summary.energy))
+      lines.emplace_back("strain energy", short_number(summary.energy));
+    if (summary.reference)
+      add_reference(lines, *summary.reference);
+    lines.emplace_back("finest mesh",
+                       std::to_string(summary.cells) + " cells, " + std::to_string(summary.dofs) + " DoFs");
+    if (!std::isnan(summary.wall_seconds))
+      lines.emplace_back("time", short_number(summary.wall_seconds) + " s");
+    for (const std::string &note : summary.notes)
+      lines.emplace_back("note", note);
+    return lines;
+  }
+} // namespace Amontons

@@ -1,0 +1,186 @@
+#include <amontons/output/contact_csv.h>
+#include <amontons/output/files.h>
+#include <amontons/output/json.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace Amontons
+{
+  namespace
+  {
+    template <int dim, typename TensorType>
+    void
+    copy(const Tensor<1, dim> &from, TensorType &to)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        to[d] = from[d];
+    }
+
+    template <int dim>
+    bool
+    lies_before(const Point<dim> &a, const Point<dim> &b)
+    {
+      return std::lexicographical_compare(a.begin_raw(), a.end_raw(), b.begin_raw(), b.end_raw());
+    }
+
+    // Faces of a curve, each visited once.
+    class CurveWalk
+    {
+    public:
+      CurveWalk(const std::size_t n_nodes, const std::vector<std::vector<unsigned int>> &faces)
+        : faces(faces)
+        , faces_at(n_nodes)
+        , done(faces.size(), false)
+        , listed(n_nodes, false)
+      {
+        for (unsigned int f = 0; f < faces.size(); ++f)
+          for (const unsigned int end : {faces[f].front(), faces[f].back()})
+            faces_at[end].push_back(f);
+      }
+
+      bool
+      is_free_end(const unsigned int node) const
+      {
+        return faces_at[node].size() == 1;
+      }
+
+      // Follows the curve from `node` to its end and appends the nodes not yet listed.
+      void
+      follow(unsigned int node, std::vector<unsigned int> &order)
+      {
+        for (;;)
+          {
+            const auto next =
+              std::find_if(faces_at[node].begin(), faces_at[node].end(), [this](const unsigned int f) {
+                return !done[f];
+              });
+            if (next == faces_at[node].end())
+              return;
+            done[*next]                     = true;
+            std::vector<unsigned int> nodes = faces[*next];
+            if (nodes.front() != node)
+              std::reverse(nodes.begin(), nodes.end());
+            for (const unsigned int n : nodes)
+              append(n, order);
+            node = nodes.back();
+          }
+      }
+
+      void
+      append(const unsigned int node, std::vector<unsigned int> &order)
+      {
+        if (!listed[node])
+          order.push_back(node);
+        listed[node] = true;
+      }
+
+    private:
+      const std::vector<std::vector<unsigned int>> &faces;
+      std::vector<std::vector<unsigned int>>        faces_at;
+      std::vector<bool>                             done, listed;
+    };
+
+    template <int dim>
+    ContactNode
+    make_node(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields, const unsigned int i)
+    {
+      ContactNode node;
+      node.pair = interface.pair->name;
+      copy<dim>(interface.slave->nodes[i].X, node.X);
+      copy<dim>(interface.slave->nodes[i].X + fields.displacement[i], node.x);
+      copy(fields.normal[i], node.normal);
+      copy(fields.traction[i], node.traction);
+      copy(fields.slip[i], node.slip);
+      node.area     = fields.area[i];
+      node.pressure = fields.pressure[i];
+      node.gap      = fields.gap[i];
+      node.state    = fields.state[i];
+      return node;
+    }
+
+    template <typename TensorType>
+    std::string
+    triple(const TensorType &v)
+    {
+      return number_text(v[0]) + "," + number_text(v[1]) + "," + number_text(v[2]);
+    }
+  } // namespace
+
+  template <int dim>
+  std::vector<unsigned int>
+  order_along_surface(const std::vector<Point<dim>>                &nodes,
+                      const std::vector<std::vector<unsigned int>> &faces)
+  {
+    std::vector<unsigned int> sorted(nodes.size());
+    std::iota(sorted.begin(), sorted.end(), 0u);
+    std::sort(sorted.begin(), sorted.end(), [&](const unsigned int a, const unsigned int b) {
+      return lies_before(nodes[a], nodes[b]);
+    });
+    if (dim == 3)
+      return sorted;
+
+    CurveWalk                 walk(nodes.size(), faces);
+    std::vector<unsigned int> order;
+    for (const bool from_free_ends : {true, false})
+      for (const unsigned int node : sorted)
+        if (!from_free_ends || walk.is_free_end(node))
+          walk.follow(node, order);
+    for (const unsigned int node : sorted)
+      walk.append(node, order);
+    return order;
+  }
+
+  template <int dim>
+  std::vector<ContactNode>
+  contact_table(const std::vector<ContactInterface<dim>> &interfaces,
+                const std::vector<SurfaceFields<dim>>    &fields)
+  {
+    std::vector<ContactNode> table;
+    for (unsigned int p = 0; p < interfaces.size(); ++p)
+      {
+        std::vector<Point<dim>>                nodes;
+        std::vector<std::vector<unsigned int>> faces;
+        for (const auto &node : interfaces[p].slave->nodes)
+          nodes.push_back(node.X);
+        for (const auto &face : interfaces[p].slave->faces)
+          faces.push_back(face.nodes);
+
+        const std::size_t first = table.size();
+        for (const unsigned int i : order_along_surface(nodes, faces))
+          {
+            table.push_back(make_node(interfaces[p], fields[p], i));
+            if (dim == 2 && table.size() > first + 1)
+              table.back().arc =
+                table[table.size() - 2].arc + table.back().X.distance(table[table.size() - 2].X);
+          }
+      }
+    return table;
+  }
+
+  std::string
+  state_name(const ContactState state)
+  {
+    return state == ContactState::open ? "open" : state == ContactState::slip ? "slip" : "stick";
+  }
+
+  void
+  write_contact_csv(const std::string &file, const std::vector<ContactNode> &table)
+  {
+    std::string text = "pair,X,Y,Z,x,y,z,nx,ny,nz,area,pressure,tx,ty,tz,gap,slip_x,slip_y,slip_z,state\n";
+    for (const ContactNode &node : table)
+      text += csv_field(node.pair) + "," + triple(node.X) + "," + triple(node.x) + "," + triple(node.normal) +
+              "," + number_text(node.area) + "," + number_text(node.pressure) + "," + triple(node.traction) +
+              "," + number_text(node.gap) + "," + triple(node.slip) + "," + state_name(node.state) + "\n";
+    write_file(file, text);
+  }
+
+  template std::vector<unsigned int> order_along_surface(const std::vector<Point<2>> &,
+                                                         const std::vector<std::vector<unsigned int>> &);
+  template std::vector<unsigned int> order_along_surface(const std::vector<Point<3>> &,
+                                                         const std::vector<std::vector<unsigned int>> &);
+  template std::vector<ContactNode>  contact_table(const std::vector<ContactInterface<2>> &,
+                                                  const std::vector<SurfaceFields<2>> &);
+  template std::vector<ContactNode>  contact_table(const std::vector<ContactInterface<3>> &,
+                                                  const std::vector<SurfaceFields<3>> &);
+} // namespace Amontons

@@ -1,0 +1,89 @@
+#include <amontons/output/files.h>
+#include <amontons/output/history.h>
+#include <amontons/output/json.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    using Row = std::vector<std::pair<std::string, double>>; // name and value of each column
+
+    void
+    add_vector(Row                            &row,
+               const std::string              &name,
+               const std::vector<std::string> &axes,
+               const std::vector<double>      &values)
+    {
+      for (std::size_t i = 0; i < axes.size(); ++i)
+        row.emplace_back(name + axes[i], i < values.size() ? values[i] : unknown);
+    }
+
+    void
+    add_pair(Row &row, const PairSummary &pair, const std::vector<std::string> &axes)
+    {
+      add_vector(row, pair.name + ".normal_force_", axes, pair.normal_force);
+      add_vector(row, pair.name + ".tangential_force_", axes, pair.tangential_force);
+      row.emplace_back(pair.name + ".peak_pressure", pair.peak_pressure);
+      row.emplace_back(pair.name + ".contact_size", pair.contact_size);
+      row.emplace_back(pair.name + ".n_open", pair.n_open);
+      row.emplace_back(pair.name + ".n_stick", pair.n_stick);
+      row.emplace_back(pair.name + ".n_slip", pair.n_slip);
+    }
+
+    void
+    add_probe(Row &row, const ProbeSummary &probe, const Kind kind)
+    {
+      for (std::size_t i = 0; i < probe.points.size(); ++i)
+        {
+          const ProbePoint &point = probe.points[i];
+          const std::string name =
+            probe.name + (probe.points.size() > 1 ? "[" + std::to_string(i) + "]" : std::string());
+          add_vector(row, name + ".u_", axis_names(kind), point.displacement);
+          add_vector(row, name + ".stress_", stress_names(kind), point.stress);
+          row.emplace_back(name + ".von_mises", point.von_mises);
+        }
+    }
+
+    Row
+    make_row(const MeshSummary &mesh, const Kind kind)
+    {
+      Row row = {{"increment", mesh.increment},
+                 {"t", mesh.t},
+                 {"mesh", mesh.mesh},
+                 {"cells", static_cast<double>(mesh.cells)},
+                 {"dofs", static_cast<double>(mesh.dofs)},
+                 {"iterations", mesh.iterations},
+                 {"krylov", mesh.krylov_iterations},
+                 {"residual", mesh.residual}};
+      for (const PairSummary &pair : mesh.pairs)
+        add_pair(row, pair, axis_names(kind));
+      row.emplace_back("error_bulk", mesh.error_estimate.bulk);
+      row.emplace_back("error_contact", mesh.error_estimate.contact);
+      row.emplace_back("energy", mesh.energy);
+      if (mesh.external_work)
+        row.emplace_back("external_work", *mesh.external_work);
+      for (const ProbeSummary &probe : mesh.probes)
+        add_probe(row, probe, kind);
+      return row;
+    }
+  } // namespace
+
+  void
+  write_history(const std::string &file, const std::vector<MeshSummary> &meshes, const Kind kind)
+  {
+    std::string text, header;
+    for (const MeshSummary &mesh : meshes)
+      {
+        std::string names, values;
+        for (const auto &[name, value] : make_row(mesh, kind))
+          {
+            names += (names.empty() ? "" : ",") + csv_field(name);
+            values += (values.empty() ? "" : ",") + number_text(value);
+          }
+        if (names.size() > header.size())
+          header = names;
+        text += values + "\n";
+      }
+    write_file(file, header + "\n" + text);
+  }
+} // namespace Amontons

@@ -1,0 +1,401 @@
+#include <amontons/algebra/condensed_system.h>
+#include <amontons/contact/surface_fields.h>
+#include <amontons/output/quantities.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <set>
+
+namespace Amontons
+{
+  namespace
+  {
+    template <int dim>
+    using Place = std::tuple<unsigned int, unsigned int, Point<dim>>; // body, component, X
+
+    // Owned DoFs of deformable bodies with their place.
+    template <int dim>
+    std::map<types::global_dof_index, Place<dim>>
+    locate_dofs(const Discretization<dim> &discretization)
+    {
+      std::map<types::global_dof_index, Place<dim>> places;
+      const auto                                   &fe   = discretization.fe;
+      const auto                                   &base = fe.base_element(0);
+      std::vector<types::global_dof_index>          dofs(fe.n_dofs_per_cell());
+      FEValues<dim> values(discretization.mapping, fe, Quadrature<dim>(base.get_unit_support_points()), update_quadrature_points);
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (!cell->is_artificial() && discretization.is_deformable(cell->material_id()))
+          {
+            values.reinit(cell);
+            cell->get_dof_indices(dofs);
+            for (unsigned int i = 0; i < dofs.size(); ++i)
+              if (discretization.locally_owned.is_element(dofs[i]))
+                {
+                  const auto [c, node] = fe.system_to_component_index(i);
+                  places.emplace(dofs[i], Place<dim>(cell->material_id(), c, values.quadrature_point(node)));
+                }
+          }
+      return places;
+    }
+
+    // Contact force on every DoF of slave and master: -+ weight area lambda with lambda = p normal (or the tied traction).
+    template <int dim>
+    std::map<types::global_dof_index, double>
+    contact_forces(const Answer<dim> &answer)
+    {
+      std::map<types::global_dof_index, double> forces;
+      for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
+        for (unsigned int r = 0; r < answer.interfaces[i].coupling.rows.size(); ++r)
+          {
+            const auto &row  = answer.interfaces[i].coupling.rows[r];
+            const auto &tied = answer.state.tied_multipliers[i][r];
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                const double lambda = tied.empty() ? answer.state.pressures[i][r] * row.normal[c] : tied[c];
+                for (const auto &[dofs, weight] : row.slave)
+                  forces[dofs[c]] -= row.area * lambda * weight;
+                for (const auto &[dofs, weight] : row.master)
+                  forces[dofs[c]] += row.area * lambda * weight;
+              }
+          }
+      return forces;
+    }
+
+    // Moment X x F: one component in 2D, three in 3D.
+    template <int dim>
+    std::vector<double>
+    moment_of(const Point<dim> &X, const unsigned int c, const double force)
+    {
+      if (dim == 2)
+        return {c == 0 ? -X[1] * force : X[0] * force};
+      std::vector<double> m(3, 0.);
+      m[(c + 1) % 3] += X[(c + 2) % 3] * force;
+      m[(c + 2) % 3] -= X[(c + 1) % 3] * force;
+      return m;
+    }
+
+    // internal - external - contact forces, on owned DoFs
+    template <int dim>
+    std::map<types::global_dof_index, double>
+    support_forces(const Answer<dim> &answer, const std::map<types::global_dof_index, Place<dim>> &places)
+    {
+      const LA::Vector internal = answer.elasticity.apply(answer.state.displacement);
+      const auto       contact  = contact_forces(answer);
+      std::map<types::global_dof_index, double> result;
+      for (const auto &entry : places)
+        {
+          const auto   dof   = entry.first;
+          const auto   found = contact.find(dof);
+          result[dof] = internal(dof) - answer.loads(dof) - (found == contact.end() ? 0. : found->second);
+        }
+      return result;
+    }
+
+    template <int dim>
+    std::string
+    label(const Answer<dim> &answer, const Boundary &boundary)
+    {
+      return answer.discretization.scene.bodies[boundary.body].name + "/" + boundary.name;
+    }
+  } // namespace
+
+  template <int dim>
+  std::vector<PairSummary>
+  summarize_pairs(const Answer<dim> &answer)
+  {
+    std::vector<PairSummary> pairs;
+    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
+      pairs.push_back(summarize_pair(answer.interfaces[i], answer.fields[i]));
+    return pairs;
+  }
+
+  template <int dim>
+  double
+  stored_energy(const Answer<dim> &answer)
+  {
+    const LA::Vector force  = answer.elasticity.apply(answer.state.displacement);
+    double           energy = 0;
+    for (const auto dof : answer.discretization.locally_owned)
+      energy += 0.5 * force(dof) * answer.state.displacement(dof);
+    return Utilities::MPI::sum(energy, answer.discretization.geometry.communicator);
+  }
+
+  template <int dim>
+  std::vector<ReactionSummary>
+  compute_reactions(const Answer<dim> &answer)
+  {
+    const auto                       &discretization = answer.discretization;
+    const auto                       &fe             = discretization.fe;
+    const auto                        places         = locate_dofs(discretization);
+    const auto                        forces         = support_forces(answer, places);
+    std::set<types::global_dof_index> counted;
+    std::vector<ReactionSummary>      reactions;
+
+    for (const auto &condition : discretization.scene.conditions)
+      {
+        using Type = ConditionData::Type;
+        if (condition.type != Type::displacement && condition.type != Type::symmetry && condition.type != Type::platen)
+          continue;
+        for (const auto &name : condition.boundaries)
+          {
+            const Boundary     &boundary = discretization.geometry.boundary(name, discretization.scene);
+            std::vector<double> sums(dim + (dim == 2 ? 1 : 3), 0.);
+            std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+            for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+              if (!cell->is_artificial() && cell->at_boundary())
+                for (const auto f : cell->face_indices())
+                  if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == boundary.id)
+                    {
+                      cell->get_dof_indices(dofs);
+                      for (const unsigned int i : nodes_on_face(fe.base_element(0), f))
+                        for (unsigned int c = 0; c < dim; ++c)
+                          {
+                            const auto dof   = dofs[fe.component_to_system_index(c, i)];
+                            const auto force = forces.find(dof);
+                            if (force == forces.end() || !answer.supports.is_constrained(dof) ||
+                                !counted.insert(dof).second)
+                              continue;
+                            sums[c] += force->second;
+                            const auto moment = moment_of(std::get<2>(places.at(dof)), c, force->second);
+                            for (unsigned int k = 0; k < moment.size(); ++k)
+                              sums[dim + k] += moment[k];
+                          }
+                    }
+            Utilities::MPI::sum(sums, discretization.geometry.communicator, sums);
+            ReactionSummary reaction;
+            reaction.condition = condition.name;
+            reaction.boundary  = label(answer, boundary);
+            reaction.force.assign(sums.begin(), sums.begin() + dim);
+            reaction.moment.assign(sums.begin() + dim, sums.end());
+            reactions.push_back(reaction);
+          }
+      }
+    return reactions;
+  }
+
+  namespace
+  {
+    void
+    add_value(ReferenceSummary &summary, const std::string &name, const double computed, const double exact)
+    {
+      summary.values[name] = {{computed, exact}};
+      summary.errors[name] = std::abs(computed - exact) / std::abs(exact);
+    }
+
+    // sqrt(int (p - p_exact)^2 / int p_exact^2) over the slave surface within the range of the closed form.
+    template <int dim>
+    double
+    pressure_error(const ContactInterface<dim> &interface,
+                   const SurfaceFields<dim>    &fields,
+                   const ReferenceSolution     &reference,
+                   const Kind                   kind)
+    {
+      const auto           &slave = *interface.slave;
+      const QIterated<dim - 1> quadrature(QGauss<1>(3), dim == 2 ? 12 : 4);
+      double                difference = 0, norm = 0;
+      for (unsigned int f = 0; f < slave.faces.size(); ++f)
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          {
+            const auto  &xi = quadrature.point(q);
+            const auto   X  = slave.position(f, xi);
+            double       jacobian;
+            const auto   n = slave.face_normal(f, xi, &jacobian);
+            Tensor<1, dim> d;
+            for (unsigned int k = 0; k < dim; ++k)
+              d[k] = X[k] - reference.centre[k];
+            const double r = (d - (d * n) * n).norm();
+            if (r > reference.pressure_range)
+              continue;
+            const double weight = quadrature.weight(q) * jacobian * measure<dim>(kind, X);
+            const double exact  = reference.pressure(r);
+            const double error  = value_on_face(slave, fields.pressure, f, xi) - exact;
+            difference += weight * error * error;
+            norm += weight * exact * exact;
+          }
+      return norm > 0 ? std::sqrt(difference / norm) : unknown;
+    }
+
+    template <int dim>
+    Point<3>
+    as_3d(const Point<dim> &p)
+    {
+      Point<3> q;
+      for (unsigned int d = 0; d < dim; ++d)
+        q[d] = p[d];
+      return q;
+    }
+
+    // Norms of the displacement error (rigid motions included) and, if the stress is known, of the stress error in the energy norm.
+    template <int dim>
+    void
+    compare_fields(const Answer<dim> &answer, const ReferenceSolution &reference, ReferenceSummary &summary)
+    {
+      const auto   &discretization = answer.discretization;
+      const Scene  &scene          = discretization.scene;
+      FEValues<dim> values(discretization.mapping,
+                           discretization.fe,
+                           QGauss<dim>(discretization.fe.degree + 2),
+                           ElasticityOperator<dim>::needed_flags());
+      const FEValuesExtractors::Vector u(0);
+      std::vector<Tensor<1, dim>>      displacement(values.n_quadrature_points);
+      std::vector<Tensor<2, dim>>      gradient(values.n_quadrature_points);
+      std::vector<double>              sums(6, 0.);
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
+          {
+            const auto &body = scene.bodies[cell->material_id()];
+            values.reinit(cell);
+            values[u].get_function_values(answer.state.displacement, displacement);
+            values[u].get_function_gradients(answer.state.displacement, gradient);
+            std::vector<Voigt<dim>> stress;
+            if (reference.stress)
+              stress = answer.elasticity.stresses(values, cell, answer.state.displacement);
+            const double E = body.material.young, nu = body.material.poisson;
+            for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+              {
+                const Point<3> X      = as_3d(values.quadrature_point(q));
+                const double   weight = values.JxW(q) * measure<dim>(scene.kind, values.quadrature_point(q));
+                const auto     exact  = reference.displacement(body.name, X);
+                for (unsigned int c = 0; c < dim; ++c)
+                  {
+                    sums[0] += weight * std::pow(displacement[q][c] - exact[c], 2);
+                    sums[1] += weight * exact[c] * exact[c];
+                  }
+                const double step = 1e-4 * cell->diameter();
+                for (unsigned int d = 0; d < dim; ++d)
+                  {
+                    Point<3> forward = X, backward = X;
+                    forward[d] += step;
+                    backward[d] -= step;
+                    const auto derivative =
+                      (reference.displacement(body.name, forward) - reference.displacement(body.name, backward)) / (2 * step);
+                    for (unsigned int c = 0; c < dim; ++c)
+                      {
+                        sums[2] += weight * std::pow(gradient[q][c][d] - derivative[c], 2);
+                        sums[3] += weight * derivative[c] * derivative[c];
+                      }
+                  }
+                if (reference.stress)
+                  {
+                    const auto s = reference.stress(body.name, X);
+                    // 2 x energy density: (1+nu)/E s:s - nu/E tr(s)^2, with the out-of-plane stress of plane strain
+                    const auto density = [&](const double xx, const double yy, const double zz, const double xy) {
+                      const double trace = xx + yy + zz;
+                      return (1 + nu) / E * (xx * xx + yy * yy + zz * zz + 2 * xy * xy) - nu / E * trace * trace;
+                    };
+                    if (dim == 2)
+                      {
+                        sums[4] += weight * density(stress[q][0] - s[0][0],
+                                                    stress[q][1] - s[1][1],
+                                                    stress[q][2] - s[2][2],
+                                                    stress[q][3] - s[0][1]);
+                        sums[5] += weight * density(s[0][0], s[1][1], s[2][2], s[0][1]);
+                      }
+                  }
+              }
+          }
+      Utilities::MPI::sum(sums, discretization.geometry.communicator, sums);
+      summary.errors["displacement_l2"] = std::sqrt(sums[0] / sums[1]);
+      summary.errors["displacement_h1"] = std::sqrt(sums[2] / sums[3]);
+      if (reference.stress && dim == 2)
+        summary.errors["energy"] = std::sqrt(sums[4] / sums[5]);
+    }
+  } // namespace
+
+  template <int dim>
+  ReferenceSummary
+  compare(const Answer<dim> &answer, const ReferenceData &data, const ReferenceSolution &reference)
+  {
+    ReferenceSummary summary;
+    summary.closed_form = data.solution.name;
+    unsigned int i      = 0;
+    for (unsigned int k = 0; k < answer.interfaces.size(); ++k)
+      if (answer.interfaces[k].pair->name == data.pair)
+        i = k;
+    const auto &fields = answer.fields.at(i);
+    if (reference.normal_force)
+      add_value(summary, "normal_force", fields.symmetry_factor * fields.normal_force.norm(), *reference.normal_force);
+    if (reference.contact_size)
+      add_value(summary, "contact_size", fields.contact_size, *reference.contact_size);
+    if (reference.peak_pressure)
+      {
+        add_value(summary, "nodal_peak_pressure", fields.peak_pressure, *reference.peak_pressure);
+        // Peak from the force and size: 2P/(pi a) in the plane, 3P/(2 pi a^2) for points; the nodal peak of Q1 is only O(h).
+        const double P = fields.symmetry_factor * fields.normal_force.norm(), a = fields.contact_size;
+        if (reference.contact_size && a > 0)
+          {
+            const bool line = dim == 2 && answer.discretization.scene.kind != Kind::axisymmetric;
+            add_value(summary,
+                      "peak_pressure",
+                      line ? 2 * P / (numbers::PI * a) : 3 * P / (2 * numbers::PI * a * a),
+                      *reference.peak_pressure);
+          }
+      }
+    if (reference.pressure)
+      summary.errors["pressure_l2"] =
+        pressure_error(answer.interfaces[i], fields, reference, answer.discretization.scene.kind);
+    if (reference.displacement)
+      compare_fields(answer, reference, summary);
+    return summary;
+  }
+
+  template <int dim>
+  std::map<std::string, double>
+  check_physics(const Answer<dim> &answer)
+  {
+    std::map<std::string, double> checks;
+    double penetration = 0, tension = 0, complementarity = 0;
+    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
+      {
+        if (answer.interfaces[i].pair->tied)
+          continue;
+        const double h    = answer.interfaces[i].slave->mean_size;
+        double       peak = 0;
+        for (const double p : answer.state.pressures[i])
+          peak = std::max(peak, p);
+        for (unsigned int r = 0; r < answer.state.pressures[i].size(); ++r)
+          {
+            const double p = answer.state.pressures[i][r], g = answer.state.gaps[i][r];
+            penetration = std::max(penetration, -g / h);
+            if (peak > 0)
+              {
+                tension         = std::max(tension, -p / peak);
+                complementarity = std::max(complementarity, std::abs(p * g) / (peak * h));
+              }
+          }
+      }
+    checks["penetration"]     = penetration;
+    checks["tension"]         = tension;
+    checks["complementarity"] = complementarity;
+
+    // By body: the supports' forces are what is missing for equilibrium on constrained DoFs; elsewhere nothing may be missing.
+    const auto          places = locate_dofs(answer.discretization);
+    const auto          forces = support_forces(answer, places);
+    std::vector<double> sums(2, 0.);
+    const auto          hanging = answer.discretization.make_hanging_node_constraints();
+    LA::Vector          missing = answer.discretization.make_owned_vector();
+    for (const auto &[dof, force] : forces)
+      missing(dof) = force;
+    missing.compress(VectorOperation::insert);
+    const LA::Vector condensed = condense(missing, hanging, answer.discretization.make_owned_vector());
+    for (const auto &entry : places)
+      {
+        const double value = condensed(entry.first);
+        if (!answer.supports.is_constrained(entry.first))
+          sums[0] += value * value;
+        sums[1] += std::pow(answer.loads(entry.first), 2) + value * value;
+      }
+    for (const auto &[dof, force] : contact_forces(answer))
+      if (answer.discretization.locally_owned.is_element(dof))
+        sums[1] += force * force;
+    Utilities::MPI::sum(sums, answer.discretization.geometry.communicator, sums);
+    checks["force_balance"] = sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0;
+    return checks;
+  }
+
+  template std::vector<PairSummary>       summarize_pairs(const Answer<2> &);
+  template double                         stored_energy(const Answer<2> &);
+  template std::vector<ReactionSummary>   compute_reactions(const Answer<2> &);
+  template ReferenceSummary               compare(const Answer<2> &, const ReferenceData &, const ReferenceSolution &);
+  template std::map<std::string, double>  check_physics(const Answer<2> &);
+} // namespace Amontons

@@ -1,0 +1,200 @@
+#include <amontons/output/svg_chart.h>
+#include <amontons/output/terminal.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Amontons
+{
+  namespace
+  {
+    const std::array<const char *, 8> colours = {
+      {"#1f6fb4", "#d9541e", "#2a9d5c", "#8e4fb0", "#c2901a", "#1aa3a8", "#c23b6b", "#5b6470"}};
+
+    constexpr int left = 74, right = 16, top = 34, bottom = 48;
+
+    // One axis: from values to [0, 1].
+    struct Axis
+    {
+      bool                log = false;
+      double              lower = 1e300, upper = -1e300;
+      std::vector<double> ticks;
+
+      bool
+      takes(const double v) const
+      {
+        return std::isfinite(v) && (!log || v > 0);
+      }
+
+      double
+      fraction(const double v) const
+      {
+        return log ? std::log(v / lower) / std::log(upper / lower) : (v - lower) / (upper - lower);
+      }
+
+      void
+      include(const double v)
+      {
+        lower = std::min(lower, v);
+        upper = std::max(upper, v);
+      }
+
+      // A little room around the values; zero stays at the edge.
+      void
+      finish(const unsigned int n_ticks, const double room)
+      {
+        if (lower > upper)
+          lower = log ? 0.1 : 0, upper = 1;
+        if (log)
+          {
+            const double factor = std::max(std::pow(upper / lower, room), 1.3);
+            lower /= factor;
+            upper *= factor;
+          }
+        else
+          {
+            const double width = upper > lower ? upper - lower : std::max(std::abs(upper), 1.);
+            lower -= (lower == 0 ? 0 : room) * width;
+            upper += room * width;
+          }
+        ticks = nice_ticks(lower, upper, n_ticks, log);
+      }
+    };
+
+    struct Frame
+    {
+      const Chart &chart;
+      Axis         x, y;
+
+      explicit Frame(const Chart &chart)
+        : chart(chart)
+      {
+        x.log = chart.log_x;
+        y.log = chart.log_y;
+        for (const Curve &curve : chart.curves)
+          for (std::size_t i = 0; i < curve.x.size(); ++i)
+            if (takes(curve, i))
+              {
+                x.include(curve.x[i]);
+                y.include(curve.y[i]);
+              }
+        x.finish(8, 0.02);
+        y.finish(6, 0.06);
+      }
+
+      bool
+      takes(const Curve &curve, const std::size_t i) const
+      {
+        return x.takes(curve.x[i]) && y.takes(curve.y[i]);
+      }
+
+      double
+      px(const double v) const
+      {
+        return left + x.fraction(v) * (chart.width - left - right);
+      }
+
+      double
+      py(const double v) const
+      {
+        return chart.height - bottom - y.fraction(v) * (chart.height - top - bottom);
+      }
+    };
+
+    std::string
+    text_at(const double x, const double y, const std::string &text, const std::string &attributes)
+    {
+      return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" " + attributes + ">" + escaped(text) +
+             "</text>\n";
+    }
+
+    std::string
+    line_between(const double x0, const double y0, const double x1, const double y1, const std::string &colour)
+    {
+      return "<line x1=\"" + pixels(x0) + "\" y1=\"" + pixels(y0) + "\" x2=\"" + pixels(x1) + "\" y2=\"" +
+             pixels(y1) + "\" stroke=\"" + colour + "\"/>\n";
+    }
+
+    std::string
+    axes(const Frame &frame)
+    {
+      const Chart &chart = frame.chart;
+      const double x0 = left, x1 = chart.width - right, y0 = chart.height - bottom, y1 = top;
+      std::string  svg;
+      for (const double tick : frame.x.ticks)
+        svg += line_between(frame.px(tick), y0, frame.px(tick), y1, "#e4e7ea") +
+               text_at(frame.px(tick), y0 + 16, short_number(tick), "text-anchor=\"middle\"");
+      for (const double tick : frame.y.ticks)
+        svg += line_between(x0, frame.py(tick), x1, frame.py(tick), "#e4e7ea") +
+               text_at(x0 - 6, frame.py(tick) + 4, short_number(tick), "text-anchor=\"end\"");
+      svg += line_between(x0, y0, x1, y0, "#444") + line_between(x0, y0, x0, y1, "#444");
+      const std::string middle = pixels((y0 + y1) / 2);
+      svg += text_at(chart.width / 2, 20, chart.title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"600\"");
+      svg += text_at((x0 + x1) / 2, chart.height - 12, chart.x_label, "text-anchor=\"middle\"");
+      svg += text_at(16,
+                     (y0 + y1) / 2,
+                     chart.y_label,
+                     "text-anchor=\"middle\" transform=\"rotate(-90 16 " + middle + ")\"");
+      return svg;
+    }
+
+    std::string
+    curve_svg(const Frame &frame, const Curve &curve, const std::string &colour)
+    {
+      std::string path, markers;
+      for (std::size_t i = 0; i < curve.x.size(); ++i)
+        if (frame.takes(curve, i))
+          {
+            const std::string x = pixels(frame.px(curve.x[i])), y = pixels(frame.py(curve.y[i]));
+            path += (path.empty() ? "M" : "L") + x + " " + y;
+            markers += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"2.4\"/>";
+          }
+      std::string svg;
+      if (curve.line)
+        svg += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"1.6\"/>\n";
+      if (curve.markers)
+        svg += "<g fill=\"" + colour + "\">" + markers + "</g>\n";
+      return svg;
+    }
+
+    // In the upper right corner, on a white ground.
+    std::string
+    legend(const Chart &chart)
+    {
+      std::string  svg;
+      std::size_t  longest = 0;
+      unsigned int n       = 0;
+      for (const Curve &curve : chart.curves)
+        longest = std::max(longest, curve.name.size());
+      const double x = chart.width - right - 34 - 6.6 * longest;
+      for (std::size_t c = 0; c < chart.curves.size(); ++c)
+        if (!chart.curves[c].name.empty())
+          {
+            const double      y      = top + 14 + 16 * n++;
+            const std::string colour = colours[c % colours.size()];
+            svg += chart.curves[c].line ?
+                     line_between(x, y - 4, x + 20, y - 4, colour) :
+                     "<circle cx=\"" + pixels(x + 10) + "\" cy=\"" + pixels(y - 4) + "\" r=\"2.4\" fill=\"" + colour + "\"/>\n";
+            svg += text_at(x + 26, y, chart.curves[c].name, "");
+          }
+      if (n == 0)
+        return "";
+      return "<rect x=\"" + pixels(x - 6) + "\" y=\"" + pixels(top) + "\" width=\"" +
+             pixels(chart.width - right - x + 6) + "\" height=\"" + pixels(16 * n + 6) +
+             "\" fill=\"#fff\" fill-opacity=\"0.85\"/>\n" + svg;
+    }
+  } // namespace
+
+  std::string
+  svg_chart(const Chart &chart)
+  {
+    const Frame       frame(chart);
+    const std::string width = std::to_string(chart.width), height = std::to_string(chart.height);
+    std::string       svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
+                      "\" viewBox=\"0 0 " + width + " " + height +
+                      "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n" + axes(frame);
+    for (std::size_t c = 0; c < chart.curves.size(); ++c)
+      svg += curve_svg(frame, chart.curves[c], colours[c % colours.size()]);
+    return svg + legend(chart) + "</svg>\n";
+  }
+} // namespace Amontons

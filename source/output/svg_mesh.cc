@@ -1,0 +1,194 @@
+#include <amontons/output/mesh_picture.h>
+#include <amontons/output/svg_chart.h>
+#include <amontons/output/terminal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace Amontons
+{
+  namespace
+  {
+    constexpr double margin = 12, top = 34, largest = 460, bar_room = 90;
+    constexpr int    n_colours = 24;
+
+    struct Box
+    {
+      double lower[2] = {1e300, 1e300}, upper[2] = {-1e300, -1e300};
+
+      void
+      include(const CellPicture &cell)
+      {
+        for (std::size_t i = 0; i < cell.outline.size(); ++i)
+          {
+            lower[i % 2] = std::min<double>(lower[i % 2], cell.outline[i]);
+            upper[i % 2] = std::max<double>(upper[i % 2], cell.outline[i]);
+          }
+      }
+
+      bool
+      overlaps(const Box &other) const
+      {
+        for (int d = 0; d < 2; ++d)
+          if (lower[d] > other.upper[d] || upper[d] < other.lower[d])
+            return false;
+        return true;
+      }
+    };
+
+    Box
+    box_of(const CellPicture &cell)
+    {
+      Box box;
+      box.include(cell);
+      return box;
+    }
+
+    Box
+    visible_box(const MeshPicture &picture, const Window &window)
+    {
+      Box box;
+      if (window.half_width > 0)
+        for (int d = 0; d < 2; ++d)
+          {
+            box.lower[d] = window.centre[d] - window.half_width;
+            box.upper[d] = window.centre[d] + window.half_width;
+          }
+      else
+        for (const CellPicture &cell : picture)
+          box.include(cell);
+      return box;
+    }
+
+    // Paths by colour: with edges (large cells), without, and pixels.
+    class Painter
+    {
+    public:
+      Painter(const Box &box, const double scale, const double lowest, const double highest)
+        : box(box)
+        , scale(scale)
+        , lowest(lowest)
+        , highest(highest)
+      {}
+
+      void
+      draw(const CellPicture &cell)
+      {
+        const Box    cell_box = box_of(cell);
+        const double width    = scale * (cell_box.upper[0] - cell_box.lower[0]);
+        const double height   = scale * (cell_box.upper[1] - cell_box.lower[1]);
+        const int    colour =
+          highest > lowest ? std::lround((n_colours - 1) * (cell.von_mises - lowest) / (highest - lowest)) : 0;
+        if (std::max(width, height) < 1)
+          draw_pixel(cell, colour);
+        else
+          (std::min(width, height) > 3 ? with_edges : without_edges)[colour] += outline(cell);
+      }
+
+      std::string
+      svg() const
+      {
+        std::string result;
+        for (const auto &[colour, path] : without_edges)
+          result += "<path fill=\"" + name(colour) + "\" stroke=\"" + name(colour) +
+                    "\" stroke-width=\"0.4\" d=\"" + path + "\"/>\n";
+        for (const auto &[colour, path] : with_edges)
+          result += "<path fill=\"" + name(colour) +
+                    "\" stroke=\"#fff\" stroke-opacity=\"0.55\" stroke-width=\"0.5\" d=\"" + path + "\"/>\n";
+        return result;
+      }
+
+    private:
+      double
+      px(const double x) const
+      {
+        return margin + scale * (x - box.lower[0]);
+      }
+
+      double
+      py(const double y) const
+      {
+        return top + scale * (box.upper[1] - y);
+      }
+
+      static std::string
+      name(const int colour)
+      {
+        return colour_of(double(colour) / (n_colours - 1));
+      }
+
+      std::string
+      outline(const CellPicture &cell) const
+      {
+        std::string path;
+        for (std::size_t i = 0; i + 1 < cell.outline.size(); i += 2)
+          path += (i == 0 ? "M" : "L") + pixels(px(cell.outline[i])) + " " + pixels(py(cell.outline[i + 1]));
+        return path + "Z";
+      }
+
+      void
+      draw_pixel(const CellPicture &cell, const int colour)
+      {
+        const int x = std::floor(px(cell.outline[0])), y = std::floor(py(cell.outline[1]));
+        if (drawn.insert({x, y}).second)
+          without_edges[colour] += "M" + std::to_string(x) + " " + std::to_string(y) + "h1v1h-1Z";
+      }
+
+      const Box                     box;
+      const double                  scale, lowest, highest;
+      std::map<int, std::string>    with_edges, without_edges;
+      std::set<std::pair<int, int>> drawn;
+    };
+
+    std::string
+    colour_bar(const double x, const double height, const double lowest, const double highest)
+    {
+      std::string  svg;
+      const double step = height / n_colours;
+      for (int i = 0; i < n_colours; ++i)
+        svg += "<rect x=\"" + pixels(x) + "\" y=\"" + pixels(top + height - (i + 1) * step) +
+               "\" width=\"12\" height=\"" + pixels(step + 0.3) + "\" fill=\"" +
+               colour_of(double(i) / (n_colours - 1)) + "\"/>\n";
+      if (highest > lowest)
+        for (const double tick : nice_ticks(lowest, highest, 5, false))
+          svg += "<text x=\"" + pixels(x + 17) + "\" y=\"" +
+                 pixels(top + height - height * (tick - lowest) / (highest - lowest) + 4) + "\">" +
+                 short_number(tick) + "</text>\n";
+      return svg;
+    }
+  } // namespace
+
+  std::string
+  svg_mesh(const MeshPicture &picture, const Window &window, const std::string &title)
+  {
+    const Box    box    = visible_box(picture, window);
+    const double scale  = largest / std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
+    const double width  = scale * (box.upper[0] - box.lower[0]);
+    const double height = scale * (box.upper[1] - box.lower[1]);
+
+    std::vector<const CellPicture *> cells;
+    double                           lowest = 1e300, highest = -1e300;
+    for (const CellPicture &cell : picture)
+      if (box_of(cell).overlaps(box))
+        {
+          cells.push_back(&cell);
+          lowest  = std::min<double>(lowest, cell.von_mises);
+          highest = std::max<double>(highest, cell.von_mises);
+        }
+    Painter painter(box, scale, lowest, highest);
+    for (const CellPicture *cell : cells)
+      painter.draw(*cell);
+
+    const std::string w = pixels(width + 2 * margin + bar_room), h = pixels(std::max(height, 160.) + top + margin);
+    const std::string id = window.half_width > 0 ? "zoom" : "whole";
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w +
+           " " + h + "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<clipPath id=\"" + id +
+           "\"><rect x=\"" + pixels(margin) + "\" y=\"" + pixels(top) + "\" width=\"" + pixels(width) +
+           "\" height=\"" + pixels(height) + "\"/></clipPath>\n<text x=\"" + pixels(margin) +
+           "\" y=\"20\" font-size=\"14\" font-weight=\"600\">" + escaped(title) + "</text>\n<g clip-path=\"url(#" +
+           id + ")\">\n" + painter.svg() + "</g>\n" +
+           colour_bar(margin + width + 14, std::max(height, 120.), lowest, highest) + "</svg>\n";
+  }
+} // namespace Amontons

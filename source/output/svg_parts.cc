@@ -1,0 +1,99 @@
+#include <amontons/output/svg_chart.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace Amontons
+{
+  namespace
+  {
+    std::vector<double>
+    linear_ticks(const double lower, const double upper, const unsigned int n)
+    {
+      const double rough = (upper - lower) / n;
+      const double power = std::pow(10., std::floor(std::log10(rough)));
+      double       step  = 10 * power;
+      for (const double factor : {5., 2., 1.})
+        if (factor * power >= rough)
+          step = factor * power;
+
+      std::vector<double> ticks;
+      for (double k = std::ceil(lower / step); k * step <= upper * (1 + 1e-12) + 1e-12 * step; ++k)
+        ticks.push_back(k == 0 ? 0 : k * step);
+      return ticks;
+    }
+
+    std::vector<double>
+    log_ticks(const double lower, const double upper, const unsigned int n)
+    {
+      const int    first = std::floor(std::log10(lower)), last = std::ceil(std::log10(upper));
+      const bool   short_axis = upper < 100 * lower;
+      const int    stride     = std::max<int>(1, std::lround(std::ceil(double(last - first) / n)));
+      std::vector<double> ticks;
+      for (int k = first; k <= last; ++k)
+        for (const double factor : {1., 2., 5.})
+          {
+            const double tick   = factor * std::pow(10., k);
+            const bool   wanted = factor == 1 ? (k % stride == 0) : short_axis;
+            if (wanted && tick >= lower && tick <= upper)
+              ticks.push_back(tick);
+          }
+      return ticks;
+    }
+  } // namespace
+
+  std::vector<double>
+  nice_ticks(const double lower, const double upper, const unsigned int n, const bool log)
+  {
+    return log ? log_ticks(lower, upper, n) : linear_ticks(lower, upper, n);
+  }
+
+  std::string
+  colour_of(const double value)
+  {
+    static const int stops[][3] = {
+      {68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}};
+    const double scaled = 4 * std::clamp(std::isfinite(value) ? value : 0., 0., 1.);
+    const int    k      = std::min(3, static_cast<int>(scaled));
+    int          rgb[3];
+    for (int c = 0; c < 3; ++c)
+      rgb[c] = std::lround(stops[k][c] + (scaled - k) * (stops[k + 1][c] - stops[k][c]));
+    char text[8];
+    std::snprintf(text, sizeof(text), "#%02x%02x%02x", rgb[0] & 255, rgb[1] & 255, rgb[2] & 255);
+    return text;
+  }
+
+  std::string
+  escaped(const std::string &text)
+  {
+    std::string result;
+    for (const char c : text)
+      switch (c)
+        {
+          case '<':
+            result += "&lt;";
+            break;
+          case '>':
+            result += "&gt;";
+            break;
+          case '&':
+            result += "&amp;";
+            break;
+          case '"':
+            result += "&quot;";
+            break;
+          default:
+            result += c;
+        }
+    return result;
+  }
+
+  std::string
+  pixels(const double value)
+  {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.1f", value);
+    return text;
+  }
+} // namespace Amontons

@@ -1,0 +1,191 @@
+#include <amontons/output/terminal.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include <unistd.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    constexpr unsigned int line_width = 100, label_width = 34;
+
+    // Breaks the text between words; lines after the first start with `indent` blanks.
+    std::string
+    wrap(const std::string &text, const unsigned int indent)
+    {
+      std::string result, word;
+      std::size_t column = indent;
+      for (const char c : text + " ")
+        if (c != ' ')
+          word += c;
+        else
+          {
+            if (column > indent && column + 1 + word.size() > line_width)
+              {
+                result += "\n" + std::string(indent, ' ');
+                column = indent;
+              }
+            else if (column > indent)
+              {
+                result += " ";
+                ++column;
+              }
+            result += word;
+            column += word.size();
+            word.clear();
+          }
+      return result;
+    }
+
+    template <typename... Arguments>
+    std::string
+    format(const char *pattern, const Arguments... arguments)
+    {
+      char text[200];
+      std::snprintf(text, sizeof(text), pattern, arguments...);
+      return text;
+    }
+
+    std::string
+    duration(const double seconds)
+    {
+      if (seconds < 100)
+        return format("%.0f s", seconds);
+      if (seconds < 6000)
+        return format("%.0f min", seconds / 60);
+      return format("%.1f h", seconds / 3600);
+    }
+
+    double
+    seconds_since(const std::chrono::steady_clock::time_point &start)
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+  } // namespace
+
+  Terminal::Terminal(const MPI_Comm communicator, const bool quiet, std::ostream *other)
+    : stream(other != nullptr ? *other : std::cout)
+    , active(!quiet && Utilities::MPI::this_mpi_process(communicator) == 0)
+    , is_tty(other == nullptr && isatty(STDOUT_FILENO) == 1)
+  {}
+
+  void
+  Terminal::line(const std::string &text)
+  {
+    if (!active)
+      return;
+    if (bar_shown)
+      stream << "\r\033[K";
+    bar_shown = false;
+    stream << text << std::endl;
+    last_line = Clock::now();
+  }
+
+  void
+  Terminal::paragraph(const std::string &text)
+  {
+    line(wrap(text, 0));
+  }
+
+  void
+  Terminal::scene(const Scene &scene, const unsigned int n_ranks)
+  {
+    paragraph(describe_scene(scene, n_ranks));
+  }
+
+  void
+  Terminal::mesh(const unsigned int       increment,
+                 const unsigned int       n_increments,
+                 const unsigned int       mesh,
+                 const unsigned long long cells,
+                 const unsigned long long dofs)
+  {
+    line("");
+    line(format("Increment %u of %u, mesh %u: %llu cells, %llu DoFs", increment, n_increments, mesh, cells, dofs));
+    line("  iteration   residual     open    stick     slip  changed   krylov");
+  }
+
+  void
+  Terminal::iteration(const IterationLine &l)
+  {
+    const std::string krylov =
+      l.krylov_iterations == 0 ? std::string("direct") : std::to_string(l.krylov_iterations);
+    const std::string residual = std::isfinite(l.residual) ? format("%9.2e", l.residual) : "        -";
+    line(format("  %9u  %s %8u %8u %8u %8u %8s",
+                l.iteration,
+                residual.c_str(),
+                l.n_open,
+                l.n_stick,
+                l.n_slip,
+                l.changes,
+                krylov.c_str()));
+  }
+
+  void
+  Terminal::estimate(const EstimateSummary &estimate)
+  {
+    line("  estimated relative error: contact pressure " + short_number(estimate.contact) + ", stress " +
+         short_number(estimate.bulk));
+  }
+
+  void
+  Terminal::note(const std::string &text)
+  {
+    line("  note: " + wrap(text, 8));
+  }
+
+  void
+  Terminal::answer(const RunSummary &summary)
+  {
+    line("");
+    for (const auto &[label, text] : answer_lines(summary))
+      if (label == "note")
+        note(text);
+      else if (text.empty())
+        line(label);
+      else
+        line(label + std::string(label_width - std::min<std::size_t>(label_width - 1, label.size()), ' ') +
+             wrap(text, label_width));
+  }
+
+  void
+  Terminal::progress(const std::string &what, const double fraction)
+  {
+    if (!active)
+      return;
+    if (what != work)
+      {
+        work         = what;
+        work_started = last_line = Clock::now();
+      }
+    const double elapsed = seconds_since(work_started);
+    if (fraction >= 1)
+      {
+        if (bar_shown)
+          stream << "\r\033[K" << std::flush;
+        bar_shown = false;
+        work.clear();
+        return;
+      }
+    if (elapsed < 2 || (!is_tty && seconds_since(last_line) < 5))
+      return;
+
+    const std::string left = fraction > 0 ? ", " + duration(elapsed / fraction - elapsed) + " left" : "";
+    const std::string done = format(" %3.0f %%", 100 * fraction) + left;
+    if (!is_tty)
+      {
+        line("  " + what + ":" + done);
+        return;
+      }
+    const unsigned int n_full = std::lround(30 * std::max(0., fraction));
+    stream << "\r\033[K  " << what << " [" << std::string(n_full, '#') << std::string(30 - n_full, '.') << "]"
+           << done << std::flush;
+    bar_shown = true;
+  }
+} // namespace Amontons

@@ -1,0 +1,197 @@
+#include <amontons/base/closed_forms.h>
+#include <amontons/scene/reference_builders.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+
+namespace Amontons
+{
+  using Arguments = ClosedFormArguments;
+  using ClosedForms::Confinement;
+
+  namespace
+  {
+    void
+    check_pair(const Arguments &get)
+    {
+      if (get.is_given("nu2") != get.is_given("E2"))
+        get.fail("one of E2 and nu2 is missing", "both, or none for a rigid body");
+    }
+
+  } // namespace
+
+  double
+  contact_modulus(const Arguments &get, const Scene &scene)
+  {
+    check_pair(get);
+    const double E2 = get.is_given("E2") ? get("E2") : ClosedForms::rigid;
+    if (scene.kind == Kind::plane_stress)
+      return ClosedForms::contact_modulus_plane_stress(get("E1"), E2);
+    return ClosedForms::contact_modulus(get("E1"), get("nu1"), E2, get.is_given("nu2") ? get("nu2") : 0);
+  }
+
+  ReferenceSolution
+  hertz_solution(const Arguments &get, const ClosedForms::Hertz &h)
+  {
+    ReferenceSolution s;
+    s.normal_force   = h.force;
+    s.contact_size   = h.size;
+    s.peak_pressure  = h.peak;
+    s.pressure       = [h](const double r) { return ClosedForms::elliptic_pressure(r, h.size, h.peak); };
+    s.pressure_range = 1.3 * h.size;
+    s.centre         = get.centre();
+    if (!std::isnan(h.approach))
+      s.approach = h.approach;
+    return s;
+  }
+
+  namespace
+  {
+    // A constant pressure; `range` unless the user gave a width.
+    ReferenceSolution
+    uniform_solution(const Arguments &get, const double p, const double range)
+    {
+      ReferenceSolution s;
+      s.peak_pressure  = p;
+      s.pressure       = [p](const double) { return p; };
+      s.pressure_range = get.is_given("width") ? get("width") : range;
+      s.centre         = get.centre();
+      return s;
+    }
+
+    Confinement
+    confinement(const Arguments &get, const Scene &scene)
+    {
+      const bool plane_stress =
+          get.is_given("plane_stress") ? get("plane_stress") != 0 : scene.kind == Kind::plane_stress;
+      return plane_stress ? Confinement::plane_stress : Confinement::plane_strain;
+    }
+
+    ReferenceSolution
+    flat_punch(const double P, const double a, const std::function<double(double)> &pressure)
+    {
+      ReferenceSolution s;
+      s.normal_force   = P;
+      s.contact_size   = a;
+      s.pressure       = pressure;
+      s.pressure_range = 0.9 * a;
+      return s;
+    }
+
+    ReferenceSolution
+    shrink_fit(const Arguments &get, const Scene &scene, const bool spheres)
+    {
+      const double rc = get("rc");
+      if (!(get("ri") < rc && rc < get("ro")))
+        get.fail("found radii that do not grow", "ri < rc < ro");
+      const ClosedForms::Tube inside  = {get("Ei"), get("nui"), get("ri"), rc},
+                              outside = {get("Eo"), get("nuo"), rc, get("ro")};
+      const double delta              = get("delta");
+      return uniform_solution(
+          get,
+          spheres ? ClosedForms::shrink_fit_spheres(inside, outside, delta)
+                  : ClosedForms::shrink_fit_cylinders(inside, outside, delta, confinement(get, scene)),
+          2 * rc);
+    }
+
+  } // namespace
+
+  namespace ReferenceBuilders
+  {
+    ReferenceSolution
+    hertz_line(const Arguments &get, const Scene &scene)
+    {
+      return hertz_solution(get, ClosedForms::hertz_line(get("P"), get("R"), contact_modulus(get, scene)));
+    }
+
+    ReferenceSolution
+    hertz_point(const Arguments &get, const Scene &scene)
+    {
+      return hertz_solution(get, ClosedForms::hertz_point(get("P"), get("R"), contact_modulus(get, scene)));
+    }
+
+    ReferenceSolution
+    flat_punch_line(const Arguments &get, const Scene &)
+    {
+      const double      P = get("P"), a = get("a");
+      ReferenceSolution s =
+          flat_punch(P, a, [=](const double x) { return ClosedForms::flat_punch_line_pressure(x, P, a); });
+      s.centre = get.centre();
+      return s;
+    }
+
+    ReferenceSolution
+    flat_punch_axisymmetric(const Arguments &get, const Scene &)
+    {
+      const double      a = get("a"), modulus = ClosedForms::contact_modulus(get("E"), get("nu"));
+      const double      P = ClosedForms::flat_punch_force(a, get("delta"), modulus);
+      ReferenceSolution s =
+          flat_punch(P, a, [=](const double r) { return ClosedForms::flat_punch_pressure(r, P, a); });
+      s.approach = get("delta");
+      s.centre   = get.centre();
+      return s;
+    }
+
+    ReferenceSolution
+    cone(const Arguments &get, const Scene &)
+    {
+      const double      modulus = ClosedForms::contact_modulus(get("E"), get("nu"));
+      const double      flank   = get("flank") * dealii::numbers::PI / 180;
+      const auto        c       = ClosedForms::cone(get("P"), flank, modulus);
+      ReferenceSolution s;
+      s.normal_force = get("P");
+      s.contact_size = c.size;
+      s.approach     = c.approach;
+      s.pressure     = [=](const double r) { return ClosedForms::cone_pressure(r, c.size, flank, modulus); };
+      s.pressure_range = 1.3 * c.size;
+      s.centre         = get.centre();
+      return s;
+    }
+
+    ReferenceSolution
+    shrink_fit_cylinders(const Arguments &get, const Scene &scene)
+    {
+      return shrink_fit(get, scene, false);
+    }
+
+    ReferenceSolution
+    shrink_fit_spheres(const Arguments &get, const Scene &scene)
+    {
+      return shrink_fit(get, scene, true);
+    }
+
+    ReferenceSolution
+    uniform(const Arguments &get, const Scene &)
+    {
+      return uniform_solution(get, get("p"), 0);
+    }
+
+    ReferenceSolution
+    tubes_external_pressure(const Arguments &get, const Scene &scene)
+    {
+      if (!(get("R1") > get("R2") && get("R2") > get("R3")))
+        get.fail("found radii that do not decrease", "R1 > R2 > R3");
+      return uniform_solution(
+          get,
+          ClosedForms::tubes_external_pressure(get("p"),
+                                               {get("E1"), get("nu1"), get("R2"), get("R1")},
+                                               {get("E2"), get("nu2"), get("R3"), get("R2")},
+                                               confinement(get, scene)),
+          2 * get("R2"));
+    }
+
+    ReferenceSolution
+    two_block_patch(const Arguments &get, const Scene &scene)
+    {
+      const Confinement c = get("confined") != 0               ? Confinement::confined
+                            : scene.kind == Kind::plane_strain ? Confinement::plane_strain
+                                                               : Confinement::plane_stress;
+      return uniform_solution(
+          get,
+          ClosedForms::two_block_patch(
+              get("E1"), get("nu1"), get("h1"), get("E2"), get("nu2"), get("h2"), get("delta"), c),
+          0);
+    }
+  } // namespace ReferenceBuilders
+} // namespace Amontons

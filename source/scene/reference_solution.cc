@@ -1,0 +1,159 @@
+#include <amontons/scene/half_plane_field.h>
+#include <amontons/scene/reference_builders.h>
+
+#include <cmath>
+#include <limits>
+
+namespace Amontons
+{
+  namespace
+  {
+    const double unset = std::numeric_limits<double>::quiet_NaN();
+
+    struct Form
+    {
+      ClosedFormDeclaration declaration;
+      ReferenceSolution (*build)(const ClosedFormArguments &, const Scene &);
+    };
+
+    const std::vector<Form> &
+    forms()
+    {
+      namespace R                          = ReferenceBuilders;
+      static const std::vector<Form> table = {
+          {{"hertz_line",
+            "line contact; load P per thickness, effective radius R, without E2 and nu2 the second body is "
+            "rigid",
+            {"P", "R", "E1", "nu1"},
+            {{"E2", unset}, {"nu2", unset}, {"x", 0}, {"y", 0}}},
+           R::hertz_line},
+          {{"hertz_point",
+            "point contact of circular shape; load P of the full turn",
+            {"P", "R", "E1", "nu1"},
+            {{"E2", unset}, {"nu2", unset}, {"x", 0}, {"y", 0}, {"z", 0}}},
+           R::hertz_point},
+          {{"half_plane_box",
+            "hertz_line of half-width a, with displacements and stresses; the lower body (E1, nu1) ends at y "
+            "from below, "
+            "the upper one from above",
+            {"a", "R", "E1", "nu1"},
+            {{"E2", unset}, {"nu2", unset}, {"x", 0}, {"y", 0}}},
+           R::half_plane_box},
+          {{"flat_punch_line",
+            "sharp rigid punch of half-width a, load P per thickness; compared up to 0.9 a",
+            {"P", "a"},
+            {{"x", 0}, {"y", 0}}},
+           R::flat_punch_line},
+          {{"flat_punch_axisymmetric",
+            "sharp rigid punch of radius a, pressed in by delta; compared up to 0.9 a",
+            {"a", "delta", "E", "nu"},
+            {{"x", 0}, {"y", 0}, {"z", 0}}},
+           R::flat_punch_axisymmetric},
+          {{"cone",
+            "rigid cone whose flank makes the angle `flank` (degrees) with the surface",
+            {"P", "flank", "E", "nu"},
+            {{"x", 0}, {"y", 0}, {"z", 0}}},
+           R::cone},
+          {{"uniform",
+            "uniform pressure p, compared up to the distance `width` from the centre (patch tests)",
+            {"p", "width"},
+            {{"x", 0}, {"y", 0}, {"z", 0}}},
+           R::uniform},
+          {{"two_block_patch",
+            "uniform pressure of two stacked blocks of heights h1 and h2, shortened by delta; confined = 1: "
+            "no lateral "
+            "strain",
+            {"E1", "nu1", "h1", "E2", "nu2", "h2", "delta", "width"},
+            {{"confined", 0}, {"x", 0}, {"y", 0}, {"z", 0}}},
+           R::two_block_patch},
+          {{"shrink_fit_cylinders",
+            "tubes ri < rc (Ei, nui) and rc < ro (Eo, nuo) with the radial interference delta; plane strain, "
+            "or plane stress (free ends) if plane_stress = 1 or the scene is",
+            {"ri", "rc", "ro", "Ei", "nui", "Eo", "nuo", "delta"},
+            {{"plane_stress", unset}, {"width", unset}, {"x", 0}, {"y", 0}, {"z", 0}}},
+           R::shrink_fit_cylinders},
+          {{"shrink_fit_spheres",
+            "spherical shells ri < rc (Ei, nui) and rc < ro (Eo, nuo) with the radial interference delta",
+            {"ri", "rc", "ro", "Ei", "nui", "Eo", "nuo", "delta"},
+            {{"width", unset}, {"x", 0}, {"y", 0}, {"z", 0}}},
+           R::shrink_fit_spheres},
+          {{"tubes_external_pressure",
+            "outer tube R1 > R2 (E1, nu1) around an inner one R2 > R3 (E2, nu2) under the pressure p on R1",
+            {"p", "E1", "nu1", "R1", "E2", "nu2", "R2", "R3"},
+            {{"plane_stress", unset}, {"width", unset}, {"x", 0}, {"y", 0}, {"z", 0}}},
+           R::tubes_external_pressure},
+      };
+      return table;
+    }
+
+    const ClosedFormDeclaration &
+    half_plane_elliptic()
+    {
+      static const ClosedFormDeclaration declaration = {
+          "halfplane_elliptic",
+          "boundary values: displacement of a half plane under Hertz's pressure of resultant P and "
+          "half-width a about "
+          "(x0, y0), where it is zero; side = -1: body below y0, +1: above; Q: shear force on this body in "
+          "+x with the "
+          "stick half-width c (Cattaneo; c = 0: sliding)",
+          {"P", "a"},
+          {{"x0", 0}, {"y0", 0}, {"side", -1}, {"Q", 0}, {"c", 0}, {"plane_stress", 0}}};
+      return declaration;
+    }
+
+    [[noreturn]] void
+    unknown(const FieldData &data, const std::vector<std::string> &names)
+    {
+      std::string allowed;
+      for (const std::string &name : names)
+        allowed += (allowed.empty() ? "" : ", ") + name;
+      throw InputError(
+          data.where, "found the closed form '" + data.name + "'" + suggestion(data.name, names), allowed);
+    }
+  } // namespace
+
+  ReferenceSolution
+  make_reference_solution(const FieldData &data, const Scene &scene)
+  {
+    std::vector<std::string> names;
+    for (const Form &form : forms())
+      {
+        if (form.declaration.name == data.name)
+          return form.build(ClosedFormArguments(data, form.declaration), scene);
+        names.push_back(form.declaration.name);
+      }
+    unknown(data, names);
+  }
+
+  std::function<dealii::Tensor<1, 3>(const Point<3> &)>
+  make_displacement_field(const FieldData &data, const MaterialData &material)
+  {
+    if (data.name != half_plane_elliptic().name)
+      unknown(data, {half_plane_elliptic().name});
+    const ClosedFormArguments get(data, half_plane_elliptic());
+    HalfPlaneField            field;
+    field.material     = material;
+    field.force        = get("P");
+    field.size         = get("a");
+    field.shear        = get("Q");
+    field.stick        = get("c");
+    field.centre       = Point<3>(get("x0"), get("y0"), 0);
+    field.side         = get("side") < 0 ? -1 : 1;
+    field.plane_stress = get("plane_stress") != 0;
+    if (std::abs(get("side")) != 1)
+      get.fail("the side is neither -1 nor 1", "side = -1 (the body is below y0) or side = 1 (above)");
+    if (!(field.stick >= 0 && field.stick < field.size))
+      get.fail("the stick half-width c is not in [0, a)", "0 <= c < a");
+    return [field](const Point<3> &p) { return field.displacement(p); };
+  }
+
+  std::vector<std::pair<std::string, std::string>>
+  reference_solution_names()
+  {
+    std::vector<std::pair<std::string, std::string>> names;
+    for (const Form &form : forms())
+      names.emplace_back(form.declaration.signature(), form.declaration.meaning);
+    names.emplace_back(half_plane_elliptic().signature(), half_plane_elliptic().meaning);
+    return names;
+  }
+} // namespace Amontons

@@ -1,0 +1,256 @@
+#include <amontons/solver/floating_bodies.h>
+
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <sstream>
+
+namespace Amontons
+{
+  template <int dim>
+  FloatingBodies<dim>::FloatingBodies(const Discretization<dim>                &discretization,
+                                      const Constraints                        &supports,
+                                      const std::vector<ContactInterface<dim>> &interfaces)
+    : discretization(discretization)
+  {
+    const Scene       &scene    = discretization.scene;
+    const unsigned int n_bodies = scene.bodies.size(), n_owners = n_bodies + discretization.carrier_dofs.size();
+    modes_per_body = scene.kind == Kind::axisymmetric ? 1 : dim * (dim + 1) / 2;
+    n_modes        = modes_per_body * n_owners;
+    centres.resize(n_owners);
+    sizes.assign(n_owners, 1.);
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      sizes[b] = discretization.geometry.body_sizes[b];
+
+    // Where each relevant DoF is and whom it belongs to.
+    const auto                          &fe   = discretization.fe;
+    const auto                          &base = fe.base_element(0);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    FEValues<dim> values(discretization.mapping, fe, Quadrature<dim>(base.get_unit_support_points()), update_quadrature_points);
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (!cell->is_artificial())
+        {
+          values.reinit(cell);
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            {
+              const auto [component, node] = fe.system_to_component_index(i);
+              places[dofs[i]]              = {cell->material_id(), component, values.quadrature_point(node)};
+            }
+        }
+    for (const auto &interface : interfaces)
+      for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
+        if (surface != nullptr)
+          for (const auto &node : surface->nodes)
+            for (unsigned int c = 0; c < dim; ++c)
+              places[node.dofs[c]] = {surface->boundary.body, c, node.X};
+    for (unsigned int m = 0; m < discretization.carrier_dofs.size(); ++m)
+      {
+        const auto &carrier = discretization.geometry.carriers[m];
+        sizes[n_bodies + m] = carrier.size;
+        for (unsigned int d = 0; d < dim; ++d)
+          centres[n_bodies + m][d] = carrier.motion.reference[d];
+        for (unsigned int k = 0; k <= dim; ++k)
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              Point<dim> X = centres[n_bodies + m];
+              if (k > 0)
+                X[k - 1] += carrier.size;
+              places[discretization.carrier_dofs[m][k][c]] = {n_bodies + m, c, X};
+            }
+      }
+
+    // Lines with unit weight each: relative sizes do not matter for a null space.
+    supports_matrix.reinit(n_modes, n_modes);
+    for (const auto dof : discretization.locally_owned)
+      if (supports.is_constrained(dof))
+        {
+          std::map<types::global_dof_index, double> line = {{dof, 1.}};
+          for (const auto &[other, weight] : *supports.get_constraint_entries(dof))
+            line[other] -= weight;
+          const auto e = violation(line);
+          for (unsigned int i = 0; i < n_modes; ++i)
+            if (e[i] != 0)
+              for (unsigned int j = 0; j < n_modes; ++j)
+                supports_matrix(i, j) += e[i] * e[j];
+        }
+    FullMatrix<double> sum(n_modes, n_modes);
+    for (unsigned int i = 0; i < n_modes; ++i)
+      for (unsigned int j = 0; j < n_modes; ++j)
+        sum(i, j) = Utilities::MPI::sum(supports_matrix(i, j), discretization.geometry.communicator);
+    supports_matrix = sum;
+
+    const auto free = null_space(supports_matrix);
+    n_free          = free.m() == 0 ? 0 : free.n();
+    floating.assign(n_owners, false);
+    for (unsigned int k = 0; k < n_free; ++k)
+      for (unsigned int i = 0; i < n_modes; ++i)
+        if (std::abs(free(i, k)) > 1e-6)
+          floating[i / modes_per_body] = true;
+  }
+
+  template <int dim>
+  unsigned int
+  FloatingBodies<dim>::owner_of(const types::global_dof_index dof) const
+  {
+    return places.at(dof).body;
+  }
+
+  // Modes of a body about its centre c, with X' = (X - c)/size: e_1, .., e_dim, then rotations in the planes (0,1), (0,2), (1,2).
+  template <int dim>
+  void
+  FloatingBodies<dim>::add_modes_of(const types::global_dof_index dof, const double weight, std::vector<double> &e) const
+  {
+    const auto found = places.find(dof);
+    if (found == places.end())
+      return;
+    const DofPlace    &place = found->second;
+    const unsigned int first = place.body * modes_per_body;
+    if (modes_per_body == 1)
+      {
+        if (place.component == 1)
+          e[first] += weight;
+        return;
+      }
+    e[first + place.component] += weight;
+    unsigned int mode = first + dim;
+    for (unsigned int a = 0; a < dim; ++a)
+      for (unsigned int b = a + 1; b < dim; ++b, ++mode)
+        {
+          if (place.component == a)
+            e[mode] -= weight * (place.X[b] - centres[place.body][b]) / sizes[place.body];
+          if (place.component == b)
+            e[mode] += weight * (place.X[a] - centres[place.body][a]) / sizes[place.body];
+        }
+  }
+
+  template <int dim>
+  std::vector<double>
+  FloatingBodies<dim>::violation(const std::map<types::global_dof_index, double> &coefficients) const
+  {
+    std::vector<double> e(n_modes, 0.);
+    for (const auto &[dof, weight] : coefficients)
+      add_modes_of(dof, weight, e);
+    // Rounding of lines that hold exactly (hanging nodes, rigid bodies).
+    for (double &value : e)
+      if (std::abs(value) < 1e-10)
+        value = 0;
+    return e;
+  }
+
+  template <int dim>
+  FullMatrix<double>
+  FloatingBodies<dim>::null_space(const FullMatrix<double> &S) const
+  {
+    if (n_modes == 0)
+      return FullMatrix<double>();
+    LAPACKFullMatrix<double> matrix(n_modes, n_modes);
+    matrix = S;
+    Vector<double>     values;
+    FullMatrix<double> vectors;
+    const double       largest = std::max(S.linfty_norm(), 1e-300);
+    matrix.compute_eigenvalues_symmetric(-largest, 1e-12 * largest + 1e-290, 1e-300, values, vectors);
+    return values.size() == 0 ? FullMatrix<double>() : vectors;
+  }
+
+  template <int dim>
+  FullMatrix<double>
+  FloatingBodies<dim>::with_equations(const std::vector<const LinearEquation *> &equations) const
+  {
+    FullMatrix<double> S = supports_matrix;
+    for (const auto *equation : equations)
+      {
+        const auto e = violation(equation->coefficients);
+        for (unsigned int i = 0; i < n_modes; ++i)
+          if (e[i] != 0)
+            for (unsigned int j = 0; j < n_modes; ++j)
+              S(i, j) += e[i] * e[j];
+      }
+    return S;
+  }
+
+  template <int dim>
+  bool
+  FloatingBodies<dim>::held_by(const std::vector<const LinearEquation *> &equations) const
+  {
+    return !any() || null_space(with_equations(equations)).m() == 0;
+  }
+
+  template <int dim>
+  std::string
+  FloatingBodies<dim>::describe(const std::vector<double> &q) const
+  {
+    static const std::vector<std::string> axes = {"x", "y", "z"};
+    double                                largest = 0;
+    for (const double value : q)
+      largest = std::max(largest, std::abs(value));
+    std::ostringstream text;
+    const auto         n_bodies = discretization.scene.bodies.size();
+    std::string        separator;
+    for (unsigned int i = 0; i < n_modes; ++i)
+      if (std::abs(q[i]) > 0.1 * largest)
+        {
+          const unsigned int owner = i / modes_per_body, mode = i % modes_per_body;
+          text << separator;
+          if (modes_per_body == 1)
+            text << "axial motion";
+          else if (mode < dim)
+            text << "motion along " << axes[mode];
+          else
+            text << "rotation";
+          if (owner < n_bodies)
+            text << " of body '" << discretization.scene.bodies[owner].name << "'";
+          else
+            text << " of '" << discretization.geometry.carriers[owner - n_bodies].motion.name << "'";
+          separator = ", ";
+        }
+    return text.str();
+  }
+
+  template <int dim>
+  std::string
+  FloatingBodies<dim>::check_loads(const LA::Vector                          &loads,
+                                   const std::vector<const LinearEquation *> &all_equations) const
+  {
+    if (!any())
+      return "";
+    const auto unheld = null_space(with_equations(all_equations));
+    if (unheld.m() == 0)
+      return "";
+    std::vector<double> force(n_modes, 0.), magnitude(n_modes, 0.);
+    for (const auto dof : discretization.locally_owned)
+      if (const double f = loads(dof); f != 0)
+        {
+          std::vector<double> e(n_modes, 0.);
+          add_modes_of(dof, f, e);
+          for (unsigned int i = 0; i < n_modes; ++i)
+            {
+              force[i] += e[i];
+              magnitude[i] += std::abs(e[i]);
+            }
+        }
+    Utilities::MPI::sum(force, discretization.geometry.communicator, force);
+    Utilities::MPI::sum(magnitude, discretization.geometry.communicator, magnitude);
+
+    std::string note;
+    for (unsigned int k = 0; k < unheld.n(); ++k)
+      {
+        std::vector<double> q(n_modes);
+        double              work = 0, scale = 0;
+        for (unsigned int i = 0; i < n_modes; ++i)
+          {
+            q[i] = unheld(i, k);
+            work += force[i] * q[i];
+            scale += magnitude[i] * std::abs(q[i]);
+          }
+        if (std::abs(work) > 1e-6 * scale)
+          throw InputError({discretization.scene.file, 0, ""},
+                           "nothing holds the rigid " + describe(q) + ", and the loads drive it",
+                           "hold it by a displacement, a symmetry plane, a platen or a contact pair that resists it");
+        note += (note.empty() ? "" : "; ") + describe(q);
+      }
+    return "no support and no contact holds the rigid " + note + "; no load drives it, so it is kept at rest";
+  }
+
+  template class FloatingBodies<2>;
+} // namespace Amontons

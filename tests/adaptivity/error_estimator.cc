@@ -1,0 +1,317 @@
+// Recovered stresses are exact up to the surface for displacements of degree p + 1 where sigma_h is exact at
+// Gauss points, more accurate than sigma_h for smooth fields, and the error estimate tends to the error;
+// refinement marks what it should and carries fields over.
+#include "check.h"
+
+#include <amontons/adaptivity/mesh_refinement.h>
+
+#include <deal.II/base/function.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/numerics/vector_tools.h>
+
+using namespace Amontons;
+
+Scene
+block(const Kind kind)
+{
+  Scene scene;
+  scene.kind = kind;
+  BodyData body;
+  body.name             = "it";
+  body.lower            = {0, 0, 0};
+  body.upper            = {2, 1, 1.5};
+  body.cells            = {{4, 3, 3}};
+  body.grading          = {{2, 1, 1}};
+  body.material.young   = 3;
+  body.material.poisson = 0.3;
+  scene.bodies.push_back(body);
+  return scene;
+}
+
+// A block, perhaps refined, with a displacement interpolated on it.
+template <int dim>
+struct Problem
+{
+  Problem(const Scene &scene, const unsigned int degree, const unsigned int n_uniform, const bool local)
+      : geometry(MPI_COMM_WORLD)
+  {
+    make_geometry(scene, geometry);
+    geometry.triangulation.refine_global(n_uniform);
+    if (local)
+      {
+        for (const auto &cell : geometry.triangulation.active_cell_iterators())
+          if (cell->is_locally_owned() && cell->center()[0] > 1.2 && cell->center()[1] < 0.6)
+            cell->set_refine_flag();
+        geometry.triangulation.execute_coarsening_and_refinement();
+      }
+    discretization = std::make_unique<Discretization<dim>>(scene, geometry, degree);
+    discretization->distribute_dofs();
+    elasticity = std::make_unique<ElasticityOperator<dim>>(*discretization);
+    recovery   = std::make_unique<StressRecovery<dim>>(*discretization, *elasticity);
+  }
+
+  void
+  set(const Function<dim> &u)
+  {
+    LA::Vector owned(discretization->locally_owned, geometry.communicator);
+    VectorTools::interpolate(discretization->mapping, discretization->dof_handler, u, owned);
+    discretization->make_hanging_node_constraints().distribute(owned);
+    displacement = discretization->make_relevant_vector();
+    displacement = owned;
+    recovery->recover(displacement);
+  }
+
+  ErrorEstimate<dim>
+  estimate() const
+  {
+    return estimate_error<dim>(*discretization, *elasticity, *recovery, {}, {}, displacement);
+  }
+
+  // Largest difference between sigma* and `exact` at the nodes of the body.
+  double
+  nodal_error(const std::function<Voigt<dim>(const Point<dim> &)> &exact) const
+  {
+    const auto   &fe = recovery->dof_handler().get_fe();
+    FEValues<dim> values(discretization->mapping,
+                         fe,
+                         Quadrature<dim>(fe.get_unit_support_points()),
+                         update_values | update_quadrature_points);
+    double        largest = 0;
+    for (const auto &cell : recovery->dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && cell->material_id() == 0)
+        {
+          values.reinit(cell);
+          const auto stress = recovery->values_at(values);
+          for (unsigned int q = 0; q < stress.size(); ++q)
+            for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+              largest = std::max(largest, std::abs(stress[q][k] - exact(values.quadrature_point(q))[k]));
+        }
+    return Utilities::MPI::max(largest, geometry.communicator);
+  }
+
+  Geometry<dim>                            geometry;
+  std::unique_ptr<Discretization<dim>>     discretization;
+  std::unique_ptr<ElasticityOperator<dim>> elasticity;
+  std::unique_ptr<StressRecovery<dim>>     recovery;
+  LA::Vector                               displacement;
+};
+
+template <int dim>
+struct Field : Function<dim>
+{
+  explicit Field(const std::function<Tensor<1, dim>(const Point<dim> &)> &u) : Function<dim>(dim), u(u) {}
+
+  double
+  value(const Point<dim> &X, const unsigned int c) const override
+  {
+    return u(X)[c];
+  }
+
+  std::function<Tensor<1, dim>(const Point<dim> &)> u;
+};
+
+// Plane strain and axisymmetric: u = (a x, b y), and in plane problems a shear and a quadratic part.
+void
+test_constant_stress(const Kind kind, const unsigned int degree, const bool local)
+{
+  const Scene  scene = block(kind);
+  const double shear = kind == Kind::axisymmetric ? 0. : 0.4;
+  Problem<2>   problem(scene, degree, 0, local);
+  problem.set(Field<2>([&](const Point<2> &X) {
+    return Tensor<1, 2>({0.1 * X[0] + shear * X[1], -0.2 * X[1]});
+  }));
+  Voigt<2>          strain = {{0.1, -0.2, kind == Kind::axisymmetric ? 0.1 : 0., shear}};
+  const Voigt<2>    stress = LinearElastic<2>(scene.bodies[0].material, kind).stress(strain);
+  const std::string name   = "kind " + std::to_string(int(kind)) + " degree " + std::to_string(degree);
+  check::is_close(
+      problem.nodal_error([&](const Point<2> &) { return stress; }), 0, 1e-12, name + ": constant stress", 1);
+  check::is_close(problem.estimate().bulk, 0, 1e-12, name + ": estimate for constant stress", 1);
+}
+
+template <int dim>
+void
+test_linear_stress(const Kind kind, const bool local)
+{
+  const Scene  scene = block(kind);
+  Problem<dim> problem(scene, 2, 0, local);
+  problem.set(Field<dim>([](const Point<dim> &X) {
+    Tensor<1, dim> u;
+    u[0] = X[0] * X[0] - X[0] * X[1];
+    u[1] = 0.5 * X[1] * X[1] + 0.3 * X[0] * X[1];
+    return u;
+  }));
+  const LinearElastic<dim> law(scene.bodies[0].material, kind);
+  const auto               exact = [&](const Point<dim> &X) {
+    Voigt<dim> strain = Voigt<dim>();
+    strain[0]         = 2 * X[0] - X[1];
+    strain[1]         = X[1] + 0.3 * X[0];
+    strain[3]         = -X[0] + 0.3 * X[1];
+    return law.stress(strain);
+  };
+  const std::string name = "kind " + std::to_string(int(kind));
+  check::is_close(problem.nodal_error(exact), 0, 1e-11, name + ": linear stress", 1);
+  check::is_close(problem.estimate().bulk, 0, 1e-11, name + ": estimate for linear stress", 1);
+}
+
+// u = (sin x cos y, cos 2x sin y) / 2: errors of the recovered stress at nodes, surface included, and of
+// sigma_h in the energy norm.
+void
+test_smooth_field(const unsigned int degree)
+{
+  const Scene            scene = block(Kind::plane_stress);
+  const LinearElastic<2> law(scene.bodies[0].material, scene.kind);
+  const auto             exact = [&](const Point<2> &X) {
+    const double x = X[0], y = X[1];
+    return law.stress({{0.5 * std::cos(x) * std::cos(y),
+                        0.5 * std::cos(2 * x) * std::cos(y),
+                        0.,
+                        0.5 * (-std::sin(x) * std::sin(y) - 2 * std::sin(2 * x) * std::sin(y))}});
+  };
+  double previous = 0;
+  for (unsigned int n = 1; n <= 3; ++n)
+    {
+      Problem<2> problem(scene, degree, n, false);
+      problem.set(Field<2>([](const Point<2> &X) {
+        return Tensor<1, 2>(
+            {0.5 * std::sin(X[0]) * std::cos(X[1]), 0.5 * std::cos(2 * X[0]) * std::sin(X[1])});
+      }));
+      const double nodal = problem.nodal_error(exact);
+
+      const MaterialData &m = scene.bodies[0].material;
+      const QGauss<2>     gauss(degree + 1);
+      FEValues<2>         values(problem.discretization->mapping,
+                         problem.discretization->fe,
+                         gauss,
+                         ElasticityOperator<2>::needed_flags());
+      double              error = 0, energy = 0;
+      for (const auto &cell : problem.discretization->dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned() && cell->material_id() == 0)
+          {
+            values.reinit(cell);
+            const auto sigma = problem.elasticity->stresses(values, cell, problem.displacement);
+            for (unsigned int q = 0; q < gauss.size(); ++q)
+              {
+                const auto s      = exact(values.quadrature_point(q));
+                const auto square = [&](const double xx, const double yy, const double xy) {
+                  return values.JxW(q) *
+                         (xx * xx + yy * yy - 2 * m.poisson * xx * yy + 2 * (1 + m.poisson) * xy * xy) /
+                         m.young;
+                };
+                error += square(sigma[q][0] - s[0], sigma[q][1] - s[1], sigma[q][3] - s[3]);
+                energy += square(s[0], s[1], s[3]);
+              }
+          }
+      error                         = Utilities::MPI::sum(error, MPI_COMM_WORLD);
+      energy                        = Utilities::MPI::sum(energy, MPI_COMM_WORLD);
+      const std::string name        = "smooth field, degree " + std::to_string(degree);
+      const double      effectivity = problem.estimate().bulk / std::sqrt(error / energy);
+      const double      order       = std::log2(previous / nodal);
+      const bool        asymptotic  = n == 3;
+      if (std::getenv("AMONTONS_SHOW") != nullptr)
+        std::cout << name << ": nodal error " << nodal << ", order " << order << ", effectivity "
+                  << effectivity << std::endl;
+      if (asymptotic)
+        {
+          check::is_close(effectivity, 1, 0.05, name + ": effectivity");
+          check::is_true(order > degree + 0.8, name + ": order of the recovered stress up to the surface");
+        }
+      previous = nodal;
+    }
+}
+
+void
+test_marking()
+{
+  const Scene          scene = block(Kind::plane_strain);
+  Problem<2>           problem(scene, 2, 1, false);
+  Geometry<2>         &geometry = problem.geometry;
+  Vector<float>        indicators(geometry.triangulation.n_active_cells());
+  RefinementParameters parameters;
+  // Squares 16 in one quarter of the cells, 1 in the others: 16 / 19 of the sum.
+  unsigned int n_large = 0;
+  for (const auto &cell : geometry.triangulation.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        const bool large                      = cell->index() % 4 == 0;
+        indicators[cell->active_cell_index()] = large ? 4 * (1 + 1e-7 * cell->index()) : 1;
+        n_large += large;
+      }
+  const auto n_flags = [&]() {
+    unsigned int n = 0;
+    for (const auto &cell : geometry.triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->refine_flag_set())
+        {
+          ++n;
+          cell->clear_refine_flag();
+        }
+    return Utilities::MPI::sum(n, MPI_COMM_WORLD);
+  };
+  n_large = Utilities::MPI::sum(n_large, MPI_COMM_WORLD);
+
+  parameters.fraction = 0.7;
+  check::is_true(mark_cells(*problem.discretization, geometry, parameters, indicators),
+                 "something is marked");
+  check::is_close(n_flags(), n_large, 0, "Doerfler marking");
+  parameters.max_dofs = problem.discretization->dof_handler.n_dofs() + 5;
+  check::is_true(!mark_cells(*problem.discretization, geometry, parameters, indicators), "no DoFs left");
+  check::is_close(n_flags(), 0, 0, "marked without DoFs left", 1);
+  parameters.strategy = "uniform";
+  check::is_true(!mark_cells(*problem.discretization, geometry, parameters, indicators),
+                 "uniform: no DoFs left");
+  parameters.max_dofs = 1000000;
+  check::is_true(mark_cells(*problem.discretization, geometry, parameters, indicators), "uniform");
+  check::is_close(n_flags(), geometry.triangulation.n_global_active_cells(), 0, "uniform marking");
+}
+
+// A quadratic displacement is the same after the transfer.
+void
+test_transfer()
+{
+  const Scene    scene = block(Kind::plane_strain);
+  Problem<2>     problem(scene, 2, 0, true);
+  const Field<2> u([](const Point<2> &X) {
+    return Tensor<1, 2>({X[0] * X[0] - X[0] * X[1], 0.5 * X[1] * X[1]});
+  });
+  problem.set(u);
+  SolutionState state;
+  state.displacement = problem.displacement;
+  state.traction     = problem.displacement;
+  for (const auto &cell : problem.geometry.triangulation.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->center()[0] > 1.5)
+      cell->set_refine_flag();
+  problem.recovery.reset();
+  refine_and_transfer<2>(
+      *problem.discretization, problem.geometry, state, [&]() { problem.discretization->distribute_dofs(); });
+  problem.recovery = std::make_unique<StressRecovery<2>>(*problem.discretization, *problem.elasticity);
+  problem.set(u);
+  for (const LA::Vector *moved : {&state.displacement, &state.traction})
+    {
+      LA::Vector difference(problem.discretization->locally_owned, MPI_COMM_WORLD);
+      LA::Vector other(problem.discretization->locally_owned, MPI_COMM_WORLD);
+      difference = *moved;
+      other      = problem.displacement;
+      difference -= other;
+      check::is_close(difference.linfty_norm(), 0, 1e-12, "transferred field", 1);
+    }
+}
+
+int
+main(int argc, char **argv)
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  for (const bool local : {false, true})
+    {
+      for (const unsigned int degree : {1, 2})
+        for (const Kind kind : {Kind::plane_strain, Kind::plane_stress, Kind::axisymmetric})
+          test_constant_stress(kind, degree, local);
+      test_linear_stress<2>(Kind::plane_strain, local);
+      test_linear_stress<2>(Kind::plane_stress, local);
+      test_linear_stress<3>(Kind::three_dimensional, local);
+    }
+  test_smooth_field(1);
+  test_smooth_field(2);
+  test_marking();
+  test_transfer();
+  return check::result();
+}

@@ -1,0 +1,166 @@
+// Closed forms by name; the half-plane fields satisfy equilibrium, the law and the boundary condition on both
+// sides.
+#include <amontons/scene/half_plane_field.h>
+#include <amontons/scene/reference_solution.h>
+
+#include <check.h>
+
+using namespace Amontons;
+using dealii::SymmetricTensor;
+
+namespace
+{
+  Point<3>
+  moved(Point<3> p, const unsigned int i, const double h)
+  {
+    p[i] += h;
+    return p;
+  }
+
+  void
+  field(const int side, const bool plane_stress)
+  {
+    HalfPlaneField f;
+    f.material     = {7., .27};
+    f.force        = 1.7;
+    f.size         = 1.1;
+    f.shear        = .4;
+    f.stick        = .6;
+    f.centre       = Point<3>(.3, -.2, 0);
+    f.side         = side;
+    f.plane_stress = plane_stress;
+
+    const double h = 1e-5, G = 7. / 2 / 1.27;
+    const double lame = plane_stress ? 2 * G * .27 / (1 - .27) : 2 * G * .27 / (1 - 2 * .27);
+    for (const double x : {-2.7, -.8, -.4, .1, .3, .9, 1.4, 3.})
+      for (const double depth : {.02, .3, 1.5})
+        {
+          const Point<3>              p(x, -.2 + side * depth, 0);
+          const SymmetricTensor<2, 3> stress = f.stress(p);
+          Tensor<2, 2>                gradient;
+          for (unsigned int j = 0; j < 2; ++j)
+            {
+              const auto d = (f.displacement(moved(p, j, h)) - f.displacement(moved(p, j, -h))) / (2 * h);
+              for (unsigned int i = 0; i < 2; ++i)
+                gradient[i][j] = d[i];
+            }
+          for (unsigned int i = 0; i < 2; ++i)
+            {
+              double divergence = 0;
+              for (unsigned int j = 0; j < 2; ++j)
+                {
+                  divergence += (f.stress(moved(p, j, h))[i][j] - f.stress(moved(p, j, -h))[i][j]) / (2 * h);
+                  const double law =
+                      G * (gradient[i][j] + gradient[j][i]) + (i == j ? lame * trace(gradient) : 0);
+                  check::is_close(stress[i][j], law, 1e-8, "sigma = C eps(u)", 1);
+                }
+              check::is_close(divergence, 0, 1e-6, "div sigma", 1);
+            }
+        }
+    for (const double s : {-.9, -.2, 0., .7, 1.05})
+      {
+        const Point<3> p(.3 + s, -.2, 0);
+        const double   p0 = 2 * 1.7 / (dealii::numbers::PI * 1.1), r = .6 / 1.1;
+        const double   mu = .4 / (1 - r * r) / 1.7;
+        const double   q =
+            mu * p0 * (std::sqrt(1 - s * s / 1.21) - r * std::sqrt(std::max(0., 1 - s * s / .36)));
+        const auto t = f.stress(p) * Tensor<1, 3>({0., -1. * side, 0.}); // outward normal of the surface
+        check::is_close(
+            t[1], side * p0 * std::sqrt(1 - s * s / 1.21), 1e-12, "pressure pushes into the body", 1);
+        check::is_close(t[0], q, 1e-12, "shear traction in +x", 1);
+      }
+    check::is_close(f.displacement(f.centre).norm(), 0, 1e-14, "zero at the centre", 1);
+  }
+
+  void
+  box()
+  {
+    Scene scene;
+    for (const char *const name : {"below", "above"})
+      {
+        BodyData body;
+        body.name     = name;
+        body.lower    = body.name == "below" ? Point<3>(-4, -4, 0) : Point<3>(-4, 0, 0);
+        body.upper    = body.name == "below" ? Point<3>(4, 0, 0) : Point<3>(4, 4, 0);
+        body.material = {1, .3};
+        scene.bodies.push_back(body);
+      }
+    const FieldData data{
+        "half_plane_box", {{"a", 1}, {"R", 50}, {"E1", 1}, {"nu1", .3}, {"E2", 1}, {"nu2", .3}}, {}};
+    const auto s = make_reference_solution(data, scene);
+    check::is_close(*s.normal_force, 8.630749e-3, 1e-6, "P");
+    check::is_close(s.pressure(.6), .8 * 5.494505e-3, 1e-6, "p(0.6)");
+    for (const double y : {0., 1e-16, -1e-16}) // gap x^2/(2R) closes inside of the contact
+      {
+        const Point<3> p(.5, y, 0);
+        check::is_close(
+            s.displacement("above", p)[1] - s.displacement("below", p)[1] + .25 / 100, 0, 1e-15, "closed", 1);
+        check::is_close(s.stress("above", p)[1][1], -s.pressure(.5), 1e-12, "surface stress");
+      }
+    const FieldData boundary{"halfplane_elliptic", {{"P", *s.normal_force}, {"a", 1}, {"side", 1}}, {}};
+    const Point<3>  p(4, 2, 0);
+    check::is_close((make_displacement_field(boundary, {1, .3})(p) - s.displacement("above", p)).norm(),
+                    0,
+                    1e-15,
+                    "field",
+                    1);
+  }
+
+  std::string
+  message(const FieldData &data)
+  {
+    try
+      {
+        make_reference_solution(data, Scene());
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+
+  void
+  messages()
+  {
+    const auto contains = [](const std::string &text, const std::string &part) {
+      check::is_true(text.find(part) != std::string::npos, "'" + text + "' contains '" + part + "'");
+    };
+    const Where where{"a.prm", 7, "Reference/Solution"};
+    contains(message({"hertz_lin", {}, where}), "did you mean 'hertz_line'");
+    contains(message({"hertz_line", {{"P", 1}}, where}), "a.prm:7");
+    contains(message({"hertz_line", {{"P", 1}}, where}), "'R' is missing");
+    contains(message({"uniform", {{"p", 1}, {"widht", 1}}, where}), "did you mean 'width'");
+    contains(message({"hertz_line", {{"P", 1}, {"R", -1}, {"E1", 1}, {"nu1", 0}}, where}), "R = -1");
+    contains(message({"hertz_line", {{"P", 1}, {"R", 1}, {"E1", 1}, {"nu1", 0}, {"E2", 1}}, where}), "nu2");
+  }
+} // namespace
+
+int
+main()
+{
+  for (const int side : {-1, 1})
+    for (const bool plane_stress : {false, true})
+      field(side, plane_stress);
+  box();
+  messages();
+
+  Scene      plane;
+  const auto cone =
+      make_reference_solution({"cone", {{"P", 1000}, {"flank", 5}, {"E", 200e3}, {"nu", .3}}, {}}, plane);
+  check::is_close(*cone.contact_size, .1819575, 1e-6, "cone");
+  const auto fit = make_reference_solution({"shrink_fit_cylinders",
+                                            {{"ri", 20},
+                                             {"rc", 40},
+                                             {"ro", 60},
+                                             {"Ei", 210e3},
+                                             {"nui", .3},
+                                             {"Eo", 70e3},
+                                             {"nuo", .33},
+                                             {"delta", .02}},
+                                            {}},
+                                           plane);
+  check::is_close(fit.pressure(40), 11.177411, 1e-7, "shrink fit");
+  check::is_true(reference_solution_names().size() == 12, "names");
+  return check::result();
+}

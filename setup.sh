@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-packages=(g++ cmake ninja-build ccache libdeal.ii-dev gmsh libopenblas0-pthread numdiff gnuplot-nox python3)
+packages=(g++ cmake ninja-build libdeal.ii-dev gmsh libopenblas0-pthread numdiff gnuplot-nox python3)
 missing=()
 for package in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")

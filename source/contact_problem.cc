@@ -1,6 +1,5 @@
 #include <amontons/contact/surface_fields.h>
 #include <amontons/contact_problem.h>
-#include <amontons/elasticity/loads.h>
 #include <amontons/output/files.h>
 #include <amontons/output/history.h>
 #include <amontons/output/probes.h>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <amontons/adaptivity/mesh_refinement.h>
+#include <amontons/elasticity/loads.h>
 #include <amontons/output/contact_csv.h>
 #include <amontons/output/quantities.h>
 #include <amontons/output/terminal.h>

@@ -114,7 +114,9 @@ namespace Amontons
                           slave.faces[f].nodes.end(),
                           [&](const unsigned int i) { return has_row[i]; }))
             face_squares[f] = add_slave_face(interface, fields, f);
-        face_squares = Utilities::MPI::sum(face_squares, discretization.geometry.communicator);
+        Utilities::MPI::sum(make_array_view(std::as_const(face_squares)),
+                            discretization.geometry.communicator,
+                            make_array_view(face_squares));
         if (interface.master_surface)
           add_masters(interface, face_squares);
       }

@@ -66,17 +66,18 @@ namespace Amontons
       const std::string full_turn = kind == Kind::axisymmetric ? ", full turn" : "";
       lines.emplace_back("pair " + pair.name, "");
       lines.emplace_back("  normal force",
-                         short_number(norm(pair.normal_force)) + "   " + vector_text(pair.normal_force) + full_turn);
+                         short_number(norm(pair.normal_force)) + "   " + vector_text(pair.normal_force) +
+                             full_turn);
       if (norm(pair.tangential_force) > 1e-12 * norm(pair.normal_force))
         lines.emplace_back("  tangential force", vector_text(pair.tangential_force) + full_turn);
       lines.emplace_back("  peak pressure", short_number(pair.peak_pressure));
-      lines.emplace_back(kind == Kind::three_dimensional || kind == Kind::axisymmetric ?
-                           "  contact radius" :
-                           "  contact half-width",
+      lines.emplace_back(kind == Kind::three_dimensional || kind == Kind::axisymmetric
+                             ? "  contact radius"
+                             : "  contact half-width",
                          short_number(pair.contact_size) + "   (of the Hertz pressure with the same spread)");
       lines.emplace_back("  nodes",
                          std::to_string(pair.n_open) + " open, " + std::to_string(pair.n_stick) + " stick, " +
-                           std::to_string(pair.n_slip) + " slip");
+                             std::to_string(pair.n_slip) + " slip");
     }
 
     void
@@ -88,7 +89,8 @@ namespace Amontons
           std::string text  = percent(error);
           const auto  value = reference.values.find(name);
           if (value != reference.values.end())
-            text += "   (" + short_number(value->second[0]) + ", exact " + short_number(value->second[1]) + ")";
+            text +=
+                "   (" + short_number(value->second[0]) + ", exact " + short_number(value->second[1]) + ")";
           lines.emplace_back("  error of " + name, text);
         }
     }
@@ -107,8 +109,8 @@ namespace Amontons
   std::string
   describe_scene(const Scene &scene, const unsigned int n_ranks)
   {
-    std::string text = (scene.title.empty() ? scene.file : scene.title) + ": " + kind_name(scene.kind) + ", " +
-                       count(scene.bodies.size(), "body", "bodies") + " - ";
+    std::string text = (scene.title.empty() ? scene.file : scene.title) + ": " + kind_name(scene.kind) +
+                       ", " + count(scene.bodies.size(), "body", "bodies") + " - ";
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
       text += (b == 0 ? "" : ", ") + body_text(scene.bodies[b]);
     for (const ObstacleData &obstacle : scene.obstacles)

@@ -29,10 +29,7 @@ namespace Amontons
     {
     public:
       CurveWalk(const std::size_t n_nodes, const std::vector<std::vector<unsigned int>> &faces)
-        : faces(faces)
-        , faces_at(n_nodes)
-        , done(faces.size(), false)
-        , listed(n_nodes, false)
+          : faces(faces), faces_at(n_nodes), done(faces.size(), false), listed(n_nodes, false)
       {
         for (unsigned int f = 0; f < faces.size(); ++f)
           for (const unsigned int end : {faces[f].front(), faces[f].back()})
@@ -51,10 +48,9 @@ namespace Amontons
       {
         for (;;)
           {
-            const auto next =
-              std::find_if(faces_at[node].begin(), faces_at[node].end(), [this](const unsigned int f) {
-                return !done[f];
-              });
+            const auto next = std::find_if(faces_at[node].begin(),
+                                           faces_at[node].end(),
+                                           [this](const unsigned int f) { return !done[f]; });
             if (next == faces_at[node].end())
               return;
             done[*next]                     = true;
@@ -152,7 +148,7 @@ namespace Amontons
             table.push_back(make_node(interfaces[p], fields[p], i));
             if (dim == 2 && table.size() > first + 1)
               table.back().arc =
-                table[table.size() - 2].arc + table.back().X.distance(table[table.size() - 2].X);
+                  table[table.size() - 2].arc + table.back().X.distance(table[table.size() - 2].X);
           }
       }
     return table;
@@ -175,12 +171,12 @@ namespace Amontons
     write_file(file, text);
   }
 
-  template std::vector<unsigned int> order_along_surface(const std::vector<Point<2>> &,
-                                                         const std::vector<std::vector<unsigned int>> &);
-  template std::vector<unsigned int> order_along_surface(const std::vector<Point<3>> &,
-                                                         const std::vector<std::vector<unsigned int>> &);
-  template std::vector<ContactNode>  contact_table(const std::vector<ContactInterface<2>> &,
-                                                  const std::vector<SurfaceFields<2>> &);
-  template std::vector<ContactNode>  contact_table(const std::vector<ContactInterface<3>> &,
-                                                  const std::vector<SurfaceFields<3>> &);
+  template std::vector<unsigned int>
+  order_along_surface(const std::vector<Point<2>> &, const std::vector<std::vector<unsigned int>> &);
+  template std::vector<unsigned int>
+  order_along_surface(const std::vector<Point<3>> &, const std::vector<std::vector<unsigned int>> &);
+  template std::vector<ContactNode>
+  contact_table(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &);
+  template std::vector<ContactNode>
+  contact_table(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &);
 } // namespace Amontons

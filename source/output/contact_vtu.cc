@@ -14,9 +14,9 @@ namespace Amontons
     struct SurfaceArrays
     {
       std::vector<double> gap;
-      std::string  points, connectivity, offsets, types;
-      std::string  pressure, traction, state, slip, normal, displacement, pair;
-      unsigned int n_points = 0, n_cells = 0;
+      std::string         points, connectivity, offsets, types;
+      std::string         pressure, traction, state, slip, normal, displacement, pair;
+      unsigned int        n_points = 0, n_cells = 0;
     };
 
     std::string
@@ -37,10 +37,10 @@ namespace Amontons
 
     template <int dim>
     void
-    add_nodes(SurfaceArrays               &arrays,
-              const ContactSurface<dim>   &surface,
-              const SurfaceFields<dim>    &fields,
-              const unsigned int           pair)
+    add_nodes(SurfaceArrays             &arrays,
+              const ContactSurface<dim> &surface,
+              const SurfaceFields<dim>  &fields,
+              const unsigned int         pair)
     {
       for (unsigned int i = 0; i < surface.nodes.size(); ++i)
         {
@@ -59,7 +59,10 @@ namespace Amontons
     // Corners of one piece of a face, in VTK's order; i, j: its place among degree^(dim-1) pieces.
     template <int dim>
     std::vector<unsigned int>
-    corners(const SurfaceFace<dim> &face, const unsigned int degree, const unsigned int i, const unsigned int j)
+    corners(const SurfaceFace<dim> &face,
+            const unsigned int      degree,
+            const unsigned int      i,
+            const unsigned int      j)
     {
       if (dim == 2)
         return {face.nodes[i], face.nodes[i + 1]};
@@ -85,7 +88,10 @@ namespace Amontons
     }
 
     std::string
-    data_array(const std::string &name, const std::string &type, const unsigned int n, const std::string &data)
+    data_array(const std::string &name,
+               const std::string &type,
+               const unsigned int n,
+               const std::string &data)
     {
       return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
              std::to_string(n) + "\" format=\"ascii\">\n" + data + "\n</DataArray>\n";
@@ -108,13 +114,15 @@ namespace Amontons
     vtu_text(const SurfaceArrays &arrays)
     {
       const std::string real = "Float64", integer = "Int32";
-      return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
+      return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+             "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
              "<Piece NumberOfPoints=\"" +
              std::to_string(arrays.n_points) + "\" NumberOfCells=\"" + std::to_string(arrays.n_cells) +
              "\">\n<Points>\n" + data_array("Points", real, 3, arrays.points) + "</Points>\n<Cells>\n" +
              data_array("connectivity", integer, 1, arrays.connectivity) +
-             data_array("offsets", integer, 1, arrays.offsets) + data_array("types", "UInt8", 1, arrays.types) +
-             "</Cells>\n<PointData>\n" + data_array("pressure", real, 1, arrays.pressure) +
+             data_array("offsets", integer, 1, arrays.offsets) +
+             data_array("types", "UInt8", 1, arrays.types) + "</Cells>\n<PointData>\n" +
+             data_array("pressure", real, 1, arrays.pressure) +
              data_array("traction", real, 3, arrays.traction) + binary_array("gap", arrays.gap) +
              data_array("state", integer, 1, arrays.state) + data_array("slip", real, 3, arrays.slip) +
              data_array("normal", real, 3, arrays.normal) +
@@ -139,8 +147,8 @@ namespace Amontons
     return vtu_text(arrays);
   }
 
-  template std::string contact_vtu(const std::vector<ContactInterface<2>> &,
-                                   const std::vector<SurfaceFields<2>> &);
-  template std::string contact_vtu(const std::vector<ContactInterface<3>> &,
-                                   const std::vector<SurfaceFields<3>> &);
+  template std::string
+  contact_vtu(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &);
+  template std::string
+  contact_vtu(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &);
 } // namespace Amontons

@@ -35,7 +35,8 @@ namespace Amontons
     if (!stream.good() || std::rename(aside.c_str(), file.c_str()) != 0)
       {
         std::remove(aside.c_str());
-        throw InputError({file, 0, ""}, "cannot write this file", "an output folder with space that you may write to");
+        throw InputError(
+            {file, 0, ""}, "cannot write this file", "an output folder with space that you may write to");
       }
   }
 

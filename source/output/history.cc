@@ -37,7 +37,7 @@ namespace Amontons
         {
           const ProbePoint &point = probe.points[i];
           const std::string name =
-            probe.name + (probe.points.size() > 1 ? "[" + std::to_string(i) + "]" : std::string());
+              probe.name + (probe.points.size() > 1 ? "[" + std::to_string(i) + "]" : std::string());
           add_vector(row, name + ".u_", axis_names(kind), point.displacement);
           add_vector(row, name + ".stress_", stress_names(kind), point.stress);
           row.emplace_back(name + ".von_mises", point.von_mises);

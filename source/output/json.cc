@@ -44,17 +44,11 @@ namespace Amontons
     return text;
   }
 
-  Json::Json(const double number)
-    : scalar(std::isfinite(number) ? number_text(number) : "null")
-  {}
+  Json::Json(const double number) : scalar(std::isfinite(number) ? number_text(number) : "null") {}
 
-  Json::Json(const std::string &text)
-    : scalar(quoted(text))
-  {}
+  Json::Json(const std::string &text) : scalar(quoted(text)) {}
 
-  Json::Json(const char *text)
-    : scalar(quoted(text))
-  {}
+  Json::Json(const char *text) : scalar(quoted(text)) {}
 
   Json
   Json::object()

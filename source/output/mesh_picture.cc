@@ -30,15 +30,11 @@ namespace Amontons
               const StressRecovery<2> &recovery,
               const LA::Vector        &displacement)
     {
-      const Quadrature<2>         points = outline_points(discretization.fe.degree);
-      FEValues<2>                 values(discretization.mapping,
-                         discretization.fe,
-                         points,
-                         update_values | update_quadrature_points);
-      FEValues<2>                 stress_values(discretization.mapping,
-                                recovery.dof_handler().get_fe(),
-                                points,
-                                update_values);
+      const Quadrature<2> points = outline_points(discretization.fe.degree);
+      FEValues<2>         values(
+          discretization.mapping, discretization.fe, points, update_values | update_quadrature_points);
+      FEValues<2> stress_values(
+          discretization.mapping, recovery.dof_handler().get_fe(), points, update_values);
       std::vector<Vector<double>> u(points.size(), Vector<double>(2));
 
       MeshPicture picture;
@@ -48,10 +44,10 @@ namespace Amontons
             values.reinit(cell);
             values.get_function_values(displacement, u);
             stress_values.reinit(
-              DoFHandler<2>::active_cell_iterator(&recovery.dof_handler().get_triangulation(),
-                                                  cell->level(),
-                                                  cell->index(),
-                                                  &recovery.dof_handler()));
+                DoFHandler<2>::active_cell_iterator(&recovery.dof_handler().get_triangulation(),
+                                                    cell->level(),
+                                                    cell->index(),
+                                                    &recovery.dof_handler()));
             CellPicture result;
             for (unsigned int q = 0; q + 1 < points.size(); ++q)
               for (unsigned int d = 0; d < 2; ++d)
@@ -69,9 +65,8 @@ namespace Amontons
                       const StressRecovery<2> &recovery,
                       const LA::Vector        &displacement)
   {
-    std::vector<MeshPicture> parts =
-      Utilities::MPI::gather(discretization.geometry.communicator,
-                             own_cells(discretization, recovery, displacement));
+    std::vector<MeshPicture> parts = Utilities::MPI::gather(
+        discretization.geometry.communicator, own_cells(discretization, recovery, displacement));
     MeshPicture picture;
     for (MeshPicture &part : parts)
       std::move(part.begin(), part.end(), std::back_inserter(picture));

@@ -25,9 +25,6 @@ namespace Amontons
              const typename DoFHandler<dim>::active_cell_iterator &cell,
              Location<dim>                                        &location)
     {
-      if (location.distance == 0 ||
-          !cell->bounding_box().create_extended(0.3 * cell->diameter()).point_inside(location.X))
-        return;
       try
         {
           const Point<dim> unit      = mapping.transform_real_to_unit_cell(cell, location.X);
@@ -43,7 +40,8 @@ namespace Amontons
             }
         }
       catch (const typename Mapping<dim>::ExcTransformationFailed &)
-        {}
+        {
+        }
     }
 
     template <int dim>
@@ -59,8 +57,13 @@ namespace Amontons
           }
       for (const auto &cell : discretization.dof_handler.active_cell_iterators())
         if (cell->is_locally_owned() && cell->material_id() == body)
-          for (Location<dim> &location : locations)
-            try_cell(discretization.mapping, cell, location);
+          {
+            BoundingBox<dim> box = cell->bounding_box(); // of the vertices
+            box.extend(0.3 * cell->diameter());
+            for (Location<dim> &location : locations)
+              if (location.distance > 0 && box.point_inside(location.X))
+                try_cell(discretization.mapping, cell, location);
+          }
       return locations;
     }
 
@@ -97,15 +100,13 @@ namespace Amontons
       std::vector<Vector<double>> u(1, Vector<double>(dim));
       values.get_function_values(displacement, u);
 
-      FEValues<dim> stress_values(discretization.mapping,
-                                  recovery.dof_handler().get_fe(),
-                                  point,
-                                  update_values);
-      stress_values.reinit(typename DoFHandler<dim>::active_cell_iterator(
-        &recovery.dof_handler().get_triangulation(),
-        location.cell->level(),
-        location.cell->index(),
-        &recovery.dof_handler()));
+      FEValues<dim> stress_values(
+          discretization.mapping, recovery.dof_handler().get_fe(), point, update_values);
+      stress_values.reinit(
+          typename DoFHandler<dim>::active_cell_iterator(&recovery.dof_handler().get_triangulation(),
+                                                         location.cell->level(),
+                                                         location.cell->index(),
+                                                         &recovery.dof_handler()));
       const Voigt<dim> stress = recovery.values_at(stress_values)[0];
 
       std::vector<double> result(u[0].begin(), u[0].end());
@@ -151,18 +152,19 @@ namespace Amontons
       while (body < bodies.size() && bodies[body].name != probe.body)
         ++body;
 
-      const MPI_Comm                  communicator = discretization.geometry.communicator;
-      const unsigned int              rank         = Utilities::MPI::this_mpi_process(communicator);
-      const unsigned int              n_ranks      = Utilities::MPI::n_mpi_processes(communicator);
-      const std::vector<Location<dim>> locations   = locate(discretization, probe, body);
-      const std::vector<unsigned int> ranks        = choose_ranks(locations, communicator);
+      const MPI_Comm                   communicator = discretization.geometry.communicator;
+      const unsigned int               rank         = Utilities::MPI::this_mpi_process(communicator);
+      const unsigned int               n_ranks      = Utilities::MPI::n_mpi_processes(communicator);
+      const std::vector<Location<dim>> locations    = locate(discretization, probe, body);
+      const std::vector<unsigned int>  ranks        = choose_ranks(locations, communicator);
 
       constexpr unsigned int n = dim + n_voigt<dim>;
       std::vector<double>    mine(n * locations.size(), 0.), all(mine.size());
       for (std::size_t i = 0; i < locations.size(); ++i)
         if (ranks[i] == rank)
           {
-            const std::vector<double> values = values_at(discretization, recovery, displacement, locations[i]);
+            const std::vector<double> values =
+                values_at(discretization, recovery, displacement, locations[i]);
             std::copy(values.begin(), values.end(), mine.begin() + n * i);
           }
       Utilities::MPI::sum(mine, communicator, all);
@@ -193,7 +195,13 @@ namespace Amontons
   }
 
   template std::vector<ProbeSummary>
-  evaluate_probes(const Discretization<2> &, const StressRecovery<2> &, const LA::Vector &, std::vector<std::string> &);
+  evaluate_probes(const Discretization<2> &,
+                  const StressRecovery<2> &,
+                  const LA::Vector &,
+                  std::vector<std::string> &);
   template std::vector<ProbeSummary>
-  evaluate_probes(const Discretization<3> &, const StressRecovery<3> &, const LA::Vector &, std::vector<std::string> &);
+  evaluate_probes(const Discretization<3> &,
+                  const StressRecovery<3> &,
+                  const LA::Vector &,
+                  std::vector<std::string> &);
 } // namespace Amontons

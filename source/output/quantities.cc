@@ -22,7 +22,10 @@ namespace Amontons
       const auto                                   &fe   = discretization.fe;
       const auto                                   &base = fe.base_element(0);
       std::vector<types::global_dof_index>          dofs(fe.n_dofs_per_cell());
-      FEValues<dim> values(discretization.mapping, fe, Quadrature<dim>(base.get_unit_support_points()), update_quadrature_points);
+      FEValues<dim>                                 values(discretization.mapping,
+                           fe,
+                           Quadrature<dim>(base.get_unit_support_points()),
+                           update_quadrature_points);
       for (const auto &cell : discretization.dof_handler.active_cell_iterators())
         if (!cell->is_artificial() && discretization.is_deformable(cell->material_id()))
           {
@@ -38,7 +41,8 @@ namespace Amontons
       return places;
     }
 
-    // Contact force on every DoF of slave and master: -+ weight area lambda with lambda = p normal (or the tied traction).
+    // Contact force on every DoF of slave and master: -+ weight area lambda with lambda = p normal (or the
+    // tied traction).
     template <int dim>
     std::map<types::global_dof_index, double>
     contact_forces(const Answer<dim> &answer)
@@ -79,13 +83,13 @@ namespace Amontons
     std::map<types::global_dof_index, double>
     support_forces(const Answer<dim> &answer, const std::map<types::global_dof_index, Place<dim>> &places)
     {
-      const LA::Vector internal = answer.elasticity.apply(answer.state.displacement);
-      const auto       contact  = contact_forces(answer);
+      const LA::Vector                          internal = answer.elasticity.apply(answer.state.displacement);
+      const auto                                contact  = contact_forces(answer);
       std::map<types::global_dof_index, double> result;
       for (const auto &entry : places)
         {
-          const auto   dof   = entry.first;
-          const auto   found = contact.find(dof);
+          const auto dof   = entry.first;
+          const auto found = contact.find(dof);
           result[dof] = internal(dof) - answer.loads(dof) - (found == contact.end() ? 0. : found->second);
         }
       return result;
@@ -134,7 +138,8 @@ namespace Amontons
     for (const auto &condition : discretization.scene.conditions)
       {
         using Type = ConditionData::Type;
-        if (condition.type != Type::displacement && condition.type != Type::symmetry && condition.type != Type::platen)
+        if (condition.type != Type::displacement && condition.type != Type::symmetry &&
+            condition.type != Type::platen)
           continue;
         for (const auto &name : condition.boundaries)
           {
@@ -190,16 +195,16 @@ namespace Amontons
                    const ReferenceSolution     &reference,
                    const Kind                   kind)
     {
-      const auto           &slave = *interface.slave;
+      const auto              &slave = *interface.slave;
       const QIterated<dim - 1> quadrature(QGauss<1>(3), dim == 2 ? 12 : 4);
-      double                difference = 0, norm = 0;
+      double                   difference = 0, norm = 0;
       for (unsigned int f = 0; f < slave.faces.size(); ++f)
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
-            const auto  &xi = quadrature.point(q);
-            const auto   X  = slave.position(f, xi);
-            double       jacobian;
-            const auto   n = slave.face_normal(f, xi, &jacobian);
+            const auto    &xi = quadrature.point(q);
+            const auto     X  = slave.position(f, xi);
+            double         jacobian;
+            const auto     n = slave.face_normal(f, xi, &jacobian);
             Tensor<1, dim> d;
             for (unsigned int k = 0; k < dim; ++k)
               d[k] = X[k] - reference.centre[k];
@@ -225,14 +230,15 @@ namespace Amontons
       return q;
     }
 
-    // Norms of the displacement error (rigid motions included) and, if the stress is known, of the stress error in the energy norm.
+    // Norms of the displacement error (rigid motions included) and, if the stress is known, of the stress
+    // error in the energy norm.
     template <int dim>
     void
     compare_fields(const Answer<dim> &answer, const ReferenceSolution &reference, ReferenceSummary &summary)
     {
-      const auto   &discretization = answer.discretization;
-      const Scene  &scene          = discretization.scene;
-      FEValues<dim> values(discretization.mapping,
+      const auto                      &discretization = answer.discretization;
+      const Scene                     &scene          = discretization.scene;
+      FEValues<dim>                    values(discretization.mapping,
                            discretization.fe,
                            QGauss<dim>(discretization.fe.degree + 2),
                            ElasticityOperator<dim>::needed_flags());
@@ -267,8 +273,9 @@ namespace Amontons
                     Point<3> forward = X, backward = X;
                     forward[d] += step;
                     backward[d] -= step;
-                    const auto derivative =
-                      (reference.displacement(body.name, forward) - reference.displacement(body.name, backward)) / (2 * step);
+                    const auto derivative = (reference.displacement(body.name, forward) -
+                                             reference.displacement(body.name, backward)) /
+                                            (2 * step);
                     for (unsigned int c = 0; c < dim; ++c)
                       {
                         sums[2] += weight * std::pow(gradient[q][c][d] - derivative[c], 2);
@@ -278,11 +285,14 @@ namespace Amontons
                 if (reference.stress)
                   {
                     const auto s = reference.stress(body.name, X);
-                    // 2 x energy density: (1+nu)/E s:s - nu/E tr(s)^2, with the out-of-plane stress of plane strain
-                    const auto density = [&](const double xx, const double yy, const double zz, const double xy) {
-                      const double trace = xx + yy + zz;
-                      return (1 + nu) / E * (xx * xx + yy * yy + zz * zz + 2 * xy * xy) - nu / E * trace * trace;
-                    };
+                    // 2 x energy density: (1+nu)/E s:s - nu/E tr(s)^2, with the out-of-plane stress of plane
+                    // strain
+                    const auto density =
+                        [&](const double xx, const double yy, const double zz, const double xy) {
+                          const double trace = xx + yy + zz;
+                          return (1 + nu) / E * (xx * xx + yy * yy + zz * zz + 2 * xy * xy) -
+                                 nu / E * trace * trace;
+                        };
                     if (dim == 2)
                       {
                         sums[4] += weight * density(stress[q][0] - s[0][0],
@@ -314,13 +324,17 @@ namespace Amontons
         i = k;
     const auto &fields = answer.fields.at(i);
     if (reference.normal_force)
-      add_value(summary, "normal_force", fields.symmetry_factor * fields.normal_force.norm(), *reference.normal_force);
+      add_value(summary,
+                "normal_force",
+                fields.symmetry_factor * fields.normal_force.norm(),
+                *reference.normal_force);
     if (reference.contact_size)
       add_value(summary, "contact_size", fields.contact_size, *reference.contact_size);
     if (reference.peak_pressure)
       {
         add_value(summary, "nodal_peak_pressure", fields.peak_pressure, *reference.peak_pressure);
-        // Peak from the force and size: 2P/(pi a) in the plane, 3P/(2 pi a^2) for points; the nodal peak of Q1 is only O(h).
+        // Peak from the force and size: 2P/(pi a) in the plane, 3P/(2 pi a^2) for points; the nodal peak of
+        // Q1 is only O(h).
         const double P = fields.symmetry_factor * fields.normal_force.norm(), a = fields.contact_size;
         if (reference.contact_size && a > 0)
           {
@@ -333,7 +347,7 @@ namespace Amontons
       }
     if (reference.pressure)
       summary.errors["pressure_l2"] =
-        pressure_error(answer.interfaces[i], fields, reference, answer.discretization.scene.kind);
+          pressure_error(answer.interfaces[i], fields, reference, answer.discretization.scene.kind);
     if (reference.displacement)
       compare_fields(answer, reference, summary);
     return summary;
@@ -344,7 +358,7 @@ namespace Amontons
   check_physics(const Answer<dim> &answer)
   {
     std::map<std::string, double> checks;
-    double penetration = 0, tension = 0, complementarity = 0;
+    double                        penetration = 0, tension = 0, complementarity = 0;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       {
         if (answer.interfaces[i].pair->tied)
@@ -368,7 +382,8 @@ namespace Amontons
     checks["tension"]         = tension;
     checks["complementarity"] = complementarity;
 
-    // By body: the supports' forces are what is missing for equilibrium on constrained DoFs; elsewhere nothing may be missing.
+    // By body: the supports' forces are what is missing for equilibrium on constrained DoFs; elsewhere
+    // nothing may be missing.
     const auto          places = locate_dofs(answer.discretization);
     const auto          forces = support_forces(answer, places);
     std::vector<double> sums(2, 0.);
@@ -393,9 +408,14 @@ namespace Amontons
     return checks;
   }
 
-  template std::vector<PairSummary>       summarize_pairs(const Answer<2> &);
-  template double                         stored_energy(const Answer<2> &);
-  template std::vector<ReactionSummary>   compute_reactions(const Answer<2> &);
-  template ReferenceSummary               compare(const Answer<2> &, const ReferenceData &, const ReferenceSolution &);
-  template std::map<std::string, double>  check_physics(const Answer<2> &);
+  template std::vector<PairSummary>
+  summarize_pairs(const Answer<2> &);
+  template double
+  stored_energy(const Answer<2> &);
+  template std::vector<ReactionSummary>
+  compute_reactions(const Answer<2> &);
+  template ReferenceSummary
+  compare(const Answer<2> &, const ReferenceData &, const ReferenceSolution &);
+  template std::map<std::string, double>
+  check_physics(const Answer<2> &);
 } // namespace Amontons

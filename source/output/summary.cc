@@ -35,50 +35,50 @@ namespace Amontons
       for (const auto &[name, pair] : reference.values)
         values.add(name, std::vector<double>{pair[0], pair[1]});
       return Json::object()
-        .add("closed_form", reference.closed_form)
-        .add("errors", to_json(reference.errors))
-        .add("values", values);
+          .add("closed_form", reference.closed_form)
+          .add("errors", to_json(reference.errors))
+          .add("values", values);
     }
 
     Json
     to_json(const PairSummary &pair)
     {
       return Json::object()
-        .add("name", pair.name)
-        .add("normal_force", pair.normal_force)
-        .add("tangential_force", pair.tangential_force)
-        .add("peak_pressure", pair.peak_pressure)
-        .add("contact_size", pair.contact_size)
-        .add("centre", pair.centre)
-        .add("n_open", pair.n_open)
-        .add("n_stick", pair.n_stick)
-        .add("n_slip", pair.n_slip)
-        .add("n_without_multiplier", pair.n_without_multiplier);
+          .add("name", pair.name)
+          .add("normal_force", pair.normal_force)
+          .add("tangential_force", pair.tangential_force)
+          .add("peak_pressure", pair.peak_pressure)
+          .add("contact_size", pair.contact_size)
+          .add("centre", pair.centre)
+          .add("n_open", pair.n_open)
+          .add("n_stick", pair.n_stick)
+          .add("n_slip", pair.n_slip)
+          .add("n_without_multiplier", pair.n_without_multiplier);
     }
 
     Json
     to_json(const NewtonSummary &newton)
     {
       return Json::object()
-        .add("increment", newton.increment)
-        .add("mesh", newton.mesh)
-        .add("dofs", newton.dofs)
-        .add("cells", newton.cells)
-        .add("iterations", newton.iterations)
-        .add("active_set_changes", newton.active_set_changes)
-        .add("krylov_iterations", newton.krylov_iterations)
-        .add("residual", newton.residual)
-        .add("residuals", newton.residuals);
+          .add("increment", newton.increment)
+          .add("mesh", newton.mesh)
+          .add("dofs", newton.dofs)
+          .add("cells", newton.cells)
+          .add("iterations", newton.iterations)
+          .add("active_set_changes", newton.active_set_changes)
+          .add("krylov_iterations", newton.krylov_iterations)
+          .add("residual", newton.residual)
+          .add("residuals", newton.residuals);
     }
 
     Json
     to_json(const ReactionSummary &reaction)
     {
       return Json::object()
-        .add("condition", reaction.condition)
-        .add("boundary", reaction.boundary)
-        .add("force", reaction.force)
-        .add("moment", reaction.moment);
+          .add("condition", reaction.condition)
+          .add("boundary", reaction.boundary)
+          .add("force", reaction.force)
+          .add("moment", reaction.moment);
     }
 
     Json
@@ -91,8 +91,8 @@ namespace Amontons
       for (std::size_t i = 0; i < point.stress.size(); ++i)
         stress.add(names[i], point.stress[i]);
       return json.add("displacement", point.displacement)
-        .add("stress", stress)
-        .add("von_mises", point.von_mises);
+          .add("stress", stress)
+          .add("von_mises", point.von_mises);
     }
 
     Json
@@ -131,15 +131,15 @@ namespace Amontons
     {
       Json json = Json::object();
       json.add("increment", mesh.increment)
-        .add("mesh", mesh.mesh)
-        .add("t", mesh.t)
-        .add("cells", mesh.cells)
-        .add("dofs", mesh.dofs)
-        .add("iterations", mesh.iterations)
-        .add("seconds", mesh.seconds)
-        .add("error_estimate", to_json(mesh.error_estimate))
-        .add("pairs", list(mesh.pairs))
-        .add("energy", mesh.energy);
+          .add("mesh", mesh.mesh)
+          .add("t", mesh.t)
+          .add("cells", mesh.cells)
+          .add("dofs", mesh.dofs)
+          .add("iterations", mesh.iterations)
+          .add("seconds", mesh.seconds)
+          .add("error_estimate", to_json(mesh.error_estimate))
+          .add("pairs", list(mesh.pairs))
+          .add("energy", mesh.energy);
       if (mesh.external_work)
         json.add("external_work", *mesh.external_work);
       if (mesh.reference)
@@ -151,30 +151,30 @@ namespace Amontons
     add_head(Json &json, const RunSummary &summary)
     {
       json.add("status", summary.status)
-        .add("message", summary.message)
-        .add("scene", summary.scene)
-        .add("title", summary.title)
-        .add("dimension", dimension_of(summary.kind))
-        .add("kind", kind_name(summary.kind))
-        .add("dofs", summary.dofs)
-        .add("cells", summary.cells)
-        .add("ranks", summary.ranks)
-        .add("wall_seconds", summary.wall_seconds)
-        .add("timing", to_json(summary.timing))
-        .add("one_linear_solve_seconds", summary.one_linear_solve_seconds)
-        .add("finest_mesh_seconds", summary.finest_mesh_seconds);
+          .add("message", summary.message)
+          .add("scene", summary.scene)
+          .add("title", summary.title)
+          .add("dimension", dimension_of(summary.kind))
+          .add("kind", kind_name(summary.kind))
+          .add("dofs", summary.dofs)
+          .add("cells", summary.cells)
+          .add("ranks", summary.ranks)
+          .add("wall_seconds", summary.wall_seconds)
+          .add("timing", to_json(summary.timing))
+          .add("one_linear_solve_seconds", summary.one_linear_solve_seconds)
+          .add("finest_mesh_seconds", summary.finest_mesh_seconds);
     }
 
     void
     add_answer(Json &json, const RunSummary &summary)
     {
       json.add("newton", list(summary.newton))
-        .add("meshes", list(summary.meshes))
-        .add("pairs", list(summary.pairs))
-        .add("energy", summary.energy)
-        .add("error_estimate", to_json(summary.error_estimate))
-        .add("reactions", list(summary.reactions))
-        .add("probes", list(summary.probes, summary.kind));
+          .add("meshes", list(summary.meshes))
+          .add("pairs", list(summary.pairs))
+          .add("energy", summary.energy)
+          .add("error_estimate", to_json(summary.error_estimate))
+          .add("reactions", list(summary.reactions))
+          .add("probes", list(summary.probes, summary.kind));
       if (summary.reference)
         json.add("reference", to_json(*summary.reference));
       json.add("checks", to_json(summary.checks)).add("notes", summary.notes);
@@ -194,9 +194,9 @@ namespace Amontons
     result.centre               = components<dim>(fields.centre);
     result.n_without_multiplier = interface.n_without_multiplier;
     for (const CouplingRow<dim> &row : interface.coupling.rows)
-      ++(fields.state[row.node] == ContactState::open ? result.n_open :
-         fields.state[row.node] == ContactState::slip ? result.n_slip :
-                                                        result.n_stick);
+      ++(fields.state[row.node] == ContactState::open   ? result.n_open
+         : fields.state[row.node] == ContactState::slip ? result.n_slip
+                                                        : result.n_stick);
     return result;
   }
 
@@ -209,6 +209,8 @@ namespace Amontons
     write_file(file, json.text() + "\n");
   }
 
-  template PairSummary summarize_pair(const ContactInterface<2> &, const SurfaceFields<2> &);
-  template PairSummary summarize_pair(const ContactInterface<3> &, const SurfaceFields<3> &);
+  template PairSummary
+  summarize_pair(const ContactInterface<2> &, const SurfaceFields<2> &);
+  template PairSummary
+  summarize_pair(const ContactInterface<3> &, const SurfaceFields<3> &);
 } // namespace Amontons

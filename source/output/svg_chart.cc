@@ -9,14 +9,14 @@ namespace Amontons
   namespace
   {
     const std::array<const char *, 8> colours = {
-      {"#1f6fb4", "#d9541e", "#2a9d5c", "#8e4fb0", "#c2901a", "#1aa3a8", "#c23b6b", "#5b6470"}};
+        {"#1f6fb4", "#d9541e", "#2a9d5c", "#8e4fb0", "#c2901a", "#1aa3a8", "#c23b6b", "#5b6470"}};
 
     constexpr int left = 74, right = 16, top = 34, bottom = 48;
 
     // One axis: from values to [0, 1].
     struct Axis
     {
-      bool                log = false;
+      bool                log   = false;
       double              lower = 1e300, upper = -1e300;
       std::vector<double> ticks;
 
@@ -66,8 +66,7 @@ namespace Amontons
       const Chart &chart;
       Axis         x, y;
 
-      explicit Frame(const Chart &chart)
-        : chart(chart)
+      explicit Frame(const Chart &chart) : chart(chart)
       {
         x.log = chart.log_x;
         y.log = chart.log_y;
@@ -109,7 +108,8 @@ namespace Amontons
     }
 
     std::string
-    line_between(const double x0, const double y0, const double x1, const double y1, const std::string &colour)
+    line_between(
+        const double x0, const double y0, const double x1, const double y1, const std::string &colour)
     {
       return "<line x1=\"" + pixels(x0) + "\" y1=\"" + pixels(y0) + "\" x2=\"" + pixels(x1) + "\" y2=\"" +
              pixels(y1) + "\" stroke=\"" + colour + "\"/>\n";
@@ -129,7 +129,8 @@ namespace Amontons
                text_at(x0 - 6, frame.py(tick) + 4, short_number(tick), "text-anchor=\"end\"");
       svg += line_between(x0, y0, x1, y0, "#444") + line_between(x0, y0, x0, y1, "#444");
       const std::string middle = pixels((y0 + y1) / 2);
-      svg += text_at(chart.width / 2, 20, chart.title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"600\"");
+      svg += text_at(
+          chart.width / 2, 20, chart.title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"600\"");
       svg += text_at((x0 + x1) / 2, chart.height - 12, chart.x_label, "text-anchor=\"middle\"");
       svg += text_at(16,
                      (y0 + y1) / 2,
@@ -172,9 +173,9 @@ namespace Amontons
           {
             const double      y      = top + 14 + 16 * n++;
             const std::string colour = colours[c % colours.size()];
-            svg += chart.curves[c].line ?
-                     line_between(x, y - 4, x + 20, y - 4, colour) :
-                     "<circle cx=\"" + pixels(x + 10) + "\" cy=\"" + pixels(y - 4) + "\" r=\"2.4\" fill=\"" + colour + "\"/>\n";
+            svg += chart.curves[c].line ? line_between(x, y - 4, x + 20, y - 4, colour)
+                                        : "<circle cx=\"" + pixels(x + 10) + "\" cy=\"" + pixels(y - 4) +
+                                              "\" r=\"2.4\" fill=\"" + colour + "\"/>\n";
             svg += text_at(x + 26, y, chart.curves[c].name, "");
           }
       if (n == 0)
@@ -190,7 +191,7 @@ namespace Amontons
   {
     const Frame       frame(chart);
     const std::string width = std::to_string(chart.width), height = std::to_string(chart.height);
-    std::string       svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
+    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
                       "\" viewBox=\"0 0 " + width + " " + height +
                       "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n" + axes(frame);
     for (std::size_t c = 0; c < chart.curves.size(); ++c)

@@ -67,11 +67,9 @@ namespace Amontons
     {
     public:
       Painter(const Box &box, const double scale, const double lowest, const double highest)
-        : box(box)
-        , scale(scale)
-        , lowest(lowest)
-        , highest(highest)
-      {}
+          : box(box), scale(scale), lowest(lowest), highest(highest)
+      {
+      }
 
       void
       draw(const CellPicture &cell)
@@ -79,8 +77,9 @@ namespace Amontons
         const Box    cell_box = box_of(cell);
         const double width    = scale * (cell_box.upper[0] - cell_box.lower[0]);
         const double height   = scale * (cell_box.upper[1] - cell_box.lower[1]);
-        const int    colour =
-          highest > lowest ? std::lround((n_colours - 1) * (cell.von_mises - lowest) / (highest - lowest)) : 0;
+        const int    colour   = highest > lowest
+                                    ? std::lround((n_colours - 1) * (cell.von_mises - lowest) / (highest - lowest))
+                                    : 0;
         if (std::max(width, height) < 1)
           draw_pixel(cell, colour);
         else
@@ -169,26 +168,28 @@ namespace Amontons
     const double height = scale * (box.upper[1] - box.lower[1]);
 
     std::vector<const CellPicture *> cells;
-    double                           lowest = 1e300, highest = -1e300;
+    const double                     lowest  = 0;
+    double                           highest = 0; // von Mises stresses are not negative
     for (const CellPicture &cell : picture)
       if (box_of(cell).overlaps(box))
         {
           cells.push_back(&cell);
-          lowest  = std::min<double>(lowest, cell.von_mises);
           highest = std::max<double>(highest, cell.von_mises);
         }
     Painter painter(box, scale, lowest, highest);
     for (const CellPicture *cell : cells)
       painter.draw(*cell);
 
-    const std::string w = pixels(width + 2 * margin + bar_room), h = pixels(std::max(height, 160.) + top + margin);
+    const std::string w  = pixels(width + 2 * margin + bar_room),
+                      h  = pixels(std::max(height, 160.) + top + margin);
     const std::string id = window.half_width > 0 ? "zoom" : "whole";
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w +
-           " " + h + "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<clipPath id=\"" + id +
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h +
+           "\" viewBox=\"0 0 " + w + " " + h +
+           "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<clipPath id=\"" + id +
            "\"><rect x=\"" + pixels(margin) + "\" y=\"" + pixels(top) + "\" width=\"" + pixels(width) +
            "\" height=\"" + pixels(height) + "\"/></clipPath>\n<text x=\"" + pixels(margin) +
-           "\" y=\"20\" font-size=\"14\" font-weight=\"600\">" + escaped(title) + "</text>\n<g clip-path=\"url(#" +
-           id + ")\">\n" + painter.svg() + "</g>\n" +
+           "\" y=\"20\" font-size=\"14\" font-weight=\"600\">" + escaped(title) +
+           "</text>\n<g clip-path=\"url(#" + id + ")\">\n" + painter.svg() + "</g>\n" +
            colour_bar(margin + width + 14, std::max(height, 120.), lowest, highest) + "</svg>\n";
   }
 } // namespace Amontons

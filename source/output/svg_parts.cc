@@ -27,9 +27,9 @@ namespace Amontons
     std::vector<double>
     log_ticks(const double lower, const double upper, const unsigned int n)
     {
-      const int    first = std::floor(std::log10(lower)), last = std::ceil(std::log10(upper));
-      const bool   short_axis = upper < 100 * lower;
-      const int    stride     = std::max<int>(1, std::lround(std::ceil(double(last - first) / n)));
+      const int           first = std::floor(std::log10(lower)), last = std::ceil(std::log10(upper));
+      const bool          short_axis = upper < 100 * lower;
+      const int           stride     = std::max<int>(1, std::lround(std::ceil(double(last - first) / n)));
       std::vector<double> ticks;
       for (int k = first; k <= last; ++k)
         for (const double factor : {1., 2., 5.})
@@ -52,11 +52,10 @@ namespace Amontons
   std::string
   colour_of(const double value)
   {
-    static const int stops[][3] = {
-      {68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}};
-    const double scaled = 4 * std::clamp(std::isfinite(value) ? value : 0., 0., 1.);
-    const int    k      = std::min(3, static_cast<int>(scaled));
-    int          rgb[3];
+    static const int stops[][3] = {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}};
+    const double     scaled     = 4 * std::clamp(std::isfinite(value) ? value : 0., 0., 1.);
+    const int        k          = std::min(3, static_cast<int>(scaled));
+    int              rgb[3];
     for (int c = 0; c < 3; ++c)
       rgb[c] = std::lround(stops[k][c] + (scaled - k) * (stops[k + 1][c] - stops[k][c]));
     char text[8];

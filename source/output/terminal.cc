@@ -70,10 +70,11 @@ namespace Amontons
   } // namespace
 
   Terminal::Terminal(const MPI_Comm communicator, const bool quiet, std::ostream *other)
-    : stream(other != nullptr ? *other : std::cout)
-    , active(!quiet && Utilities::MPI::this_mpi_process(communicator) == 0)
-    , is_tty(other == nullptr && isatty(STDOUT_FILENO) == 1)
-  {}
+      : stream(other != nullptr ? *other : std::cout),
+        active(!quiet && Utilities::MPI::this_mpi_process(communicator) == 0),
+        is_tty(other == nullptr && isatty(STDOUT_FILENO) == 1)
+  {
+  }
 
   void
   Terminal::line(const std::string &text)
@@ -107,7 +108,8 @@ namespace Amontons
                  const unsigned long long dofs)
   {
     line("");
-    line(format("Increment %u of %u, mesh %u: %llu cells, %llu DoFs", increment, n_increments, mesh, cells, dofs));
+    line(format(
+        "Increment %u of %u, mesh %u: %llu cells, %llu DoFs", increment, n_increments, mesh, cells, dofs));
     line("  iteration   residual     open    stick     slip  changed   krylov");
   }
 
@@ -115,7 +117,7 @@ namespace Amontons
   Terminal::iteration(const IterationLine &l)
   {
     const std::string krylov =
-      l.krylov_iterations == 0 ? std::string("direct") : std::to_string(l.krylov_iterations);
+        l.krylov_iterations == 0 ? std::string("direct") : std::to_string(l.krylov_iterations);
     const std::string residual = std::isfinite(l.residual) ? format("%9.2e", l.residual) : "        -";
     line(format("  %9u  %s %8u %8u %8u %8u %8s",
                 l.iteration,

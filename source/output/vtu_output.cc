@@ -39,20 +39,20 @@ namespace Amontons
     {
       using Iterator        = typename Triangulation<dim>::cell_iterator;
       const auto first_from = [&geometry](Iterator cell, const Iterator &end) {
-        while (cell != end && !(cell->is_active() && cell->is_locally_owned() &&
-                                !geometry.is_carrier(cell->material_id())))
+        while (cell != end &&
+               !(cell->is_active() && cell->is_locally_owned() && !geometry.is_carrier(cell->material_id())))
           ++cell;
         return cell;
       };
       const std::function<Iterator(const Triangulation<dim> &)> first =
-        [first_from](const Triangulation<dim> &triangulation) {
-          return first_from(triangulation.begin(), triangulation.end());
-        };
+          [first_from](const Triangulation<dim> &triangulation) {
+            return first_from(triangulation.begin(), triangulation.end());
+          };
       const std::function<Iterator(const Triangulation<dim> &, const Iterator &)> next =
-        [first_from](const Triangulation<dim> &triangulation, const Iterator &cell) {
-          Iterator following = cell;
-          return first_from(++following, triangulation.end());
-        };
+          [first_from](const Triangulation<dim> &triangulation, const Iterator &cell) {
+            Iterator following = cell;
+            return first_from(++following, triangulation.end());
+          };
       data_out.set_cell_selection(first, next);
     }
 
@@ -75,27 +75,28 @@ namespace Amontons
 
     template <int dim>
     void
-    add_nodal_fields(DataOut<dim> &data_out, const BodyFields<dim> &fields, const LA::Vector &von_mises_stress)
+    add_nodal_fields(DataOut<dim>          &data_out,
+                     const BodyFields<dim> &fields,
+                     const LA::Vector      &von_mises_stress)
     {
       const Discretization<dim> &discretization = fields.discretization;
       data_out.add_data_vector(discretization.dof_handler,
                                fields.displacement,
                                std::vector<std::string>(dim, "displacement"),
                                std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-                                 dim, DataComponentInterpretation::component_is_part_of_vector));
+                                   dim, DataComponentInterpretation::component_is_part_of_vector));
       const std::vector<std::string> names = stress_names(discretization.scene.kind);
       for (unsigned int c = 0; c < names.size(); ++c)
-        data_out.add_data_vector(fields.recovery.dof_handler(),
-                                 fields.recovery.stress()[c],
-                                 "stress_" + names[c]);
+        data_out.add_data_vector(
+            fields.recovery.dof_handler(), fields.recovery.stress()[c], "stress_" + names[c]);
       data_out.add_data_vector(fields.recovery.dof_handler(), von_mises_stress, "von_mises");
     }
   } // namespace
 
   VtuOutput::VtuOutput(const std::string &folder, const MPI_Comm communicator)
-    : folder(folder)
-    , communicator(communicator)
-  {}
+      : folder(folder), communicator(communicator)
+  {
+  }
 
   template <int dim>
   void
@@ -112,14 +113,14 @@ namespace Amontons
     data_out.add_data_vector(fields.indicators, "error_indicator", DataOut<dim>::type_cell_data);
     data_out.add_data_vector(labels[0], "body", DataOut<dim>::type_cell_data);
     data_out.add_data_vector(labels[1], "subdomain", DataOut<dim>::type_cell_data);
-    data_out.build_patches(discretization.mapping, discretization.fe.degree, DataOut<dim>::curved_inner_cells);
+    data_out.build_patches(
+        discretization.mapping, discretization.fe.degree, DataOut<dim>::curved_inner_cells);
 
     DataOutBase::VtkFlags flags;
     flags.compression_level = DataOutBase::VtkFlags::best_speed;
     data_out.set_flags(flags);
-    bodies.emplace_back(t,
-                        data_out.write_vtu_with_pvtu_record(
-                          folder + "/", "bodies", bodies.size(), communicator, 4));
+    bodies.emplace_back(
+        t, data_out.write_vtu_with_pvtu_record(folder + "/", "bodies", bodies.size(), communicator, 4));
     write_records("bodies", bodies);
   }
 
@@ -146,12 +147,16 @@ namespace Amontons
     write_file(folder + "/" + name + ".pvd", text.str());
   }
 
-  template void VtuOutput::write_bodies(const BodyFields<2> &, const double);
-  template void VtuOutput::write_bodies(const BodyFields<3> &, const double);
-  template void VtuOutput::write_contact(const std::vector<ContactInterface<2>> &,
-                                         const std::vector<SurfaceFields<2>> &,
-                                         const double);
-  template void VtuOutput::write_contact(const std::vector<ContactInterface<3>> &,
-                                         const std::vector<SurfaceFields<3>> &,
-                                         const double);
+  template void
+  VtuOutput::write_bodies(const BodyFields<2> &, const double);
+  template void
+  VtuOutput::write_bodies(const BodyFields<3> &, const double);
+  template void
+  VtuOutput::write_contact(const std::vector<ContactInterface<2>> &,
+                           const std::vector<SurfaceFields<2>> &,
+                           const double);
+  template void
+  VtuOutput::write_contact(const std::vector<ContactInterface<3>> &,
+                           const std::vector<SurfaceFields<3>> &,
+                           const double);
 } // namespace Amontons

@@ -1,5 +1,6 @@
 #include <amontons/studies/convergence_study.h>
 #include <amontons/studies/study_output.h>
+#include <amontons/scene/text.h>
 
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/mpi.h>
@@ -26,12 +27,30 @@ namespace Amontons
           }
     }
 
+    // The node at "pairs.0.normal_force"; numbers count the elements of arrays. nullptr if there is none.
+    const Tree *
+    find(const Tree &summary, const std::string &path)
+    {
+      const Tree *node = &summary;
+      for (const std::string &key : split(path, '.'))
+        {
+          const bool is_index = key.find_first_not_of("0123456789") == std::string::npos && key.size() < 9;
+          if (is_index && !key.empty() && std::stoul(key) < node->size())
+            node = &std::next(node->begin(), std::stoul(key))->second;
+          else if (node->find(key) != node->not_found())
+            node = &node->find(key)->second;
+          else
+            return nullptr;
+        }
+      return node;
+    }
+
     // NaN for what is there but is no number (null).
     double
     number(const Tree &summary, const SummaryPath &path, const Where &where)
     {
-      const auto child = summary.get_child_optional(path.path);
-      if (child)
+      const Tree *const child = find(summary, path.path);
+      if (child != nullptr)
         return child->get_value_optional<double>().value_or(std::numeric_limits<double>::quiet_NaN());
       std::vector<std::string> paths;
       collect_paths(summary, "", paths);
@@ -56,6 +75,7 @@ namespace Amontons
       return result;
     }
 
+    // One row, or one for each mesh of the last increment.
     void
     add_rows(const Study &study, const Tree &summary, const std::string &varied, StudySeries &series)
     {
@@ -68,8 +88,10 @@ namespace Amontons
       const auto meshes = summary.get_child_optional("meshes");
       if (!meshes)
         throw InputError({study.file, 0, "Per mesh"}, "found true, but the summary has no 'meshes'", "false");
+      const auto increment = [](const Tree &mesh) { return mesh.get<int>("increment", 0); };
       for (const auto &mesh : *meshes)
-        series.rows.push_back(row(study, mesh.second, std::to_string(series.rows.size())));
+        if (increment(mesh.second) == increment(meshes->back().second))
+          series.rows.push_back(row(study, mesh.second, std::to_string(series.rows.size())));
     }
 
     // Quantities become |q - q_last| / |q_last|; the last row, whose difference is zero, is left out.

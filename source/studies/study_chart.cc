@@ -74,7 +74,7 @@ namespace Amontons
     {
       for (const unsigned int order : {1, 2})
         {
-          const double slope = double(order) / dim, start = 1.4 * y.upper;
+          const double slope = double(order) / dim, start = 3 * y.upper;
           const double x_end = std::min(x.upper, x.lower * std::pow(start / y.lower, 1 / slope));
           const double y_end = start * std::pow(x_end / x.lower, -slope);
           out << "set arrow from first " << x.lower << ", first " << start << " to first " << x_end
@@ -164,14 +164,9 @@ namespace Amontons
       if (panel.counts)
         write_guides(x, y, dim, out);
       x.widen(1.5);
-      y.widen(2);
+      y.widen(4);
       out << "set xrange [" << x.lower << ":" << x.upper << "]\nset yrange [" << y.lower << ":" << y.upper
           << "]\n";
-      // steps of a whole power of ten, so that at most about six labels stand along an axis
-      const auto step = [](const Range &r) {
-        return std::max(1., std::ceil(std::log10(r.upper / r.lower) / 6));
-      };
-      out << "set xtics " << std::pow(10., step(x)) << "\nset ytics " << std::pow(10., step(y)) << "\n";
       write_curves(study, all_series, panel.column, out);
     }
   } // namespace
@@ -211,7 +206,7 @@ namespace Amontons
         << 1 - top / 2 << " center noenhanced font ', 16'\nset size 1, " << legend
         << "\nset origin 0, 0\nunset border\nunset tics\nunset grid\nunset xlabel\nunset ylabel\n"
         << "set lmargin 0\nset rmargin 0\nset tmargin 0\nset bmargin 0\n"
-        << "set key center center noenhanced maxrows " << n_rows << " samplen 3 width 1\n"
+        << "set key center center Left reverse noenhanced maxrows " << n_rows << " samplen 3 width 1\n"
         << "set xrange [1:10]\nset yrange [1:10]\n";
     write_curves(study, all_series, -1, out);
     out << "unset multiplot\n";

@@ -14,7 +14,7 @@ namespace Amontons
   {
     constexpr double rigid = std::numeric_limits<double>::infinity(); // Young's modulus of a rigid body
 
-    // 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2                                                            [J] (3.8)
+    // 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2; [J] sec. 4.2
     double
     contact_modulus(const double E1, const double nu1, const double E2 = rigid, const double nu2 = 0);
     // 1/E* = 1/E1 + 1/E2: line contact in plane stress
@@ -31,15 +31,13 @@ namespace Amontons
       double force, size, peak; // P (line: per thickness), a, p0
       double approach;          // point contact: delta; line contact: NaN (logarithmic)
     };
-    // a^2 = 4 P R / (pi E*), p0 = 2 P / (pi a)                                               [J]
-    // (4.43)-(4.45)
+    // a^2 = 4 P R / (pi E*), p0 = 2 P / (pi a); [J] (4.43)-(4.45)
     Hertz
     hertz_line(const double P, const double R, const double modulus);
     // the same, of given a: P = pi E* a^2 / (4 R)
     Hertz
     hertz_line_of_size(const double a, const double R, const double modulus);
-    // a^3 = 3 P R / (4 E*), p0 = 3 P / (2 pi a^2), delta = a^2 / R                           [J]
-    // (4.22)-(4.24)
+    // a^3 = 3 P R / (4 E*), p0 = 3 P / (2 pi a^2), delta = a^2 / R; [J] (4.22)-(4.24)
     Hertz
     hertz_point(const double P, const double R, const double modulus);
     double
@@ -48,8 +46,7 @@ namespace Amontons
     // Gap outside of the contact: [x sqrt(x^2-a^2) - a^2 arccosh(x/a)] / (2R)
     double
     hertz_line_gap(const double x, const double a, const double R);
-    // (a^2/(pi R)) [sqrt(s^2-1) + (s^2-2) arccos(1/s)], s = r/a                                     [J]
-    // (3.42)
+    // (a^2/(pi R)) [sqrt(s^2-1) + (s^2-2) arccos(1/s)], s = r/a; [J] sec. 3.4
     double
     hertz_point_gap(const double r, const double a, const double R);
 
@@ -58,28 +55,26 @@ namespace Amontons
     {
       double xx, zz, xz;
     };
-    // On the axis x = 0: xx = -p0/a ((a^2+2z^2)/sqrt(a^2+z^2) - 2z), zz = -p0 a / sqrt(a^2+z^2)     [J]
-    // (4.46)
+    // On the axis x = 0: xx = -p0/a ((a^2+2z^2)/sqrt(a^2+z^2) - 2z), zz = -p0 a / sqrt(a^2+z^2); [J] sec. 4.2
     PlaneStress
     hertz_line_axis(const double z, const double a, const double p0);
-    // McEwen's formulas at (x, z >= 0); with mu: the shear traction mu p pushes this body in +x [J] (4.49),
+    // McEwen's formulas at (x, z >= 0); with mu: the shear traction mu p pushes this body in +x; [J] (4.49),
     // (7.8).
     PlaneStress
     hertz_line_field(const double x, const double z, const double a, const double p0, const double mu = 0);
-    // On the axis of a point contact: radial stress and zz (xx = rr = tt)                           [J]
-    // (3.45)
+    // On the axis of a point contact: radial stress and zz (xx = rr = tt); [J] sec. 3.4
     PlaneStress
     hertz_point_axis(const double z, const double a, const double p0, const double nu);
 
-    // Elliptic point contact with the gap A x^2 + B y^2, 0 < A <= B; semi-axes a (along x) >= b.    [J]
-    // (4.25)-(4.34)
+    // Elliptic point contact with the gap A x^2 + B y^2, 0 < A <= B; semi-axes a (along x) >= b; [J]
+    // sec. 4.2
     struct EllipticContact
     {
       double a, b, peak, approach;
     };
     EllipticContact
     hertz_elliptic(const double P, const double A, const double B, const double modulus);
-    // Two cylinders whose axes enclose `angle` (radians).                                           [J] (4.4)
+    // Two cylinders whose axes enclose `angle` (radians); [J] sec. 4.1
     EllipticContact
     crossed_cylinders(
         const double P, const double R1, const double R2, const double angle, const double modulus);
@@ -113,20 +108,17 @@ namespace Amontons
 
     // ---- Punches without rounded edges, and general profiles.
 
-    // p = P / (pi sqrt(a^2-x^2))                                                                    [J]
-    // (2.64)
+    // p = P / (pi sqrt(a^2-x^2)); [J] (2.64)
     double
     flat_punch_line_pressure(const double x, const double P, const double a);
-    // P = 2 E* a delta; p = P / (2 pi a sqrt(a^2-r^2))                                              [S], [J]
-    // (3.34)
+    // P = 2 E* a delta; p = P / (2 pi a sqrt(a^2-r^2)); [S], [J] (3.34)
     double
     flat_punch_force(const double a, const double delta, const double modulus);
     double
     flat_punch_pressure(const double r, const double P, const double a);
 
     // Cone whose flank makes the angle `flank` (radians) with the surface:
-    // P = 2 E* delta^2 / (pi tan), a = 2 delta / (pi tan), p = (E*/2) tan arccosh(a/r)              [S], [J]
-    // (5.12)
+    // P = 2 E* delta^2 / (pi tan), a = 2 delta / (pi tan), p = (E*/2) tan arccosh(a/r); [S], [J] sec. 5.2
     struct Cone
     {
       double size, approach;
@@ -137,8 +129,7 @@ namespace Amontons
     cone_pressure(const double r, const double a, const double flank, const double modulus);
 
     // Load at which a symmetric convex profile z = f(|x|) touches along |x| < a:
-    // P = E* int_0^a x f'(x) / sqrt(a^2-x^2) dx                                                     [B]
-    // sec. 6.5
+    // P = E* int_0^a x f'(x) / sqrt(a^2-x^2) dx; [B]
     double
     line_profile_force(const std::function<double(double)> &slope, const double a, const double modulus);
 
@@ -167,7 +158,7 @@ namespace Amontons
       double E, nu, inner, outer;
     };
     // Both of these for plane_strain or plane_stress (free ends). The bodies meet at inner.outer =
-    // outer.inner (Lame, [T] sec. 28). Interface pressure of the radial interference delta.
+    // outer.inner (Lame, [T]). Interface pressure of the radial interference delta.
     double
     shrink_fit_cylinders(const Tube       &inside,
                          const Tube       &outside,
@@ -179,7 +170,7 @@ namespace Amontons
                             const Tube       &outside,
                             const Tube       &inside,
                             const Confinement confinement);
-    // Spherical shells with interference delta ([T] sec. 136).
+    // Spherical shells with interference delta ([T]).
     double
     shrink_fit_spheres(const Tube &inside, const Tube &outside, const double delta);
   } // namespace ClosedForms

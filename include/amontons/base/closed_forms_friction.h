@@ -9,12 +9,10 @@ namespace Amontons
 {
   namespace ClosedForms
   {
-    // Line contact, normal load P first, then Q <= mu P: c = a sqrt(1 - Q/(mu P))                   [J]
-    // (7.26)
+    // Line contact, normal load P first, then Q <= mu P: c = a sqrt(1 - Q/(mu P)); [J] sec. 7.2
     double
     cattaneo_stick_size(const double Q, const double P, const double mu, const double a);
-    // q = mu [p_a - p_c] with p_s = (p0 s/a) sqrt(1-x^2/s^2)                                        [J]
-    // (7.28)
+    // q = mu [p_a - p_c] with p_s = (p0 s/a) sqrt(1-x^2/s^2); [J] sec. 7.2
     double
     cattaneo_traction(const double x, const double Q, const double P, const double mu, const double a);
     // Unloading from Q_max to Q: q = mu [-p_a + 2 p_c1 - p_c], c1 = a sqrt(1-(Q_max-Q)/(2 mu P))
@@ -30,14 +28,13 @@ namespace Amontons
     cattaneo_dissipation_per_cycle(
         const double P, const double Q, const double mu, const double R, const double modulus);
 
-    // Sphere: c = a (1 - Q/(mu P))^(1/3)                                                            [J]
-    // (7.40)
+    // Sphere: c = a (1 - Q/(mu P))^(1/3); [J] sec. 7.2
     double
     mindlin_stick_radius(const double Q, const double P, const double mu, const double a);
     double
     mindlin_traction(const double r, const double Q, const double P, const double mu, const double a);
-    // compliance = (2-nu1)/G1 + (2-nu2)/G2; delta_t = (3 mu P/(16 a)) compliance [1-(1-Q/(mu P))^(2/3)]  [J]
-    // (7.41)
+    // compliance = (2-nu1)/G1 + (2-nu2)/G2; delta_t = (3 mu P/(16 a)) compliance [1-(1-Q/(mu P))^(2/3)]; [J]
+    // sec. 7.2
     double
     mindlin_compliance(const double E1, const double nu1, const double E2 = rigid, const double nu2 = 0);
     double

@@ -23,19 +23,24 @@ namespace Amontons
     double       arc   = 0; // 2D: arc length along the surface, from the first node; 3D: 0
   };
 
-  // The nodes of a surface in the order of a walk over its faces (2D: from the free end with the smallest x; closed curves from the
-  // smallest x; each further piece after the other), or sorted by position (3D). faces: node indices, ends first and last.
+  // The nodes of a surface in the order of a walk over its faces (2D: from the free end with the smallest x;
+  // closed curves from the smallest x; each further piece after the other), or sorted by position (3D).
+  // faces: node indices, ends first and last.
   template <int dim>
-  std::vector<unsigned int> order_along_surface(const std::vector<Point<dim>>                &nodes,
-                                                const std::vector<std::vector<unsigned int>> &faces);
+  std::vector<unsigned int>
+  order_along_surface(const std::vector<Point<dim>>                &nodes,
+                      const std::vector<std::vector<unsigned int>> &faces);
 
   // All slave nodes, pair by pair, in order.
   template <int dim>
-  std::vector<ContactNode> contact_table(const std::vector<ContactInterface<dim>> &interfaces,
-                                         const std::vector<SurfaceFields<dim>>    &fields);
+  std::vector<ContactNode>
+  contact_table(const std::vector<ContactInterface<dim>> &interfaces,
+                const std::vector<SurfaceFields<dim>>    &fields);
 
   // To be called on rank 0.
-  void write_contact_csv(const std::string &file, const std::vector<ContactNode> &table);
+  void
+  write_contact_csv(const std::string &file, const std::vector<ContactNode> &table);
 
-  std::string state_name(const ContactState state); // "open", "slip", "stick"
+  std::string
+  state_name(const ContactState state); // "open", "slip", "stick"
 } // namespace Amontons

@@ -10,11 +10,14 @@
 namespace Amontons
 {
   // Makes the folder with its parents. Collective: all ranks throw if it cannot be made or written to.
-  void make_output_folder(const std::string &folder, const MPI_Comm communicator);
+  void
+  make_output_folder(const std::string &folder, const MPI_Comm communicator);
 
   // Writes aside (file.tmp) and renames, so that a file is never half-written. Not collective.
-  void write_file(const std::string &file, const std::string &text);
+  void
+  write_file(const std::string &file, const std::string &text);
 
   // Text as a field of a CSV file: quoted where it holds a comma or a quote.
-  std::string csv_field(const std::string &text);
+  std::string
+  csv_field(const std::string &text);
 } // namespace Amontons

@@ -25,9 +25,10 @@ namespace Amontons
 
   // The cells of all bodies, on rank 0; empty on the others and in 3D. Collective.
   template <int dim>
-  MeshPicture gather_mesh_picture(const Discretization<dim> &discretization,
-                                  const StressRecovery<dim> &recovery,
-                                  const LA::Vector          &displacement);
+  MeshPicture
+  gather_mesh_picture(const Discretization<dim> &discretization,
+                      const StressRecovery<dim> &recovery,
+                      const LA::Vector          &displacement);
 
   // What a picture shows: centre and half the width of the square; half_width = 0: everything.
   struct Window
@@ -36,6 +37,8 @@ namespace Amontons
     double                half_width = 0;
   };
 
-  // Cells coloured by von Mises stress, with a colour bar. Cells of less than a pixel are drawn as pixels, each once.
-  std::string svg_mesh(const MeshPicture &picture, const Window &window, const std::string &title);
+  // Cells coloured by von Mises stress, with a colour bar. Cells of less than a pixel are drawn as pixels,
+  // each once.
+  std::string
+  svg_mesh(const MeshPicture &picture, const Window &window, const std::string &title);
 } // namespace Amontons

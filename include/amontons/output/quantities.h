@@ -1,4 +1,5 @@
-// The numbers of a run: forces, sizes, energies, reactions, errors against closed forms, and checks of the physics.
+// The numbers of a run: forces, sizes, energies, reactions, errors against closed forms, and checks of the
+// physics.
 #pragma once
 
 #include <amontons/elasticity/elasticity_operator.h>
@@ -22,24 +23,31 @@ namespace Amontons
   };
 
   template <int dim>
-  std::vector<PairSummary> summarize_pairs(const Answer<dim> &answer);
+  std::vector<PairSummary>
+  summarize_pairs(const Answer<dim> &answer);
 
   // Stored energy 1/2 u . K u.
   template <int dim>
-  double stored_energy(const Answer<dim> &answer);
+  double
+  stored_energy(const Answer<dim> &answer);
 
-  // Forces of the supports on the bodies: internal minus external minus contact forces on the nodes of each constrained boundary (a
-  // node on several conditions counts for the first), with their moment about the origin.
+  // Forces of the supports on the bodies: internal minus external minus contact forces on the nodes of each
+  // constrained boundary (a node on several conditions counts for the first), with their moment about the
+  // origin.
   template <int dim>
-  std::vector<ReactionSummary> compute_reactions(const Answer<dim> &answer);
+  std::vector<ReactionSummary>
+  compute_reactions(const Answer<dim> &answer);
 
-  // Errors against the closed form. Forces of models cut by symmetry planes through the contact are compared as full ones.
+  // Errors against the closed form. Forces of models cut by symmetry planes through the contact are compared
+  // as full ones.
   template <int dim>
-  ReferenceSummary compare(const Answer<dim> &answer, const ReferenceData &data, const ReferenceSolution &reference);
+  ReferenceSummary
+  compare(const Answer<dim> &answer, const ReferenceData &data, const ReferenceSolution &reference);
 
-  // force_balance: |loads + reactions + contact forces| of the worst body relative to the sum of their magnitudes;
-  // moment_balance alike; complementarity: max |p g| relative to p_max times the mean face size; penetration: max(-g) relative to the face
-  // size; tension: max(-p) relative to p_max.
+  // force_balance: |loads + reactions + contact forces| of the worst body relative to the sum of their
+  // magnitudes; moment_balance alike; complementarity: max |p g| relative to p_max times the mean face size;
+  // penetration: max(-g) relative to the face size; tension: max(-p) relative to p_max.
   template <int dim>
-  std::map<std::string, double> check_physics(const Answer<dim> &answer);
+  std::map<std::string, double>
+  check_physics(const Answer<dim> &answer);
 } // namespace Amontons

@@ -21,8 +21,8 @@ namespace Amontons
     std::string         name;
     std::vector<double> normal_force, tangential_force;
     double              peak_pressure = 0;
-    double              contact_size  = 0; // half-width or radius
-    std::vector<double> centre;            // about which the size is taken
+    double              contact_size  = 0;                   // half-width or radius
+    std::vector<double> centre;                              // about which the size is taken
     unsigned int        n_open = 0, n_stick = 0, n_slip = 0; // of the nodes that carry a multiplier
     unsigned int        n_without_multiplier = 0;            // supports own these nodes whole
   };
@@ -49,7 +49,8 @@ namespace Amontons
   struct ReferenceSummary
   {
     std::string closed_form;
-    // Relative: normal_force, contact_size, peak_pressure, approach, pressure_l2, displacement_l2, displacement_h1, energy.
+    // Relative: normal_force, contact_size, peak_pressure, approach, pressure_l2, displacement_l2,
+    // displacement_h1, energy.
     std::map<std::string, double>                errors;
     std::map<std::string, std::array<double, 2>> values; // computed, exact
   };
@@ -58,8 +59,8 @@ namespace Amontons
   struct MeshSummary
   {
     unsigned int                    increment = 0, mesh = 0;
-    double                          t          = 0;
-    unsigned long long              cells      = 0, dofs = 0;
+    double                          t     = 0;
+    unsigned long long              cells = 0, dofs = 0;
     unsigned int                    iterations = 0, krylov_iterations = 0;
     double                          residual = unknown;
     double                          seconds  = unknown;
@@ -116,12 +117,17 @@ namespace Amontons
   };
 
   template <int dim>
-  PairSummary summarize_pair(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
+  PairSummary
+  summarize_pair(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
 
-  std::string              kind_name(const Kind kind);    // "plane strain", ...
-  std::vector<std::string> stress_names(const Kind kind); // in the order of Voigt<dim>: "xx", "yy", ... ("rr", "zz", "tt", "rz")
-  std::vector<std::string> axis_names(const Kind kind);   // "x", "y"(, "z"); axisymmetric "r", "z"
+  std::string
+  kind_name(const Kind kind); // "plane strain", ...
+  std::vector<std::string>
+  stress_names(const Kind kind); // in the order of Voigt<dim>: "xx", "yy", ... ("rr", "zz", "tt", "rz")
+  std::vector<std::string>
+  axis_names(const Kind kind); // "x", "y"(, "z"); axisymmetric "r", "z"
 
   // summary.json. To be called on rank 0.
-  void write_summary(const RunSummary &summary, const std::string &file);
+  void
+  write_summary(const RunSummary &summary, const std::string &file);
 } // namespace Amontons

@@ -22,17 +22,23 @@ namespace Amontons
     int                width = 560, height = 360;
   };
 
-  std::string svg_chart(const Chart &chart);
+  std::string
+  svg_chart(const Chart &chart);
 
-  // Round numbers between lower and upper, about n of them (log: powers of ten, thinned out; 2 and 5 times these on short axes).
-  std::vector<double> nice_ticks(const double lower, const double upper, const unsigned int n, const bool log);
+  // Round numbers between lower and upper, about n of them (log: powers of ten, thinned out; 2 and 5 times
+  // these on short axes).
+  std::vector<double>
+  nice_ticks(const double lower, const double upper, const unsigned int n, const bool log);
 
   // Colour of a value in [0, 1] as "#rrggbb": dark blue over green to yellow (viridis).
-  std::string colour_of(const double value);
+  std::string
+  colour_of(const double value);
 
   // Text with <, >, & and quotes written so that SVG and HTML show them.
-  std::string escaped(const std::string &text);
+  std::string
+  escaped(const std::string &text);
 
   // One decimal: pixels.
-  std::string pixels(const double value);
+  std::string
+  pixels(const double value);
 } // namespace Amontons

@@ -25,42 +25,54 @@ namespace Amontons
     Terminal(const MPI_Comm communicator, const bool quiet, std::ostream *stream = nullptr);
 
     // The scene in one paragraph.
-    void scene(const Scene &scene, const unsigned int n_ranks);
+    void
+    scene(const Scene &scene, const unsigned int n_ranks);
     // "Increment 1 of 1, mesh 3: 1280 cells, 10754 DoFs", and the head of the iteration's columns.
-    void mesh(const unsigned int       increment,
-              const unsigned int       n_increments,
-              const unsigned int       mesh,
-              const unsigned long long cells,
-              const unsigned long long dofs);
-    void iteration(const IterationLine &line);
-    void estimate(const EstimateSummary &estimate);
-    void note(const std::string &text);
+    void
+    mesh(const unsigned int       increment,
+         const unsigned int       n_increments,
+         const unsigned int       mesh,
+         const unsigned long long cells,
+         const unsigned long long dofs);
+    void
+    iteration(const IterationLine &line);
+    void
+    estimate(const EstimateSummary &estimate);
+    void
+    note(const std::string &text);
     // The closing answer.
-    void answer(const RunSummary &summary);
+    void
+    answer(const RunSummary &summary);
 
-    // How much of `what` is done, 0 to 1; a bar with the time left on work of more than 2 seconds where the output is a terminal, else a line
-    // at most every 5 seconds. A fraction of 1 ends it.
-    void progress(const std::string &what, const double fraction);
+    // How much of `what` is done, 0 to 1; a bar with the time left on work of more than 2 seconds where the
+    // output is a terminal, else a line at most every 5 seconds. A fraction of 1 ends it.
+    void
+    progress(const std::string &what, const double fraction);
 
   private:
-    void line(const std::string &text); // wipes a bar first
-    void paragraph(const std::string &text);
+    void
+    line(const std::string &text); // wipes a bar first
+    void
+    paragraph(const std::string &text);
 
     using Clock = std::chrono::steady_clock;
 
-    std::ostream      &stream;
-    bool               active, is_tty;
-    bool               bar_shown = false;
-    std::string        work; // what the bar is about
-    Clock::time_point  work_started, last_line;
+    std::ostream     &stream;
+    bool              active, is_tty;
+    bool              bar_shown = false;
+    std::string       work; // what the bar is about
+    Clock::time_point work_started, last_line;
   };
 
   // The paragraph of `Terminal::scene`.
-  std::string describe_scene(const Scene &scene, const unsigned int n_ranks);
+  std::string
+  describe_scene(const Scene &scene, const unsigned int n_ranks);
 
   // Lines of the closing answer (also used by the report): label and text.
-  std::vector<std::pair<std::string, std::string>> answer_lines(const RunSummary &summary);
+  std::vector<std::pair<std::string, std::string>>
+  answer_lines(const RunSummary &summary);
 
   // Short text of a number for people: 5 significant digits.
-  std::string short_number(const double number);
+  std::string
+  short_number(const double number);
 } // namespace Amontons

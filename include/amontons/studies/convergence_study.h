@@ -1,22 +1,23 @@
-// `amontons study FILE`: runs a scene for all combinations of swept parameters and shows errors with observed
-// orders.
+// `amontons study FILE`: a scene for all combinations of swept parameters; errors with observed orders.
+// clang-format off
 //
 //   set Title      = Hertz cylinder, uniform refinement
-//   set Scene      = ../hertz_cylinder.prm       # relative to this file
-//   set Output     = studies/hertz               # relative to the working directory; default: this file's
-//   name set Overrides  = Newton/Tolerance = 1e-12 | Output/VTU = false set Quantities =
-//   reference.errors.contact_size, reference.errors.pressure_l2  # paths in summary.json set Columns    =
-//   cells, dofs, finest_mesh_seconds, wall_seconds                # the default set Against    = closed form
-//   # the quantities are errors; finest: their relative difference to the last run set Per mesh   = false #
-//   true: one row per entry of the summary's array `meshes` (cells, dofs, seconds, ...) subsection Sweep # 1
-//   to 4 parameters; all combinations
+//   set Scene      = ../hertz_cylinder.prm    # relative to this file
+//   set Output     = studies/hertz            # relative to the working directory; default: name of this file
+//   set Overrides  = Newton/Tolerance = 1e-12 | Output/VTU = false
+//   set Quantities = reference.errors.contact_size, reference.errors.pressure_l2 # paths in summary.json
+//   set Columns    = cells, dofs, finest_mesh_seconds, wall_seconds              # the default
+//   set Against    = closed form              # the quantities are errors; finest: relative difference to the last run
+//   set Per mesh   = false                    # true: one row per entry of the summary's array `meshes`
+//   subsection Sweep                          # 1 to 4 parameters; the last one gives the rows (or `set Vary = 1`)
 //     set 1 = Discretization/Degree: 1, 2
-//     set 2 = Body lower/Refinements & Body upper/Refinements: 1, 2, 3   # the last one gives the rows (or
-//     `set Vary = 1`)
+//     set 2 = Body lower/Refinements & Body upper/Refinements: 1, 2, 3
 //   end
 //
+// clang-format on
 // Values are separated by commas, or by | if one stands among them. With Per mesh, every combination is a
-// series.
+// series, of the meshes of the last increment. Numbers in a path count the elements of arrays:
+// pairs.0.normal_force.
 #pragma once
 
 #include <boost/property_tree/ptree.hpp>

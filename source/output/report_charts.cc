@@ -1,0 +1,181 @@
+#include <amontons/output/report.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Amontons
+{
+  namespace
+  {
+    std::vector<ContactNode>
+    nodes_of(const std::vector<ContactNode> &table, const std::string &pair)
+    {
+      std::vector<ContactNode> nodes;
+      std::copy_if(table.begin(), table.end(), std::back_inserter(nodes), [&](const ContactNode &node) {
+        return node.pair == pair;
+      });
+      return nodes;
+    }
+
+    void
+    fill_computed(PressureCurve &curve, const std::vector<ContactNode> &nodes, const Point<3> &centre)
+    {
+      const auto middle =
+          std::min_element(nodes.begin(), nodes.end(), [&](const ContactNode &a, const ContactNode &b) {
+            return a.X.distance_square(centre) < b.X.distance_square(centre);
+          });
+      curve.centre = middle->x;
+      for (const ContactNode &node : nodes)
+        {
+          curve.s.push_back(curve.radial ? node.X.distance(centre) : node.arc - middle->arc);
+          curve.pressure.push_back(node.pressure);
+        }
+    }
+
+    // On the side or sides of the centre where there are nodes.
+    void
+    fill_exact(PressureCurve &curve, const ReferenceSolution &exact)
+    {
+      double range = curve.shown > 0 ? curve.shown : 0;
+      if (range == 0)
+        for (const double s : curve.s)
+          range = std::max(range, std::abs(s));
+      const auto [lowest, highest] = std::minmax_element(curve.s.begin(), curve.s.end());
+      constexpr int n              = 400;
+      for (int i = -n; i <= n; ++i)
+        {
+          const double s = range * i / n;
+          if (s < *lowest - 1e-9 * range || s > *highest + 1e-9 * range)
+            continue;
+          curve.exact_s.push_back(s);
+          curve.exact_pressure.push_back(exact.pressure(std::abs(s)));
+        }
+    }
+
+    PressureCurve
+    make_curve(const PairSummary &pair, const std::vector<ContactNode> &nodes, const int dim)
+    {
+      PressureCurve curve;
+      curve.pair   = pair.name;
+      curve.radial = dim == 3;
+      if (std::isfinite(pair.contact_size) && pair.contact_size > 0)
+        curve.shown = 1.6 * pair.contact_size;
+      Point<3> centre;
+      for (std::size_t d = 0; d < pair.centre.size(); ++d)
+        centre[d] = pair.centre[d];
+      if (!nodes.empty())
+        fill_computed(curve, nodes, centre);
+      return curve;
+    }
+
+    void
+    add_error_curve(Chart                     &chart,
+                    const std::string         &name,
+                    const std::vector<double> &x,
+                    const std::vector<double> &y)
+    {
+      if (std::any_of(y.begin(), y.end(), [](const double v) { return v > 0; }))
+        chart.curves.push_back({name, x, y, true, true});
+    }
+  } // namespace
+
+  std::vector<PressureCurve>
+  pressure_curves(const std::vector<ContactNode> &table,
+                  const std::vector<PairSummary> &pairs,
+                  const int                       dim,
+                  const ReferenceSolution        *exact,
+                  const std::string              &exact_pair)
+  {
+    std::vector<PressureCurve> curves;
+    for (const PairSummary &pair : pairs)
+      {
+        PressureCurve curve = make_curve(pair, nodes_of(table, pair.name), dim);
+        if (curve.s.empty())
+          continue;
+        const bool described = exact_pair.empty() ? curves.empty() : exact_pair == pair.name;
+        if (exact != nullptr && exact->pressure && described)
+          {
+            curve.exact_name = "closed form";
+            fill_exact(curve, *exact);
+          }
+        curves.push_back(curve);
+      }
+    return curves;
+  }
+
+  Chart
+  pressure_chart(const PressureCurve &curve)
+  {
+    Chart chart;
+    chart.title   = "Contact pressure, " + curve.pair;
+    chart.x_label = curve.radial ? "distance from the centre of the contact"
+                                 : "arc length from the centre of the contact";
+    chart.y_label = "pressure";
+    Curve computed{"computed", {}, {}, !curve.radial, true};
+    for (std::size_t i = 0; i < curve.s.size(); ++i)
+      if (curve.shown == 0 || std::abs(curve.s[i]) <= curve.shown)
+        {
+          computed.x.push_back(curve.s[i]);
+          computed.y.push_back(curve.pressure[i]);
+        }
+    chart.curves.push_back(computed);
+    if (!curve.exact_name.empty())
+      chart.curves.push_back({curve.exact_name, curve.exact_s, curve.exact_pressure, true, false});
+    return chart;
+  }
+
+  Chart
+  iteration_chart(const RunSummary &summary)
+  {
+    Chart chart;
+    chart.title   = "Convergence of the iteration";
+    chart.x_label = "iteration";
+    chart.y_label = "relative residual";
+    chart.log_y   = true;
+    for (const NewtonSummary &newton : summary.newton)
+      if (newton.increment == summary.newton.back().increment)
+        {
+          Curve curve{"mesh " + std::to_string(newton.mesh), {}, newton.residuals, true, true};
+          for (std::size_t i = 0; i < newton.residuals.size(); ++i)
+            curve.x.push_back(i);
+          chart.curves.push_back(curve);
+        }
+    if (chart.curves.size() > 8)
+      chart.curves.erase(chart.curves.begin(), chart.curves.end() - 8);
+    return chart;
+  }
+
+  Chart
+  error_chart(const RunSummary &summary)
+  {
+    Chart chart;
+    chart.title   = "Relative errors";
+    chart.x_label = "degrees of freedom";
+    chart.y_label = "error";
+    chart.log_x = chart.log_y = true;
+
+    std::vector<double>                        dofs, contact, bulk;
+    std::map<std::string, std::vector<double>> errors;
+    for (const MeshSummary &mesh : summary.meshes)
+      if (mesh.increment == summary.meshes.back().increment)
+        {
+          dofs.push_back(mesh.dofs);
+          contact.push_back(mesh.error_estimate.contact);
+          bulk.push_back(mesh.error_estimate.bulk);
+          if (mesh.reference)
+            for (const auto &[name, error] : mesh.reference->errors)
+              {
+                errors[name].resize(dofs.size() - 1, unknown);
+                errors[name].push_back(std::abs(error));
+              }
+        }
+    add_error_curve(chart, "pressure, estimated", dofs, contact);
+    add_error_curve(chart, "stress, estimated", dofs, bulk);
+    for (auto &[name, values] : errors)
+      {
+        values.resize(dofs.size(), unknown);
+        add_error_curve(chart, name, dofs, values);
+      }
+    return chart;
+  }
+} // namespace Amontons

@@ -87,8 +87,7 @@ namespace Amontons
     bulk.reinit(locally_owned, locally_owned, dsp, communicator);
     system.reinit(bulk);
 
-    has_proximal = proximal != nullptr;
-    if (has_proximal)
+    if (proximal != nullptr)
       proximal_diagonal = *proximal;
 
     double largest = 0;
@@ -114,12 +113,12 @@ namespace Amontons
   }
 
   void
-  CondensedSystem::assemble(const CellMatrices &cells, const Constraints &constraints)
+  CondensedSystem::assemble(const CellMatrices &cells, const Constraints &constraints, const bool regularise)
   {
     system.copy_from(bulk);
     for (const unsigned int c : surface_cells)
       add_cell(cells, c, constraints, system);
-    if (has_proximal)
+    if (regularise)
       {
         FullMatrix<double> one(1, 1);
         for (const auto dof : locally_owned)

@@ -238,8 +238,9 @@ namespace Amontons
         proximal.compress(VectorOperation::insert);
       }
 
-    LinearSolver    solver(solver_parameters, dim);
+    // The factorisation refers to the matrix, which must outlive it.
     CondensedSystem system(discretization.locally_owned, discretization.relevant, communicator);
+    LinearSolver    solver(solver_parameters, dim);
     const auto      n_dofs = discretization.dof_handler.n_dofs();
     if (!solver.is_direct(n_dofs))
       solver.set_near_null_space(rigid_body_modes(discretization));
@@ -256,7 +257,7 @@ namespace Amontons
       c[k] = nodes[k].c;
     std::unique_ptr<ContactConstraints> constraints;
     std::vector<unsigned int>           first_equation; // of closed node k
-    bool                                set_changed = true;
+    bool                                set_changed = true, regularised = false;
     double                              forcing     = 1e-3;
 
     for (unsigned int iteration = 0; iteration < parameters.max_iterations; ++iteration)
@@ -274,7 +275,11 @@ namespace Amontons
                   active.insert(active.end(), nodes[k].equations.begin(), nodes[k].equations.end());
                 }
             constraints = std::make_unique<ContactConstraints>(supports, active);
-            system.assemble(cells, constraints->all());
+            std::vector<const LinearEquation *> holding;
+            for (const auto &equation : active)
+              holding.push_back(&equation.equation);
+            regularised = !floating.held_by(holding);
+            system.assemble(cells, constraints->all(), regularised);
             solver.matrix_changed(system.matrix(), iteration == 0);
           }
 
@@ -391,7 +396,7 @@ namespace Amontons
         state.pressures[i].push_back(p);
         state.tied_multipliers[i].push_back(tied);
       }
-    if (floating.any())
+    if (regularised)
       {
         double force = 0;
         for (const auto dof : discretization.locally_owned)

@@ -37,7 +37,8 @@ namespace Amontons
                const std::vector<LinearEquation> &candidates,
                const LA::Vector                  *proximal);
 
-    void assemble(const CellMatrices &cells, const Constraints &constraints);
+    // regularise: with the proximal diagonal.
+    void assemble(const CellMatrices &cells, const Constraints &constraints, const bool regularise);
 
     const LA::SparseMatrix &matrix() const { return system; }
 
@@ -51,7 +52,6 @@ namespace Amontons
     std::vector<bool>         in_cells; // by owned DoF: some cell (of any rank) contributes to its row
     LA::SparseMatrix          bulk, system;
     LA::Vector                proximal_diagonal;
-    bool                      has_proximal = false;
     double                    diagonal_scale = 1;
   };
 } // namespace Amontons

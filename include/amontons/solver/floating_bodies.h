@@ -3,6 +3,7 @@
 
 #include <amontons/contact/contact_interface.h>
 #include <amontons/discretization/discretization.h>
+#include <amontons/discretization/elimination.h>
 
 #include <deal.II/lac/full_matrix.h>
 

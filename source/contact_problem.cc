@@ -3,6 +3,7 @@
 #include <amontons/output/files.h>
 #include <amontons/output/history.h>
 #include <amontons/output/probes.h>
+#include <amontons/output/report.h>
 
 #include <deal.II/numerics/data_out.h>
 
@@ -379,9 +380,22 @@ namespace Amontons
     for (const auto &[name, seconds] : timer.get_summary_data(TimerOutput::total_wall_time))
       summary.timing[name] = seconds;
     summary.wall_seconds = wall.wall_time();
+    MeshPicture picture;
+    if (parameters.output.report && recovery)
+      picture = gather_mesh_picture(*discretization, *recovery, state.displacement);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        write_contact_csv(folder + "/contact.csv", contact_table(interfaces, fields));
+        const auto table = contact_table(interfaces, fields);
+        if (parameters.output.report)
+          write_report(folder + "/report.html",
+                       summary,
+                       pressure_curves(table,
+                                       summary.pairs,
+                                       dim,
+                                       reference ? &*reference : nullptr,
+                                       scene.reference ? scene.reference->pair : ""),
+                       picture);
+        write_contact_csv(folder + "/contact.csv", table);
         write_history(folder + "/history.csv", summary.meshes, scene.kind);
         write_summary(summary, folder + "/summary.json");
       }

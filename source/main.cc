@@ -1,9 +1,13 @@
 #include <amontons/contact_problem.h>
 #include <amontons/scene/scene_reader.h>
+#include <amontons/studies/convergence_study.h>
 
-#include <deal.II/base/mpi.h>
+#include <deal.II/base/mpi.templates.h>
+
+#include <boost/property_tree/json_parser.hpp>
 
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 
 namespace
@@ -15,7 +19,7 @@ namespace
     std::string              scene;
     std::vector<std::string> overrides;
     std::string              output;
-    bool                     parameters = false, quiet = false, help = false;
+    bool                     parameters = false, quiet = false, help = false, is_study = false;
   };
 
   const char *usage = "usage: amontons SCENE.prm [--set \"Section/Name = value\"]... [--output DIR] [--quiet]\n"
@@ -43,6 +47,8 @@ namespace
           line.parameters = true;
         else if (argument == "--quiet")
           line.quiet = true;
+        else if (argument == "study" && i == 1)
+          line.is_study = true;
         else if (argument == "--help" || argument == "-h")
           line.help = true;
         else if (argument[0] == '-' || !line.scene.empty())
@@ -60,6 +66,48 @@ namespace
     const auto slash = scene.find_last_of('/');
     const auto name  = slash == std::string::npos ? scene : scene.substr(slash + 1);
     return "output/" + name.substr(0, name.find_last_of('.'));
+  }
+
+  RunSummary
+  run_scene(const std::string              &file,
+            const std::vector<std::string> &overrides,
+            const std::string              &output,
+            const bool                      quiet)
+  {
+    Parameters  parameters;
+    const Scene scene = read_scene(file, overrides, parameters.groups());
+    if (scene.kind == Kind::three_dimensional)
+      throw InputError({file, 0, "Kind"},
+                       "found 3D",
+                       "allowed in this version: plane strain, plane stress, axisymmetric");
+    return ContactProblem<2>(scene, parameters, output.empty() ? default_output(file) : output, quiet).run();
+  }
+
+  // A scene's summary.json as the study wants it, on every rank.
+  boost::property_tree::ptree
+  run_for_study(const std::string &file, const std::vector<std::string> &overrides, const std::string &output)
+  {
+    const RunSummary summary = run_scene(file, overrides, output, true);
+    if (summary.status != "converged")
+      throw std::runtime_error(summary.message);
+    MPI_Barrier(MPI_COMM_WORLD);
+    std::ifstream               in(output + "/summary.json");
+    boost::property_tree::ptree tree;
+    boost::property_tree::read_json(in, tree);
+    return tree;
+  }
+
+  int
+  run_study(const std::string &file, const std::string &output)
+  {
+    unsigned int n_runs = 0;
+    return run_convergence_study(
+      file,
+      [&](const std::string &scene, const std::vector<std::string> &overrides) {
+        return run_for_study(scene, overrides, output + "/run_" + std::to_string(n_runs++));
+      },
+      std::cout,
+      MPI_COMM_WORLD);
   }
 
   int
@@ -80,11 +128,9 @@ namespace
           print_parameters(std::cout, parameters.groups());
         return 0;
       }
-    const Scene scene = read_scene(line.scene, line.overrides, parameters.groups());
-    if (scene.kind == Kind::three_dimensional)
-      throw InputError({line.scene, 0, "Kind"}, "3D", "plane strain, plane stress or axisymmetric (3D contact is being built)");
-    ContactProblem<2> problem(scene, parameters, line.output.empty() ? default_output(line.scene) : line.output, line.quiet);
-    return problem.run().status == "converged" ? 0 : 1;
+    if (line.is_study)
+      return run_study(line.scene, line.output.empty() ? default_output(line.scene) : line.output);
+    return run_scene(line.scene, line.overrides, line.output, line.quiet).status == "converged" ? 0 : 1;
   }
 } // namespace
 

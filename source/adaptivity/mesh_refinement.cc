@@ -191,13 +191,29 @@ namespace Amontons
         }
     };
     for (const auto &interface : interfaces)
-      for (const auto &point : interface.coupling.points)
-        if (point.gap <= distance)
+      {
+        double closest = std::numeric_limits<double>::max();
+        for (const auto &point : interface.coupling.points)
+          closest = std::min(closest, point.gap);
+        const auto is_close = [&](const OverlapPoint<dim> &point) {
+          return point.gap <= closest + distance * interface.slave->faces[point.slave_face].size;
+        };
+        double close = 0, all = 0;
+        for (const auto &point : interface.coupling.points)
           {
-            mark(*interface.slave, point.slave_face);
-            if (interface.master_surface && point.master_face != numbers::invalid_unsigned_int)
-              mark(*interface.master_surface, point.master_face);
+            all += point.weight;
+            close += is_close(point) ? point.weight : 0;
           }
+        if (close > 0.5 * all)
+          continue;
+        for (const auto &point : interface.coupling.points)
+          if (is_close(point))
+            {
+              mark(*interface.slave, point.slave_face);
+              if (interface.master_surface && point.master_face != numbers::invalid_unsigned_int)
+                mark(*interface.master_surface, point.master_face);
+            }
+      }
     return Utilities::MPI::sum(n_marked, communicator);
   }
 

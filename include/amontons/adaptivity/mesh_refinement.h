@@ -31,8 +31,9 @@ namespace Amontons
                   const RefinementParameters &parameters,
                   const Vector<float>        &indicators);
 
-  // Marks the cells of deformable bodies behind slave and master faces that may touch first: faces with overlap points of a gap of
-  // at most `distance`. Returns how many it marked, on all ranks. Collective.
+  // Marks the cells of deformable bodies behind slave and master faces that may touch first: faces with overlap points whose gap
+  // exceeds the smallest of the pair by at most `distance` times the face's size. Pairs of which more than half is close (conforming
+  // surfaces) are left alone. Returns how many it marked, on all ranks. Collective.
   template <int dim>
   unsigned int mark_close_cells(const Discretization<dim>                &discretization,
                                 const std::vector<ContactInterface<dim>> &interfaces,

@@ -23,15 +23,11 @@ namespace Amontons
                                       const Parameters  &parameters,
                                       const std::string &output_folder,
                                       const bool         quiet)
-    : scene(scene)
-    , parameters(parameters)
-    , folder(output_folder)
-    , communicator(MPI_COMM_WORLD)
-    , terminal(communicator, quiet)
-    , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
-    , geometry(communicator)
-    , vtu(output_folder, communicator)
-  {}
+      : scene(scene), parameters(parameters), folder(output_folder), communicator(MPI_COMM_WORLD),
+        terminal(communicator, quiet), timer(std::cout, TimerOutput::never, TimerOutput::wall_times),
+        geometry(communicator), vtu(output_folder, communicator)
+  {
+  }
 
   template <int dim>
   RunSummary
@@ -51,6 +47,8 @@ namespace Amontons
         set_load_factor(scene.end_time * increment / scene.n_increments);
         success = solve_increment(increment);
         write_increment();
+        if (scene.n_increments > 1)
+          terminal.progress("load increments", double(increment) / scene.n_increments);
       }
     summary.status = success ? "converged" : "not converged";
     finish();
@@ -116,7 +114,10 @@ namespace Amontons
   {
     const unsigned int             rank = Utilities::MPI::this_mpi_process(communicator);
     std::vector<CoveredPoint<dim>> covered;
-    const auto add = [&](const ContactSurface<dim> &surface, const unsigned int face, const Point<dim - 1> &xi, const double weight) {
+    const auto                     add = [&](const ContactSurface<dim> &surface,
+                         const unsigned int         face,
+                         const Point<dim - 1>      &xi,
+                         const double               weight) {
       if (surface.faces[face].rank != rank)
         return;
       const auto [cell, f] = surface.owned[surface.faces[face].owned_index];
@@ -174,18 +175,18 @@ namespace Amontons
     }
     SemismoothNewton<dim> newton(parameters.newton, parameters.linear_solver, *discretization, timer);
     unsigned int          iteration = 0;
-    const auto            report =
-      newton.solve(*elasticity, interfaces, supports, loads, state, [&](const NewtonReport::Iteration &step) {
-        IterationLine line;
-        line.iteration         = ++iteration;
-        line.residual          = step.residual;
-        line.n_open            = step.n_open;
-        line.n_stick           = step.n_stick;
-        line.n_slip            = step.n_slip;
-        line.changes           = step.n_changes;
-        line.krylov_iterations = step.krylov;
-        terminal.iteration(line);
-      });
+    const auto            report    = newton.solve(
+        *elasticity, interfaces, supports, loads, state, [&](const NewtonReport::Iteration &step) {
+          IterationLine line;
+          line.iteration         = ++iteration;
+          line.residual          = step.residual;
+          line.n_open            = step.n_open;
+          line.n_stick           = step.n_stick;
+          line.n_slip            = step.n_slip;
+          line.changes           = step.n_changes;
+          line.krylov_iterations = step.krylov;
+          terminal.iteration(line);
+        });
     const double solve_seconds = seconds.wall_time();
     collect_fields();
     estimate();
@@ -235,7 +236,8 @@ namespace Amontons
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       for (unsigned int n = 0; n < interfaces[i].slave->nodes.size(); ++n)
         for (unsigned int c = 0; c < dim; ++c)
-          if (const auto dof = interfaces[i].slave->nodes[n].dofs[c]; discretization->locally_owned.is_element(dof))
+          if (const auto dof = interfaces[i].slave->nodes[n].dofs[c];
+              discretization->locally_owned.is_element(dof))
             traction(dof) = fields[i].pressure[n] * fields[i].normal[n][c];
     traction.compress(VectorOperation::insert);
     state.traction = discretization->make_relevant_vector();
@@ -262,9 +264,9 @@ namespace Amontons
           double      p    = 0;
           for (unsigned int c = 0; c < dim; ++c)
             p += state.traction(node.dofs[c]) * node.normal[c];
-          state.states[i].push_back(interfaces[i].pair->tied  ? ContactState::stick :
-                                    p > 1e-3 * largest ? ContactState::slip :
-                                                         ContactState::open);
+          state.states[i].push_back(interfaces[i].pair->tied ? ContactState::stick
+                                    : p > 1e-3 * largest     ? ContactState::slip
+                                                             : ContactState::open);
         }
   }
 
@@ -277,13 +279,15 @@ namespace Amontons
 
   template <int dim>
   void
-  ContactProblem<dim>::summarise_mesh(const unsigned int increment, const NewtonReport &report, const double seconds)
+  ContactProblem<dim>::summarise_mesh(const unsigned int  increment,
+                                      const NewtonReport &report,
+                                      const double        seconds)
   {
     NewtonSummary newton;
-    newton.increment = increment;
-    newton.mesh      = mesh_number;
-    newton.cells     = geometry.triangulation.n_global_active_cells() - geometry.carriers.size();
-    newton.dofs      = discretization->dof_handler.n_dofs();
+    newton.increment  = increment;
+    newton.mesh       = mesh_number;
+    newton.cells      = geometry.triangulation.n_global_active_cells() - geometry.carriers.size();
+    newton.dofs       = discretization->dof_handler.n_dofs();
     newton.iterations = report.iterations.size();
     for (const auto &iteration : report.iterations)
       {
@@ -323,8 +327,8 @@ namespace Amontons
   void
   ContactProblem<dim>::add_notes(const NewtonReport &report)
   {
-    auto       &notes = summary.notes;
-    const auto  add   = [&](const std::string &text) {
+    auto      &notes = summary.notes;
+    const auto add   = [&](const std::string &text) {
       if (!text.empty() && std::find(notes.begin(), notes.end(), text) == notes.end())
         notes.push_back(text);
     };
@@ -344,7 +348,8 @@ namespace Amontons
     if (!parameters.output.vtu)
       return;
     TimerOutput::Scope scope(timer, "output");
-    vtu.write_bodies(BodyFields<dim>{*discretization, state.displacement, *recovery, error.cell_indicators}, state.t);
+    vtu.write_bodies(BodyFields<dim>{*discretization, state.displacement, *recovery, error.cell_indicators},
+                     state.t);
     vtu.write_contact(interfaces, fields, state.t);
   }
 

@@ -1,4 +1,5 @@
 #include <amontons/contact_problem.h>
+#include <amontons/output/files.h>
 #include <amontons/scene/scene_reader.h>
 #include <amontons/studies/convergence_study.h>
 
@@ -6,9 +7,11 @@
 
 #include <boost/property_tree/json_parser.hpp>
 
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <thread>
 
 namespace
 {
@@ -22,10 +25,11 @@ namespace
     bool                     parameters = false, quiet = false, help = false, is_study = false;
   };
 
-  const char *usage = "usage: amontons SCENE.prm [--set \"Section/Name = value\"]... [--output DIR] [--quiet]\n"
-                      "       amontons study STUDY.prm\n"
-                      "       amontons --parameters\n"
-                      "       mpirun -np 4 amontons SCENE.prm\n";
+  const char *usage =
+      "usage: amontons SCENE.prm [--set \"Section/Name = value\"]... [--output DIR] [--quiet]\n"
+      "       amontons study STUDY.prm\n"
+      "       amontons --parameters\n"
+      "       mpirun -np 4 amontons SCENE.prm\n";
 
   CommandLine
   parse(const int argc, char **argv)
@@ -35,8 +39,8 @@ namespace
       {
         const std::string argument = argv[i];
         const auto        next     = [&]() -> std::string {
-          if (++i >= argc)
-            throw InputError({"command line", 0, argument}, "its value is missing", usage);
+          if (++i >= argc || std::string(argv[i]).empty() || std::string(argv[i]).rfind("--", 0) == 0)
+            throw InputError({"command line", 0, argument}, "its value is missing", "see 'amontons --help'");
           return argv[i];
         };
         if (argument == "--set")
@@ -52,10 +56,20 @@ namespace
         else if (argument == "--help" || argument == "-h")
           line.help = true;
         else if (argument[0] == '-' || !line.scene.empty())
-          throw InputError({"command line", 0, argument}, "unknown argument", usage);
+          throw InputError(
+              {"command line", 0, argument},
+              argument[0] == '-'
+                  ? "unknown argument" +
+                        suggestion(argument, {"--set", "--output", "--quiet", "--parameters", "--help"})
+                  : "a second file",
+              "see 'amontons --help'");
         else
           line.scene = argument;
       }
+    if (line.is_study && (!line.overrides.empty() || line.scene.empty()))
+      throw InputError({"command line", 0, "study"},
+                       line.scene.empty() ? "no study file is given" : "--set has no meaning for a study",
+                       "amontons study STUDY.prm [--output DIR]; what it varies is in the file");
     return line;
   }
 
@@ -77,10 +91,12 @@ namespace
     Parameters  parameters;
     const Scene scene = read_scene(file, overrides, parameters.groups());
     if (scene.kind == Kind::three_dimensional)
-      throw InputError({file, 0, "Kind"},
-                       "found 3D",
-                       "allowed in this version: plane strain, plane stress, axisymmetric");
-    return ContactProblem<2>(scene, parameters, output.empty() ? default_output(file) : output, quiet).run();
+      throw InputError(
+          {file, 0, "Kind"}, "found 3D", "allowed in this version: plane strain, plane stress, axisymmetric");
+    const RunSummary summary =
+        ContactProblem<2>(scene, parameters, output.empty() ? default_output(file) : output, quiet).run();
+    keep_output_folder();
+    return summary;
   }
 
   // A scene's summary.json as the study wants it, on every rank.
@@ -102,12 +118,12 @@ namespace
   {
     unsigned int n_runs = 0;
     return run_convergence_study(
-      file,
-      [&](const std::string &scene, const std::vector<std::string> &overrides) {
-        return run_for_study(scene, overrides, output + "/run_" + std::to_string(n_runs++));
-      },
-      std::cout,
-      MPI_COMM_WORLD);
+        file,
+        [&](const std::string &scene, const std::vector<std::string> &overrides) {
+          return run_for_study(scene, overrides, output + "/run_" + std::to_string(n_runs++));
+        },
+        std::cout,
+        MPI_COMM_WORLD);
   }
 
   int
@@ -119,7 +135,7 @@ namespace
     if (line.help || (line.scene.empty() && !line.parameters))
       {
         if (is_root)
-          std::cout << usage;
+          (line.help ? std::cout : std::cerr) << usage;
         return line.help ? 0 : 1;
       }
     if (line.parameters)
@@ -131,6 +147,51 @@ namespace
     if (line.is_study)
       return run_study(line.scene, line.output.empty() ? default_output(line.scene) : line.output);
     return run_scene(line.scene, line.overrides, line.output, line.quiet).status == "converged" ? 0 : 1;
+  }
+  // An error that all ranks meet is printed once, and they end in peace. Where others may wait for a rank in
+  // vain, the lowest of those that failed says why, and all are stopped. `channel` is used for nothing else.
+  int
+  end_with(const int code, const std::string &message, const MPI_Comm channel)
+  {
+    const int rank    = Utilities::MPI::this_mpi_process(channel),
+              n_ranks = Utilities::MPI::n_mpi_processes(channel);
+    char nothing      = 0;
+    for (int other = 0; other < n_ranks; ++other)
+      if (other != rank)
+        {
+          MPI_Request request;
+          MPI_Isend(&nothing, 1, MPI_CHAR, other, 0, channel, &request);
+          MPI_Request_free(&request);
+        }
+
+    int        n_failed = 1, lowest = rank;
+    const auto start = std::chrono::steady_clock::now();
+    while (n_failed < n_ranks && std::chrono::steady_clock::now() - start < std::chrono::seconds(2))
+      {
+        int        found = 0;
+        MPI_Status status;
+        MPI_Iprobe(MPI_ANY_SOURCE, 0, channel, &found, &status);
+        if (found != 0)
+          {
+            MPI_Recv(&nothing, 1, MPI_CHAR, status.MPI_SOURCE, 0, channel, MPI_STATUS_IGNORE);
+            lowest = std::min(lowest, status.MPI_SOURCE);
+            ++n_failed;
+          }
+        else
+          std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      }
+    if (rank == lowest)
+      {
+        remove_new_output_folder();
+        std::cout << std::flush;
+        std::cerr << message << std::endl;
+      }
+    if (n_failed == n_ranks)
+      return code;
+    if (rank != lowest)
+      std::this_thread::sleep_for(std::chrono::seconds(5));
+    MPI_Abort(MPI_COMM_WORLD, code);
+    return code;
   }
 } // namespace
 
@@ -146,21 +207,26 @@ main(int argc, char **argv)
       setenv("OMPI_MCA_btl", "self", 0);
     }
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const bool is_root = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+  MPI_Comm channel;
+  MPI_Comm_dup(MPI_COMM_WORLD, &channel);
   try
     {
       return run(argc, argv);
     }
   catch (const Amontons::InputError &error)
     {
-      if (is_root)
-        std::cerr << error.what() << std::endl;
-      return 1;
+      return end_with(1, error.what(), channel);
+    }
+  catch (const std::bad_alloc &)
+    {
+      return end_with(
+          1,
+          "amontons: out of memory; allowed: a smaller 'Maximum DoFs', fewer cells or more memory",
+          channel);
     }
   catch (const std::exception &error)
     {
-      std::cerr << "amontons: internal error: " << error.what() << std::endl;
-      MPI_Abort(MPI_COMM_WORLD, 2);
-      return 2;
+      return end_with(2, std::string("amontons: internal error: ") + error.what(), channel);
     }
 }

@@ -25,17 +25,17 @@ namespace Amontons
     return result;
   }
 
-  CondensedSystem::CondensedSystem(const IndexSet &locally_owned, const IndexSet &relevant, MPI_Comm communicator)
-    : locally_owned(locally_owned)
-    , relevant(relevant)
-    , communicator(communicator)
-  {}
+  CondensedSystem::CondensedSystem(const IndexSet &locally_owned,
+                                   const IndexSet &relevant,
+                                   MPI_Comm        communicator)
+      : locally_owned(locally_owned), relevant(relevant), communicator(communicator)
+  {
+  }
 
   void
   CondensedSystem::setup(const CellMatrices                &cells,
                          const Constraints                 &supports,
-                         const std::vector<LinearEquation> &candidates,
-                         const LA::Vector                  *proximal)
+                         const std::vector<LinearEquation> &candidates)
   {
     // The DoFs that a DoF of a possible slave node may be replaced by.
     std::map<types::global_dof_index, std::set<types::global_dof_index>> partners;
@@ -62,7 +62,8 @@ namespace Amontons
                   for (const auto partner : found->second)
                     {
                       more.insert(partner);
-                      if (const auto next = partners.find(partner); next != partners.end() && candidates.size() < 4000)
+                      if (const auto next = partners.find(partner);
+                          next != partners.end() && candidates.size() < 4000)
                         more.insert(next->second.begin(), next->second.end());
                     }
                 }
@@ -87,9 +88,6 @@ namespace Amontons
     bulk.reinit(locally_owned, locally_owned, dsp, communicator);
     system.reinit(bulk);
 
-    if (proximal != nullptr)
-      proximal_diagonal = *proximal;
-
     double largest = 0;
     for (unsigned int c = 0; c < cells.n; ++c)
       for (unsigned int i = 0; i < cells.matrix(c).m(); ++i)
@@ -113,18 +111,20 @@ namespace Amontons
   }
 
   void
-  CondensedSystem::assemble(const CellMatrices &cells, const Constraints &constraints, const bool regularise)
+  CondensedSystem::assemble(const CellMatrices &cells,
+                            const Constraints  &constraints,
+                            const LA::Vector   *diagonal)
   {
     system.copy_from(bulk);
     for (const unsigned int c : surface_cells)
       add_cell(cells, c, constraints, system);
-    if (regularise)
+    if (diagonal != nullptr)
       {
         FullMatrix<double> one(1, 1);
         for (const auto dof : locally_owned)
-          if (proximal_diagonal(dof) != 0)
+          if ((*diagonal)(dof) != 0)
             {
-              one(0, 0) = proximal_diagonal(dof);
+              one(0, 0) = (*diagonal)(dof);
               constraints.distribute_local_to_global(one, std::vector<types::global_dof_index>{dof}, system);
             }
       }
@@ -132,9 +132,12 @@ namespace Amontons
     add_missing_diagonals(constraints, diagonal_scale, system);
   }
 
-  // Rows that no cell reaches: carriers and rigid bodies (their DoFs are constrained or moved through others).
+  // Rows that no cell reaches: carriers and rigid bodies (their DoFs are constrained or moved through
+  // others).
   void
-  CondensedSystem::add_missing_diagonals(const Constraints &constraints, const double scale, LA::SparseMatrix &matrix) const
+  CondensedSystem::add_missing_diagonals(const Constraints &constraints,
+                                         const double       scale,
+                                         LA::SparseMatrix  &matrix) const
   {
     for (const auto dof : locally_owned)
       if (constraints.is_constrained(dof) && matrix.diag_element(dof) == 0)

@@ -6,10 +6,9 @@
 
 namespace Amontons
 {
-  ContactConstraints::ContactConstraints(const Constraints &supports, const std::vector<ContactEquation> &equations)
-    : constraints(supports.get_local_lines())
-    , contact_equations(equations)
-    , pivot_dofs(equations.size())
+  ContactConstraints::ContactConstraints(const Constraints                  &supports,
+                                         const std::vector<ContactEquation> &equations)
+      : constraints(supports.get_local_lines()), contact_equations(equations), pivot_dofs(equations.size())
   {
     constraints.merge(supports, Constraints::no_conflicts_allowed, true);
     for (unsigned int i = 0; i < equations.size(); ++i)
@@ -40,8 +39,8 @@ namespace Amontons
     if (n == 0)
       return multipliers;
 
-    // Nearly diagonal: off the diagonal stand mid-side nodes of quadratic faces, corners with two multipliers, and slaves
-    // that are masters of another pair.
+    // Nearly diagonal: off the diagonal stand mid-side nodes of quadratic faces, corners with two
+    // multipliers, and slaves that are masters of another pair.
     std::vector<std::tuple<unsigned int, unsigned int, double>> entries;
     DynamicSparsityPattern                                      dsp(n, n);
     bool                                                        diagonal = true;

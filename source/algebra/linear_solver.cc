@@ -18,10 +18,11 @@ namespace Amontons
                       "direct (a sparse factorisation), cg (conjugate gradients with algebraic multigrid) or "
                       "automatic: direct for plane problems up to 150000 unknowns and 3D ones up to 10000.",
                       Patterns::Selection("automatic|direct|cg"));
-    prm.add_parameter("Direct package",
-                      direct_package,
-                      "Trilinos' name of the direct solver; automatic: the fastest measured (doc/benchmarks).",
-                      Patterns::Selection("automatic|Amesos_Mumps|Amesos_Klu"));
+    prm.add_parameter(
+        "Direct package",
+        direct_package,
+        "Trilinos' name of the direct solver; automatic: the fastest measured (doc/benchmarks).",
+        Patterns::Selection("automatic|Amesos_Mumps|Amesos_Klu"));
     prm.add_parameter("Tolerance",
                       tolerance,
                       "Relative residual to which linear systems are solved once the contact set is found.",
@@ -66,9 +67,9 @@ namespace Amontons
   };
 
   LinearSolver::LinearSolver(const LinearSolverParameters &parameters, const int dim)
-    : parameters(parameters)
-    , dim(dim)
-  {}
+      : parameters(parameters), dim(dim)
+  {
+  }
 
   LinearSolver::~LinearSolver() = default;
 
@@ -147,7 +148,7 @@ namespace Amontons
       }
     if (!direct)
       direct = std::make_unique<Factorisation>(
-        matrix, parameters.direct_package == "automatic" ? "Amesos_Mumps" : parameters.direct_package);
+          matrix, parameters.direct_package == "automatic" ? "Amesos_Mumps" : parameters.direct_package);
     if (factorisation_is_old)
       direct->factorise();
     factorisation_is_old = false;

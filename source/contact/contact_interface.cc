@@ -41,7 +41,7 @@ namespace Amontons
       {
         const PairData       &pair = scene.pairs[i];
         ContactInterface<dim> interface;
-        interface.pair = &pair;
+        interface.pair     = &pair;
         const auto surface = [&](const BoundaryName &name) {
           return std::make_unique<ContactSurface<dim>>(discretization,
                                                        discretization.geometry.boundary(name, scene));
@@ -69,8 +69,8 @@ namespace Amontons
 
   namespace
   {
-    // How far a gap may be and still matter: bodies may be brought together across an initial gap, so the closest
-    // distance counts, and what lies within half the size of the smaller surface beyond it.
+    // How far a gap may be and still matter: bodies may be brought together across an initial gap, so the
+    // closest distance counts, and what lies within half the size of the smaller surface beyond it.
     template <int dim>
     double
     search_distance(const ContactInterface<dim> &interface)
@@ -85,7 +85,7 @@ namespace Amontons
       double reach = extent(*interface.slave);
       if (interface.master.surface == nullptr)
         return 1e3 * reach;
-      reach = 0.5 * std::min(reach, extent(*interface.master.surface));
+      reach          = 0.5 * std::min(reach, extent(*interface.master.surface));
       double closest = std::numeric_limits<double>::max();
       for (const auto &face : interface.slave->faces)
         for (const auto &other : interface.master.surface->faces)
@@ -126,19 +126,22 @@ namespace Amontons
         const auto carries = find_carrying_nodes(*interface.slave, supports, interface.pair->tied);
         interface.n_without_multiplier = std::count(carries.begin(), carries.end(), false);
         interface.coupling =
-          integrate_coupling(discretization,
-                             *interface.slave,
-                             interface.master,
-                             find_overlaps(*interface.pair,
-                                           *interface.slave,
-                                           interface.master,
-                                           search_distance(interface),
-                                           discretization.scene.kind == Kind::axisymmetric),
-                             carries);
+            integrate_coupling(discretization,
+                               *interface.slave,
+                               interface.master,
+                               find_overlaps(*interface.pair,
+                                             *interface.slave,
+                                             interface.master,
+                                             search_distance(interface),
+                                             discretization.scene.kind == Kind::axisymmetric),
+                               carries);
       }
   }
 
-  template std::vector<bool>                  choose_slaves(const Discretization<2> &);
-  template std::vector<ContactInterface<2>> make_interfaces(const Discretization<2> &, const std::vector<bool> &);
-  template void integrate_couplings(const Discretization<2> &, const Constraints &, std::vector<ContactInterface<2>> &);
+  template std::vector<bool>
+  choose_slaves(const Discretization<2> &);
+  template std::vector<ContactInterface<2>>
+  make_interfaces(const Discretization<2> &, const std::vector<bool> &);
+  template void
+  integrate_couplings(const Discretization<2> &, const Constraints &, std::vector<ContactInterface<2>> &);
 } // namespace Amontons

@@ -40,7 +40,8 @@ namespace Amontons
       return p;
     }
 
-    // Point xi of face f of the unit cell, the face's coordinates being the cell's remaining ones in their order.
+    // Point xi of face f of the unit cell, the face's coordinates being the cell's remaining ones in their
+    // order.
     template <int dim>
     Point<dim>
     on_unit_cell(const unsigned int f, const Point<dim - 1> &xi)
@@ -69,8 +70,8 @@ namespace Amontons
       return points;
     }
 
-    // Sign of (cross product of the face tangents, in the order of the remaining coordinates) . outward normal; in 2D
-    // the "cross product" of t is (t_y, -t_x).
+    // Sign of (cross product of the face tangents, in the order of the remaining coordinates) . outward
+    // normal; in 2D the "cross product" of t is (t_y, -t_x).
     template <int dim>
     double
     orientation(const unsigned int f)
@@ -96,9 +97,7 @@ namespace Amontons
 
   template <int dim>
   ContactSurface<dim>::ContactSurface(const Discretization<dim> &discretization, const Boundary &boundary)
-    : boundary(boundary)
-    , degree(discretization.fe.degree)
-    , n_dofs(discretization.dof_handler.n_dofs())
+      : boundary(boundary), degree(discretization.fe.degree), n_dofs(discretization.dof_handler.n_dofs())
   {
     collect_faces(discretization);
     make_normals(discretization);
@@ -123,12 +122,14 @@ namespace Amontons
               cell->get_dof_indices(cell_dofs);
               for (const unsigned int i : nodes_on_face(base, f))
                 {
-                  append(package.positions, true_geometry.transform_unit_to_real_cell(cell, base.unit_support_point(i)));
+                  append(package.positions,
+                         true_geometry.transform_unit_to_real_cell(cell, base.unit_support_point(i)));
                   for (unsigned int c = 0; c < dim; ++c)
                     package.dofs.push_back(cell_dofs[fe.component_to_system_index(c, i)]);
                 }
               for (const auto &xi : fine)
-                append(package.positions, true_geometry.transform_unit_to_real_cell(cell, on_unit_cell<dim>(f, xi)));
+                append(package.positions,
+                       true_geometry.transform_unit_to_real_cell(cell, on_unit_cell<dim>(f, xi)));
               package.signs.push_back(orientation<dim>(f));
               owned.emplace_back(cell, f);
             }
@@ -136,8 +137,8 @@ namespace Amontons
     Point<dim - 1> middle;
     for (unsigned int d = 0; d < dim - 1; ++d)
       middle[d] = 0.5;
-    const unsigned int n_nodes = Utilities::fixed_power<dim - 1>(degree + 1);
-    const auto         T       = control_matrix(degree, dim - 1);
+    const unsigned int                              n_nodes = Utilities::fixed_power<dim - 1>(degree + 1);
+    const auto                                      T       = control_matrix(degree, dim - 1);
     std::map<types::global_dof_index, unsigned int> node_of_dof;
 
     const auto packages = Utilities::MPI::all_gather(discretization.geometry.communicator, package);
@@ -178,8 +179,8 @@ namespace Amontons
     mean_size /= std::max<std::size_t>(1, faces.size());
   }
 
-  // Mean of the face normals at the node, weighted by nothing (2D: two faces); then made to lie in the symmetry planes
-  // (and on the axis of revolution) that the node belongs to.
+  // Mean of the face normals at the node, weighted by nothing (2D: two faces); then made to lie in the
+  // symmetry planes (and on the axis of revolution) that the node belongs to.
   template <int dim>
   void
   ContactSurface<dim>::make_normals(const Discretization<dim> &discretization)
@@ -203,15 +204,16 @@ namespace Amontons
     std::map<types::global_dof_index, unsigned int> node_of_dof;
     for (unsigned int i = 0; i < nodes.size(); ++i)
       node_of_dof[nodes[i].dofs[0]] = i;
-    const auto                          &fe   = discretization.fe;
-    const auto                          &base = fe.base_element(0);
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    const auto                                         &fe   = discretization.fe;
+    const auto                                         &base = fe.base_element(0);
+    std::vector<types::global_dof_index>                dofs(fe.n_dofs_per_cell());
     std::map<unsigned int, std::vector<Tensor<1, dim>>> plane_normals;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() && (planes.count(cell->face(f)->boundary_id()) > 0 ||
-                                               (axisymmetric && std::abs(cell->face(f)->center()[0]) < 1e-10 * cell->diameter())))
+          if (cell->face(f)->at_boundary() &&
+              (planes.count(cell->face(f)->boundary_id()) > 0 ||
+               (axisymmetric && std::abs(cell->face(f)->center()[0]) < 1e-10 * cell->diameter())))
             {
               std::array<Tensor<1, dim>, dim - 1> t;
               for (unsigned int k = 0; k < dim - 1; ++k)
@@ -219,7 +221,8 @@ namespace Amontons
               const Tensor<1, dim> normal = cross(t);
               cell->get_dof_indices(dofs);
               for (const unsigned int i : nodes_on_face(base, f))
-                if (const auto node = node_of_dof.find(dofs[fe.component_to_system_index(0, i)]); node != node_of_dof.end())
+                if (const auto node = node_of_dof.find(dofs[fe.component_to_system_index(0, i)]);
+                    node != node_of_dof.end())
                   plane_normals[node->second].push_back(normal / normal.norm());
             }
     for (const auto &part : Utilities::MPI::all_gather(discretization.geometry.communicator, plane_normals))
@@ -227,7 +230,9 @@ namespace Amontons
         for (const auto &normal : normals)
           {
             auto &known = nodes[i].symmetry_planes;
-            if (std::none_of(known.begin(), known.end(), [&](const auto &m) { return std::abs(m * normal) > 1 - 1e-6; }))
+            if (std::none_of(known.begin(), known.end(), [&](const auto &m) {
+                  return std::abs(m * normal) > 1 - 1e-6;
+                }))
               known.push_back(normal);
             Tensor<1, dim> &n         = nodes[i].normal;
             const auto      projected = n - (n * normal) * normal;
@@ -251,7 +256,7 @@ namespace Amontons
   std::array<Tensor<1, dim>, dim - 1>
   ContactSurface<dim>::tangents(const unsigned int face, const Point<dim - 1> &xi) const
   {
-    const auto gradients = lagrange_gradients<dim - 1>(geometry_degree, xi);
+    const auto                          gradients = lagrange_gradients<dim - 1>(geometry_degree, xi);
     std::array<Tensor<1, dim>, dim - 1> t;
     for (unsigned int i = 0; i < gradients.size(); ++i)
       for (unsigned int k = 0; k < dim - 1; ++k)

@@ -128,7 +128,13 @@ namespace Amontons
   }
 
   template DualBasis<1>
-  make_dual_basis(const unsigned int, const std::vector<Point<1>> &, const std::vector<double> &, const std::vector<bool> &);
+  make_dual_basis(const unsigned int,
+                  const std::vector<Point<1>> &,
+                  const std::vector<double> &,
+                  const std::vector<bool> &);
   template DualBasis<2>
-  make_dual_basis(const unsigned int, const std::vector<Point<2>> &, const std::vector<double> &, const std::vector<bool> &);
+  make_dual_basis(const unsigned int,
+                  const std::vector<Point<2>> &,
+                  const std::vector<double> &,
+                  const std::vector<bool> &);
 } // namespace Amontons

@@ -77,8 +77,8 @@ namespace Amontons
     std::vector<Tensor<1, fdim>> gradients;
     for (unsigned int d = 0; d < fdim; ++d)
       {
-        auto f = values;
-        f[d]   = derivatives[d];
+        auto f             = values;
+        f[d]               = derivatives[d];
         const auto product = tensor_product<fdim>(f);
         gradients.resize(product.size());
         for (unsigned int i = 0; i < product.size(); ++i)
@@ -101,8 +101,8 @@ namespace Amontons
   control_matrix(const unsigned int degree, const unsigned int fdim)
   {
     const std::vector<std::vector<double>> T1 =
-      degree == 1 ? std::vector<std::vector<double>>{{1, 0}, {0, 1}} :
-                    std::vector<std::vector<double>>{{1, 0, 0}, {-0.5, 2, -0.5}, {0, 0, 1}};
+        degree == 1 ? std::vector<std::vector<double>>{{1, 0}, {0, 1}}
+                    : std::vector<std::vector<double>>{{1, 0, 0}, {-0.5, 2, -0.5}, {0, 0, 1}};
     if (fdim == 1)
       return T1;
     const unsigned int               n = degree + 1;
@@ -113,10 +113,16 @@ namespace Amontons
     return T2;
   }
 
-  template std::vector<double>       lagrange_values(const unsigned int, const Point<1> &);
-  template std::vector<double>       lagrange_values(const unsigned int, const Point<2> &);
-  template std::vector<Tensor<1, 1>> lagrange_gradients(const unsigned int, const Point<1> &);
-  template std::vector<Tensor<1, 2>> lagrange_gradients(const unsigned int, const Point<2> &);
-  template std::vector<double>       bernstein_values(const unsigned int, const Point<1> &);
-  template std::vector<double>       bernstein_values(const unsigned int, const Point<2> &);
+  template std::vector<double>
+  lagrange_values(const unsigned int, const Point<1> &);
+  template std::vector<double>
+  lagrange_values(const unsigned int, const Point<2> &);
+  template std::vector<Tensor<1, 1>>
+  lagrange_gradients(const unsigned int, const Point<1> &);
+  template std::vector<Tensor<1, 2>>
+  lagrange_gradients(const unsigned int, const Point<2> &);
+  template std::vector<double>
+  bernstein_values(const unsigned int, const Point<1> &);
+  template std::vector<double>
+  bernstein_values(const unsigned int, const Point<2> &);
 } // namespace Amontons

@@ -24,12 +24,13 @@ namespace Amontons
       if (f1 == 0)
         return 1;
       boost::uintmax_t iterations = 100;
-      const auto       bracket =
-        boost::math::tools::toms748_solve(f, 0., 1., f0, f1, boost::math::tools::eps_tolerance<double>(52), iterations);
+      const auto       bracket    = boost::math::tools::toms748_solve(
+          f, 0., 1., f0, f1, boost::math::tools::eps_tolerance<double>(52), iterations);
       return 0.5 * (bracket.first + bracket.second);
     }
 
-    // Quadrature on [a, b] of the slave face; at each point `opposite` returns the master's (face, xi, position), if any.
+    // Quadrature on [a, b] of the slave face; at each point `opposite` returns the master's (face, xi,
+    // position), if any.
     template <typename Opposite>
     void
     integrate_segment(const ContactSurface<2>      &slave,
@@ -73,7 +74,10 @@ namespace Amontons
   }
 
   std::optional<double>
-  project_to_master(const ContactSurface<2> &master, const unsigned int face, const Point<2> &x, const Tensor<1, 2> &n)
+  project_to_master(const ContactSurface<2> &master,
+                    const unsigned int       face,
+                    const Point<2>          &x,
+                    const Tensor<1, 2>      &n)
   {
     const auto   miss = [&](const double eta) { return cross(master.position(face, Point<1>(eta)) - x, n); };
     const double f0 = miss(0), f1 = miss(1);
@@ -106,21 +110,21 @@ namespace Amontons
     if (b - a < 1e-10)
       return;
     integrate_segment(
-      slave,
-      slave_face,
-      a,
-      b,
-      n_points,
-      [&](OverlapPoint<2> &p) {
-        const auto eta = project_to_master(master, master_face, p.x_slave, p.normal);
-        if (!eta)
-          return false;
-        p.master_face = master_face;
-        p.xi_master   = Point<1>(*eta);
-        p.x_master    = master.position(master_face, p.xi_master);
-        return true;
-      },
-      points);
+        slave,
+        slave_face,
+        a,
+        b,
+        n_points,
+        [&](OverlapPoint<2> &p) {
+          const auto eta = project_to_master(master, master_face, p.x_slave, p.normal);
+          if (!eta)
+            return false;
+          p.master_face = master_face;
+          p.xi_master   = Point<1>(*eta);
+          p.x_master    = master.position(master_face, p.xi_master);
+          return true;
+        },
+        points);
   }
 
   void
@@ -131,11 +135,11 @@ namespace Amontons
                    std::vector<OverlapPoint<2>> &points)
   {
     const auto opposite = [&](const double xi) {
-      return project_to_obstacle(obstacle,
-                                 slave.position(slave_face, Point<1>(xi)),
-                                 slave.nodal_normal(slave_face, Point<1>(xi)));
+      return project_to_obstacle(
+          obstacle, slave.position(slave_face, Point<1>(xi)), slave.nodal_normal(slave_face, Point<1>(xi)));
     };
-    // Ends of the covered parts: sampled, then bisected. A part smaller than a sample interval inside one face is missed.
+    // Ends of the covered parts: sampled, then bisected. A part smaller than a sample interval inside one
+    // face is missed.
     const unsigned int  n_samples = 16;
     std::vector<double> ends;
     bool                inside = opposite(0).has_value();
@@ -150,7 +154,7 @@ namespace Amontons
             double lo = double(i - 1) / n_samples, hi = xi;
             for (unsigned int k = 0; k < 60; ++k)
               {
-                const double middle = 0.5 * (lo + hi);
+                const double middle                                = 0.5 * (lo + hi);
                 (opposite(middle).has_value() == inside ? lo : hi) = middle;
               }
             ends.push_back(0.5 * (lo + hi));
@@ -163,17 +167,17 @@ namespace Amontons
     for (unsigned int i = 0; i + 1 < ends.size(); i += 2)
       if (ends[i + 1] - ends[i] > 1e-10)
         integrate_segment(
-          slave,
-          slave_face,
-          ends[i],
-          ends[i + 1],
-          n_points,
-          [&](OverlapPoint<2> &p) {
-            const auto x  = project_to_obstacle(obstacle, p.x_slave, p.normal);
-            p.master_face = numbers::invalid_unsigned_int;
-            p.x_master    = x ? *x : p.x_slave;
-            return x.has_value();
-          },
-          points);
+            slave,
+            slave_face,
+            ends[i],
+            ends[i + 1],
+            n_points,
+            [&](OverlapPoint<2> &p) {
+              const auto x  = project_to_obstacle(obstacle, p.x_slave, p.normal);
+              p.master_face = numbers::invalid_unsigned_int;
+              p.x_master    = x ? *x : p.x_slave;
+              return x.has_value();
+            },
+            points);
   }
 } // namespace Amontons

@@ -47,10 +47,11 @@ namespace Amontons
         {
           std::ostringstream found;
           found << "the bodies overlap by " << -p.gap << " near (" << p.x_slave << ")";
-          throw InputError(pair.where,
-                           found.str(),
-                           "declare an interference with 'Initial gap' (negative), close mesh gaps up to a size with "
-                           "'Adjust', declare round boundaries in 'Curved boundaries', or move the bodies apart");
+          throw InputError(
+              pair.where,
+              found.str(),
+              "declare an interference with 'Initial gap' (negative), close mesh gaps up to a size with "
+              "'Adjust', declare round boundaries in 'Curved boundaries', or move the bodies apart");
         }
     }
   } // namespace
@@ -102,7 +103,8 @@ namespace Amontons
   }
 
   // Row i collects, over the faces at its node,
-  //   area = int psi_i,  area gap = int psi_i g,  area normal = int psi_i n,  int psi_i B_j (slave),  int psi_i N_q (master).
+  //   area = int psi_i,  area gap = int psi_i g,  area normal = int psi_i n,  int psi_i B_j (slave),  int
+  //   psi_i N_q (master).
   template <int dim>
   Coupling<dim>
   integrate_coupling(const Discretization<dim>     &discretization,
@@ -157,7 +159,8 @@ namespace Amontons
                 const auto N = lagrange_values<dim - 1>(master.surface->degree, points[q].xi_master);
                 for (unsigned int k = 0; k < N.size(); ++k)
                   columns.emplace_back(
-                    master.surface->nodes[master.surface->faces[points[q].master_face].nodes[k]].dofs, N[k]);
+                      master.surface->nodes[master.surface->faces[points[q].master_face].nodes[k]].dofs,
+                      N[k]);
               }
             else
               {
@@ -207,9 +210,10 @@ namespace Amontons
 
   template std::vector<OverlapPoint<2>>
   find_overlaps(const PairData &, const ContactSurface<2> &, const MasterSide<2> &, const double, const bool);
-  template Coupling<2> integrate_coupling(const Discretization<2> &,
-                                          const ContactSurface<2> &,
-                                          const MasterSide<2> &,
-                                          std::vector<OverlapPoint<2>>,
-                                          const std::vector<bool> &);
+  template Coupling<2>
+  integrate_coupling(const Discretization<2> &,
+                     const ContactSurface<2> &,
+                     const MasterSide<2> &,
+                     std::vector<OverlapPoint<2>>,
+                     const std::vector<bool> &);
 } // namespace Amontons

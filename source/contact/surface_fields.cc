@@ -9,7 +9,8 @@ namespace Amontons
 {
   namespace
   {
-    // Control values c of the projection: sum_j int B_i B_j c_j = sum_rows int psi_row B_i value_row over the overlap.
+    // Control values c of the projection: sum_j int B_i B_j c_j = sum_rows int psi_row B_i value_row over the
+    // overlap.
     template <int dim>
     std::vector<double>
     project(const ContactInterface<dim> &interface, const std::vector<double> &row_values)
@@ -67,13 +68,17 @@ namespace Amontons
     // The centre of a symmetric contact is where the slave surface meets the symmetry planes (or the axis).
     template <int dim>
     void
-    find_centre(const Discretization<dim> &discretization, const ContactInterface<dim> &interface, SurfaceFields<dim> &fields)
+    find_centre(const Discretization<dim>   &discretization,
+                const ContactInterface<dim> &interface,
+                SurfaceFields<dim>          &fields)
     {
       double     force = 0;
       Point<dim> centre;
       for (const auto &p : interface.coupling.points)
         {
-          const double f = std::max(0., value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave)) * p.weight;
+          const double f =
+              std::max(0., value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave)) *
+              p.weight;
           force += f;
           centre += f * p.x_slave;
         }
@@ -84,7 +89,9 @@ namespace Amontons
       for (unsigned int i = 0; i < interface.slave->nodes.size(); ++i)
         if (fields.state[i] != ContactState::open)
           for (const auto &normal : interface.slave->nodes[i].symmetry_planes)
-            if (std::none_of(planes.begin(), planes.end(), [&](const auto &m) { return std::abs(m * normal) > 1 - 1e-6; }))
+            if (std::none_of(planes.begin(), planes.end(), [&](const auto &m) {
+                  return std::abs(m * normal) > 1 - 1e-6;
+                }))
               {
                 planes.push_back(normal);
                 centre -= (normal * (centre - interface.slave->nodes[i].X)) * normal;
@@ -98,13 +105,16 @@ namespace Amontons
 
     template <int dim>
     void
-    add_resultants(const Discretization<dim> &discretization, const ContactInterface<dim> &interface, SurfaceFields<dim> &fields)
+    add_resultants(const Discretization<dim>   &discretization,
+                   const ContactInterface<dim> &interface,
+                   SurfaceFields<dim>          &fields)
     {
       find_centre(discretization, interface, fields);
       double force = 0, second_moment = 0;
       for (const auto &p : interface.coupling.points)
         {
-          const double f = value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave) * p.weight;
+          const double f =
+              value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave) * p.weight;
           force += f;
           const auto r = p.x_slave - fields.centre;
           second_moment += f * (r * r - (r * p.normal) * (r * p.normal));
@@ -186,12 +196,14 @@ namespace Amontons
     return fields;
   }
 
-  template double value_on_face(const ContactSurface<2> &, const std::vector<double> &, const unsigned int, const Point<1> &);
-  template SurfaceFields<2> make_surface_fields(const Discretization<2> &,
-                                                const ContactInterface<2> &,
-                                                const std::vector<ContactState> &,
-                                                const std::vector<double> &,
-                                                const std::vector<double> &,
-                                                const std::vector<std::vector<double>> &,
-                                                const LA::Vector &);
+  template double
+  value_on_face(const ContactSurface<2> &, const std::vector<double> &, const unsigned int, const Point<1> &);
+  template SurfaceFields<2>
+  make_surface_fields(const Discretization<2> &,
+                      const ContactInterface<2> &,
+                      const std::vector<ContactState> &,
+                      const std::vector<double> &,
+                      const std::vector<double> &,
+                      const std::vector<std::vector<double>> &,
+                      const LA::Vector &);
 } // namespace Amontons

@@ -10,11 +10,12 @@ namespace Amontons
   DiscretizationParameters::declare(ParameterHandler &prm)
   {
     prm.enter_subsection("Discretization");
-    prm.add_parameter("Degree",
-                      degree,
-                      "Polynomial degree of the displacement: 1 or 2. Quadratic elements reach a given accuracy "
-                      "of force and contact size with far fewer unknowns.",
-                      Patterns::Integer(1, 2));
+    prm.add_parameter(
+        "Degree",
+        degree,
+        "Polynomial degree of the displacement: 1 or 2. Quadratic elements reach a given accuracy "
+        "of force and contact size with far fewer unknowns.",
+        Patterns::Integer(1, 2));
     prm.leave_subsection();
   }
 
@@ -22,15 +23,12 @@ namespace Amontons
   Discretization<dim>::Discretization(const Scene         &scene,
                                       const Geometry<dim> &geometry,
                                       const unsigned int   degree)
-    : scene(scene)
-    , geometry(geometry)
-    , fe(FE_Q<dim>(degree), dim)
-    , mapping(degree)
-    , dof_handler(geometry.triangulation)
+      : scene(scene), geometry(geometry), fe(FE_Q<dim>(degree), dim), mapping(degree),
+        dof_handler(geometry.triangulation)
   {
     for (const auto &body : scene.bodies)
-      carrier_of_body.push_back(body.rigid ? geometry.carrier(body.rigid->name) :
-                                             numbers::invalid_unsigned_int);
+      carrier_of_body.push_back(body.rigid ? geometry.carrier(body.rigid->name)
+                                           : numbers::invalid_unsigned_int);
   }
 
   template <int dim>
@@ -62,7 +60,7 @@ namespace Amontons
   void
   Discretization<dim>::find_carrier_dofs()
   {
-    const unsigned int        n_bodies = scene.bodies.size();
+    const unsigned int                                           n_bodies = scene.bodies.size();
     std::map<unsigned int, std::vector<types::global_dof_index>> mine;
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && geometry.is_carrier(cell->material_id()))
@@ -150,6 +148,8 @@ namespace Amontons
 
   template class Discretization<2>;
   template class Discretization<3>;
-  template std::vector<unsigned int> nodes_on_face(const FiniteElement<2> &, const unsigned int);
-  template std::vector<unsigned int> nodes_on_face(const FiniteElement<3> &, const unsigned int);
+  template std::vector<unsigned int>
+  nodes_on_face(const FiniteElement<2> &, const unsigned int);
+  template std::vector<unsigned int>
+  nodes_on_face(const FiniteElement<3> &, const unsigned int);
 } // namespace Amontons

@@ -20,14 +20,17 @@ namespace Amontons
       return q;
     }
 
-    // Calls action(dofs of the node by component, position, unit normal of the face there) for every node of every face of `boundary`.
+    // Calls action(dofs of the node by component, position, unit normal of the face there) for every node of
+    // every face of `boundary`.
     template <int dim, typename Action>
     void
-    for_each_node_on(const Discretization<dim> &discretization, const types::boundary_id boundary, const Action &action)
+    for_each_node_on(const Discretization<dim> &discretization,
+                     const types::boundary_id   boundary,
+                     const Action              &action)
     {
-      const auto                          &fe   = discretization.fe;
-      const auto                          &base = fe.base_element(0);
-      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      const auto                              &fe   = discretization.fe;
+      const auto                              &base = fe.base_element(0);
+      std::vector<types::global_dof_index>     dofs(fe.n_dofs_per_cell());
       std::array<types::global_dof_index, dim> node;
       for (const auto &cell : discretization.dof_handler.active_cell_iterators())
         if (!cell->is_artificial() && cell->at_boundary())
@@ -35,9 +38,12 @@ namespace Amontons
             if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == boundary)
               {
                 cell->get_dof_indices(dofs);
-                const auto       nodes = nodes_on_face(base, f);
-                Quadrature<dim>  at_nodes(base.get_unit_support_points());
-                FEValues<dim>    values(discretization.mapping, fe, at_nodes, update_quadrature_points | update_inverse_jacobians);
+                const auto      nodes = nodes_on_face(base, f);
+                Quadrature<dim> at_nodes(base.get_unit_support_points());
+                FEValues<dim>   values(discretization.mapping,
+                                     fe,
+                                     at_nodes,
+                                     update_quadrature_points | update_inverse_jacobians);
                 values.reinit(cell);
                 for (const unsigned int i : nodes)
                   {
@@ -77,7 +83,8 @@ namespace Amontons
         for (const auto &cell : dof_handler.active_cell_iterators())
           if (!cell->is_artificial() && cell->at_boundary() && is_deformable(cell->material_id()))
             for (const unsigned int f : cell->face_indices())
-              if (cell->face(f)->at_boundary() && std::abs(cell->face(f)->center()[0]) < 1e-10 * cell->diameter())
+              if (cell->face(f)->at_boundary() &&
+                  std::abs(cell->face(f)->center()[0]) < 1e-10 * cell->diameter())
                 {
                   cell->get_dof_indices(dofs);
                   for (const unsigned int i : nodes_on_face(base, f))
@@ -101,7 +108,7 @@ namespace Amontons
   void
   Discretization<dim>::constrain_carriers(Constraints &constraints, const double t) const
   {
-    using Terms = std::vector<std::pair<types::global_dof_index, double>>;
+    using Terms    = std::vector<std::pair<types::global_dof_index, double>>;
     const auto tie = [&](const types::global_dof_index dof, const Terms &terms, const double value) {
       if (!constraints.can_store_line(dof) || constraints.is_constrained(dof))
         return;
@@ -137,8 +144,8 @@ namespace Amontons
           unsigned int opposite_k, opposite_c;
         };
         const std::vector<Rotation> rotations =
-          dim == 2 ? std::vector<Rotation>{{2, 1, 1, 1., 2, 0}} :
-                     std::vector<Rotation>{{2, 1, 1, 1., 2, 0}, {1, 1, 2, -1., 3, 0}, {0, 2, 2, 1., 3, 1}};
+            dim == 2 ? std::vector<Rotation>{{2, 1, 1, 1., 2, 0}}
+                     : std::vector<Rotation>{{2, 1, 1, 1., 2, 0}, {1, 1, 2, -1., 3, 0}, {0, 2, 2, 1., 3, 1}};
         for (const auto &r : rotations)
           {
             const auto dof = u[r.k][r.c], opposite = u[r.opposite_k][r.opposite_c];
@@ -193,9 +200,11 @@ namespace Amontons
   {
     const auto                          &base = fe.base_element(0);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    FEValues<dim> values(mapping, fe, Quadrature<dim>(base.get_unit_support_points()), update_quadrature_points);
+    FEValues<dim>                        values(
+        mapping, fe, Quadrature<dim>(base.get_unit_support_points()), update_quadrature_points);
     for (const auto &cell : dof_handler.active_cell_iterators())
-      if (!cell->is_artificial() && !geometry.is_carrier(cell->material_id()) && !is_deformable(cell->material_id()))
+      if (!cell->is_artificial() && !geometry.is_carrier(cell->material_id()) &&
+          !is_deformable(cell->material_id()))
         {
           const unsigned int m = carrier_of_body[cell->material_id()];
           values.reinit(cell);
@@ -222,17 +231,18 @@ namespace Amontons
   {
     const unsigned int m = geometry.carrier(condition.motion->name);
     for (const auto &name : condition.boundaries)
-      for_each_node_on(*this, geometry.boundary(name, scene).id, [&](const auto &node, const auto &X, const auto &) {
-        const auto weights = carrier_weights(m, X);
-        for (unsigned int c = 0; c < dim; ++c)
-          if (!constraints.is_constrained(node[c]))
-            {
-              constraints.add_line(node[c]);
-              for (unsigned int k = 0; k <= dim; ++k)
-                if (weights[k] != 0)
-                  constraints.add_entry(node[c], carrier_dofs[m][k][c], weights[k]);
-            }
-      });
+      for_each_node_on(
+          *this, geometry.boundary(name, scene).id, [&](const auto &node, const auto &X, const auto &) {
+            const auto weights = carrier_weights(m, X);
+            for (unsigned int c = 0; c < dim; ++c)
+              if (!constraints.is_constrained(node[c]))
+                {
+                  constraints.add_line(node[c]);
+                  for (unsigned int k = 0; k <= dim; ++k)
+                    if (weights[k] != 0)
+                      constraints.add_entry(node[c], carrier_dofs[m][k][c], weights[k]);
+                }
+          });
   }
 
   template <int dim>
@@ -243,7 +253,7 @@ namespace Amontons
   {
     for (const auto &name : condition.boundaries)
       {
-        const Boundary &boundary = geometry.boundary(name, scene);
+        const Boundary                               &boundary = geometry.boundary(name, scene);
         std::function<Tensor<1, 3>(const Point<3> &)> field;
         if (condition.field)
           field = make_displacement_field(*condition.field, scene.bodies[boundary.body].material);
@@ -253,32 +263,35 @@ namespace Amontons
             if ((field || condition.displacement[c]) && !constraints.is_constrained(node[c]))
               {
                 constraints.add_line(node[c]);
-                constraints.set_inhomogeneity(node[c], field ? field(p)[c] : condition.displacement[c]->value(p, t));
+                constraints.set_inhomogeneity(node[c],
+                                              field ? field(p)[c] : condition.displacement[c]->value(p, t));
               }
         });
       }
   }
 
-  // u . n = 0 with the normal of each plane, so that edges and corners between planes are held by each of them.
+  // u . n = 0 with the normal of each plane, so that edges and corners between planes are held by each of
+  // them.
   template <int dim>
   void
   Discretization<dim>::constrain_symmetry(Constraints &constraints, const ConditionData &condition) const
   {
     for (const auto &name : condition.boundaries)
-      for_each_node_on(*this,
-                       geometry.boundary(name, scene).id,
-                       [&](const auto &node, const auto &, const auto &normal) {
-                         LinearEquation equation;
-                         for (unsigned int c = 0; c < dim; ++c)
-                           if (std::abs(normal[c]) > 1e-10)
-                             equation.coefficients[node[c]] = normal[c];
-                         substitute(equation, constraints);
-                         const std::vector<types::global_dof_index> own(node.begin(), node.end());
-                         if (const auto pivot = choose_pivot(equation, constraints, own))
-                           eliminate(equation, *pivot, constraints);
-                       });
+      for_each_node_on(
+          *this, geometry.boundary(name, scene).id, [&](const auto &node, const auto &, const auto &normal) {
+            LinearEquation equation;
+            for (unsigned int c = 0; c < dim; ++c)
+              if (std::abs(normal[c]) > 1e-10)
+                equation.coefficients[node[c]] = normal[c];
+            substitute(equation, constraints);
+            const std::vector<types::global_dof_index> own(node.begin(), node.end());
+            if (const auto pivot = choose_pivot(equation, constraints, own))
+              eliminate(equation, *pivot, constraints);
+          });
   }
 
-  template Constraints Discretization<2>::make_supports(const double) const;
-  template Constraints Discretization<3>::make_supports(const double) const;
+  template Constraints
+  Discretization<2>::make_supports(const double) const;
+  template Constraints
+  Discretization<3>::make_supports(const double) const;
 } // namespace Amontons

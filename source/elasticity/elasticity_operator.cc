@@ -6,7 +6,7 @@ namespace Amontons
 {
   template <int dim>
   ElasticityOperator<dim>::ElasticityOperator(const Discretization<dim> &discretization)
-    : discretization(discretization)
+      : discretization(discretization)
   {
     for (const auto &body : discretization.scene.bodies)
       materials.emplace_back(body.material, discretization.scene.kind);
@@ -36,7 +36,8 @@ namespace Amontons
           values.reinit(cell);
           B.reinit(values);
           const LinearElastic<dim> &material = materials[cell->material_id()];
-          cells.push_back({std::vector<types::global_dof_index>(n), FullMatrix<double>(n, n), cell->material_id()});
+          cells.push_back(
+              {std::vector<types::global_dof_index>(n), FullMatrix<double>(n, n), cell->material_id()});
           CellStiffness &K = cells.back();
           cell->get_dof_indices(K.dofs);
           for (unsigned int q = 0; q < quadrature.size(); ++q)

@@ -4,9 +4,7 @@ namespace Amontons
 {
   template <int dim>
   StrainOperator<dim>::StrainOperator(const FiniteElement<dim> &fe, const Kind kind)
-    : fe(fe)
-    , kind(kind)
-    , n_dofs(fe.n_dofs_per_cell())
+      : fe(fe), kind(kind), n_dofs(fe.n_dofs_per_cell())
   {
     for (unsigned int i = 0; i < n_dofs; ++i)
       component.push_back(fe.system_to_component_index(i).first);
@@ -46,12 +44,12 @@ namespace Amontons
                   }
                 else if (c == 1)
                   {
-                    b[3] = g[0];
+                    b[3]                = g[0];
                     b[n_voigt<dim> - 1] = g[dim - 1];
                   }
                 else
                   {
-                    b[4] = g[0];
+                    b[4]                = g[0];
                     b[n_voigt<dim> - 1] = g[1];
                   }
               }
@@ -61,7 +59,8 @@ namespace Amontons
       project_dilatation(values);
   }
 
-  // Least squares in the cell: P div = sum_k m_k a_k with  sum_k (m_j, m_k) a_k = (m_j, div),  m = 1 (, xi_1, ..., xi_dim about the centre).
+  // Least squares in the cell: P div = sum_k m_k a_k with  sum_k (m_j, m_k) a_k = (m_j, div),  m = 1 (, xi_1,
+  // ..., xi_dim about the centre).
   template <int dim>
   void
   StrainOperator<dim>::project_dilatation(const FEValues<dim> &values)

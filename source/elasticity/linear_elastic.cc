@@ -4,8 +4,7 @@ namespace Amontons
 {
   template <int dim>
   LinearElastic<dim>::LinearElastic(const MaterialData &material, const Kind kind)
-    : plane_stress(kind == Kind::plane_stress)
-    , poisson(material.poisson)
+      : plane_stress(kind == Kind::plane_stress), poisson(material.poisson)
   {
     const double E = material.young, nu = material.poisson;
     mu     = E / (2 * (1 + nu));
@@ -49,6 +48,8 @@ namespace Amontons
 
   template struct LinearElastic<2>;
   template struct LinearElastic<3>;
-  template double von_mises<2>(const Voigt<2> &);
-  template double von_mises<3>(const Voigt<3> &);
+  template double
+  von_mises<2>(const Voigt<2> &);
+  template double
+  von_mises<3>(const Voigt<3> &);
 } // namespace Amontons

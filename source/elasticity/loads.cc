@@ -19,7 +19,9 @@ namespace Amontons
 
     template <int dim, typename Action>
     void
-    for_each_face(const Discretization<dim> &discretization, const types::boundary_id boundary, const Action &action)
+    for_each_face(const Discretization<dim> &discretization,
+                  const types::boundary_id   boundary,
+                  const Action              &action)
     {
       for (const auto &cell : discretization.dof_handler.active_cell_iterators())
         if (cell->is_locally_owned() && cell->at_boundary())
@@ -32,18 +34,18 @@ namespace Amontons
     class LoadAssembly
     {
     public:
-      LoadAssembly(const Discretization<dim> &discretization, const double t, const std::vector<CoveredPoint<dim>> &covered)
-        : discretization(discretization)
-        , kind(discretization.scene.kind)
-        , t(t)
-        , covered(covered)
-        , loads(discretization.make_owned_vector())
-        , face_values(discretization.mapping,
-                      discretization.fe,
-                      QGauss<dim - 1>(discretization.fe.degree + 2),
-                      update_values | update_quadrature_points | update_JxW_values | update_normal_vectors)
-        , dofs(discretization.fe.n_dofs_per_cell())
-      {}
+      LoadAssembly(const Discretization<dim>            &discretization,
+                   const double                          t,
+                   const std::vector<CoveredPoint<dim>> &covered)
+          : discretization(discretization), kind(discretization.scene.kind), t(t), covered(covered),
+            loads(discretization.make_owned_vector()),
+            face_values(discretization.mapping,
+                        discretization.fe,
+                        QGauss<dim - 1>(discretization.fe.degree + 2),
+                        update_values | update_quadrature_points | update_JxW_values | update_normal_vectors),
+            dofs(discretization.fe.n_dofs_per_cell())
+      {
+      }
 
       LA::Vector
       run()
@@ -65,7 +67,7 @@ namespace Amontons
         for (unsigned int i = 0; i < dofs.size(); ++i)
           {
             const double value =
-              force[discretization.fe.system_to_component_index(i).first] * values.shape_value(i, q);
+                force[discretization.fe.system_to_component_index(i).first] * values.shape_value(i, q);
             if (value != 0)
               loads(dofs[i]) += value;
           }
@@ -95,7 +97,8 @@ namespace Amontons
       add_condition(const ConditionData &condition)
       {
         using Type = ConditionData::Type;
-        if (condition.type != Type::traction && condition.type != Type::pressure && condition.type != Type::total_force)
+        if (condition.type != Type::traction && condition.type != Type::pressure &&
+            condition.type != Type::total_force)
           return;
         double area = 1;
         if (condition.type == Type::total_force)
@@ -113,9 +116,10 @@ namespace Amontons
                     add_point_force(face_values,
                                     q,
                                     -condition.value[0].value(as_3d(X), t) * weight(face_values, q) *
-                                      face_values.normal_vector(q));
+                                        face_values.normal_vector(q));
                   else
-                    add_point_force(face_values, q, vector_at(condition.value, X) * (weight(face_values, q) / area));
+                    add_point_force(
+                        face_values, q, vector_at(condition.value, X) * (weight(face_values, q) / area));
                 }
             });
             if (condition.type == Type::pressure)
@@ -142,7 +146,7 @@ namespace Amontons
               add_point_force(values,
                               0,
                               condition.value[0].value(as_3d(values.quadrature_point(0)), t) * point.weight *
-                                values.normal_vector(0));
+                                  values.normal_vector(0));
             }
       }
 
@@ -214,11 +218,15 @@ namespace Amontons
 
   template <int dim>
   LA::Vector
-  assemble_loads(const Discretization<dim> &discretization, const double t, const std::vector<CoveredPoint<dim>> &covered)
+  assemble_loads(const Discretization<dim>            &discretization,
+                 const double                          t,
+                 const std::vector<CoveredPoint<dim>> &covered)
   {
     return LoadAssembly<dim>(discretization, t, covered).run();
   }
 
-  template LA::Vector assemble_loads(const Discretization<2> &, const double, const std::vector<CoveredPoint<2>> &);
-  template LA::Vector assemble_loads(const Discretization<3> &, const double, const std::vector<CoveredPoint<3>> &);
+  template LA::Vector
+  assemble_loads(const Discretization<2> &, const double, const std::vector<CoveredPoint<2>> &);
+  template LA::Vector
+  assemble_loads(const Discretization<3> &, const double, const std::vector<CoveredPoint<3>> &);
 } // namespace Amontons

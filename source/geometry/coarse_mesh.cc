@@ -5,6 +5,8 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace Amontons
 {
@@ -54,6 +56,21 @@ namespace Amontons
 
   template <int dim>
   void
+  check_cell_count(const BodyData &body, const double n_coarse_cells)
+  {
+    const double       n = n_coarse_cells * std::pow(1 << dim, body.refinements);
+    std::ostringstream found;
+    found << "this body would have " << n << " cells";
+    if (n > 5e7)
+      throw InputError(body.where, found.str(), "at most 5e7: fewer Cells or Refinements, a thicker ring");
+    if (n_coarse_cells > 2e6)
+      throw InputError(body.where,
+                       found.str() + " before refinement",
+                       "at most 2e6, since every process holds these: fewer Cells and more Refinements");
+  }
+
+  template <int dim>
+  void
   orient_cells(CoarseMesh<dim> &mesh)
   {
     GridTools::invert_cells_with_negative_measure(mesh.vertices, mesh.cells);
@@ -65,7 +82,8 @@ namespace Amontons
   template std::vector<FaceKey<dim>> boundary_faces(const CoarseMesh<dim> &);                                        \
   template void                      name_boundary(                                                                  \
                            CoarseMesh<dim> &, const std::string &, const std::function<bool(const Point<dim> &)> &); \
-  template void orient_cells(CoarseMesh<dim> &);
+  template void orient_cells(CoarseMesh<dim> &);                                                                     \
+  template void check_cell_count<dim>(const BodyData &, const double);
 
   INSTANTIATE(2)
   INSTANTIATE(3)

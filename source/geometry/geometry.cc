@@ -19,6 +19,7 @@ namespace Amontons
     make_body(const BodyData &body, const Kind kind, MPI_Comm communicator)
     {
       CoarseMesh<dim> mesh = body.shape == "file" ? read_grid<dim>(body, communicator) : make_grid<dim>(body);
+      check_cell_count<dim>(body, mesh.cells.size());
       for (const auto &[name, shape] : body.true_geometry)
         {
           if (std::find(mesh.names.begin(), mesh.names.end(), name) == mesh.names.end())

@@ -1,3 +1,4 @@
+#include <amontons/geometry/coarse_mesh.h>
 #include <amontons/geometry/grids.h>
 
 #include <deal.II/base/numbers.h>
@@ -50,7 +51,16 @@ namespace Amontons
         {
           check_block(body, d);
           n[d]      = body.cells[d];
+        }
+      check_cell_count<dim>(body, double(n[0]) * n[1] * n[2]);
+      for (unsigned int d = 0; d < dim; ++d)
+        {
           points[d] = graded_points(body.lower[d], body.upper[d], n[d], body.grading[d]);
+          for (unsigned int i = 0; i < n[d]; ++i)
+            if (!(points[d][i + 1] > points[d][i]))
+              throw InputError(body.where,
+                               "the grading makes cells without length in direction " + std::string(1, "xyz"[d]),
+                               "a grading closer to 1, or fewer cells");
         }
 
       CoarseMesh<dim> mesh;
@@ -168,7 +178,9 @@ namespace Amontons
       const double       r = body.inner_radius, R = body.radius;
       const unsigned int n_quarters = body.shape == "ring" ? 4 : body.shape == "half ring" ? 2 : 1;
       const bool         closed     = n_quarters == 4;
-      const unsigned int n = n_quarters * std::max(2l, std::lround(numbers::PI / 4 * (R + r) / (R - r)));
+      const double       cells_per_quarter = numbers::PI / 4 * (R + r) / (R - r);
+      check_cell_count<2>(body, n_quarters * cells_per_quarter);
+      const unsigned int n = n_quarters * std::max(2l, std::lround(cells_per_quarter));
 
       CoarseMesh<2> mesh;
       for (unsigned int i = 0; i < n + (closed ? 0 : 1); ++i)

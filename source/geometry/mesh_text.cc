@@ -97,8 +97,7 @@ namespace Amontons
   std::string
   read_mesh_text(const BodyData &body, const unsigned int dim, MPI_Comm communicator)
   {
-    std::pair<bool, std::string> result(true, "");
-    std::unique_ptr<InputError>  error;
+    std::pair<bool, std::string> result(true, ""); // text of the mesh, or of the error
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       try
         {
@@ -106,14 +105,11 @@ namespace Amontons
         }
       catch (const InputError &e)
         {
-          error  = std::make_unique<InputError>(e);
-          result = {false, ""};
+          result = {false, e.what()};
         }
     result = Utilities::MPI::broadcast(communicator, result, 0);
-    if (error)
-      throw *error;
     if (!result.first)
-      throw InputError(body.where, "cannot read the mesh file " + body.mesh_file + " (see rank 0)");
+      throw InputError({}, result.second);
     return result.second;
   }
 } // namespace Amontons

@@ -4,6 +4,7 @@
 #include <deal.II/base/function_parser.h>
 #include <deal.II/base/numbers.h>
 
+#include <cmath>
 #include <iostream>
 #include <sstream>
 
@@ -12,6 +13,7 @@ namespace Amontons
   struct Expression::Parser
   {
     dealii::FunctionParser<3> function;
+    Where                     where;
   };
 
   namespace
@@ -139,6 +141,7 @@ namespace Amontons
     const std::string plain = map_identifiers(
         expand_tables(source, where), [](const std::string &word) { return word == "r" ? "x" : word; });
     parser           = std::make_shared<Parser>();
+    parser->where    = where;
     double at_origin = 0;
     try
       {
@@ -170,7 +173,15 @@ namespace Amontons
     if (constant)
       return constant_value;
     parser->function.set_time(t);
-    return parser->function.value(p);
+    const double value = parser->function.value(p);
+    if (!std::isfinite(value))
+      {
+        std::ostringstream found;
+        found << "'" << source << "' is " << (std::isnan(value) ? "not a number" : "infinite") << " at x = " << p[0]
+              << ", y = " << p[1] << ", z = " << p[2] << ", t = " << t;
+        throw InputError(parser->where, found.str(), "expressions with finite values where they are used");
+      }
+    return value;
   }
 
   const std::string &

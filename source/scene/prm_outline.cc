@@ -8,6 +8,8 @@ namespace Amontons
 {
   namespace
   {
+    const std::string byte_order_mark = "\xEF\xBB\xBF";
+
     struct Line
     {
       std::string text;
@@ -23,6 +25,10 @@ namespace Amontons
       bool              continued = false;
       for (int number = 1; std::getline(stream, text); ++number)
         {
+          if (text.find('\0') != std::string::npos)
+            throw InputError({file, number, ""}, "this is no text file", "a .prm or .json file");
+          if (number == 1 && text.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
+            text.erase(0, byte_order_mark.size());
           text = trim(text.substr(0, text.find('#')));
           if (text.empty() && (!continued || stream.peek() != EOF))
             continue; // also a comment between continued lines
@@ -96,7 +102,7 @@ namespace Amontons
           }
         else
           throw InputError(here,
-                           "found '" + line.text + "'" +
+                           "found '" + (line.text.size() > 80 ? line.text.substr(0, 80) + "..." : line.text) + "'" +
                                suggestion(keyword, {"subsection", "end", "set", "include"}),
                            "subsection NAME, set NAME = VALUE, end, include FILE, # comment");
       }

@@ -11,12 +11,13 @@ namespace Amontons
   FloatingBodies<dim>::FloatingBodies(const Discretization<dim>                &discretization,
                                       const Constraints                        &supports,
                                       const std::vector<ContactInterface<dim>> &interfaces)
-    : discretization(discretization)
+      : discretization(discretization)
   {
     const Scene       &scene    = discretization.scene;
-    const unsigned int n_bodies = scene.bodies.size(), n_owners = n_bodies + discretization.carrier_dofs.size();
-    modes_per_body = scene.kind == Kind::axisymmetric ? 1 : dim * (dim + 1) / 2;
-    n_modes        = modes_per_body * n_owners;
+    const unsigned int n_bodies = scene.bodies.size(),
+                       n_owners = n_bodies + discretization.carrier_dofs.size();
+    modes_per_body              = scene.kind == Kind::axisymmetric ? 1 : dim * (dim + 1) / 2;
+    n_modes                     = modes_per_body * n_owners;
     centres.resize(n_owners);
     sizes.assign(n_owners, 1.);
     for (unsigned int b = 0; b < n_bodies; ++b)
@@ -26,7 +27,10 @@ namespace Amontons
     const auto                          &fe   = discretization.fe;
     const auto                          &base = fe.base_element(0);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    FEValues<dim> values(discretization.mapping, fe, Quadrature<dim>(base.get_unit_support_points()), update_quadrature_points);
+    FEValues<dim>                        values(discretization.mapping,
+                         fe,
+                         Quadrature<dim>(base.get_unit_support_points()),
+                         update_quadrature_points);
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (!cell->is_artificial())
         {
@@ -43,7 +47,10 @@ namespace Amontons
         if (surface != nullptr)
           for (const auto &node : surface->nodes)
             for (unsigned int c = 0; c < dim; ++c)
-              places[node.dofs[c]] = {surface->boundary.body, c, node.X};
+              {
+                places[node.dofs[c]] = {surface->boundary.body, c, node.X};
+                surface_dofs.push_back(node.dofs[c]);
+              }
     for (unsigned int m = 0; m < discretization.carrier_dofs.size(); ++m)
       {
         const auto &carrier = discretization.geometry.carriers[m];
@@ -80,7 +87,7 @@ namespace Amontons
         sum(i, j) = Utilities::MPI::sum(supports_matrix(i, j), discretization.geometry.communicator);
     supports_matrix = sum;
 
-    const auto free = null_space(supports_matrix);
+    const auto free = null_space(supports_matrix, 1e-12);
     n_free          = free.m() == 0 ? 0 : free.n();
     floating.assign(n_owners, false);
     for (unsigned int k = 0; k < n_free; ++k)
@@ -96,10 +103,13 @@ namespace Amontons
     return places.at(dof).body;
   }
 
-  // Modes of a body about its centre c, with X' = (X - c)/size: e_1, .., e_dim, then rotations in the planes (0,1), (0,2), (1,2).
+  // Modes of a body about its centre c, with X' = (X - c)/size: e_1, .., e_dim, then rotations in the planes
+  // (0,1), (0,2), (1,2).
   template <int dim>
   void
-  FloatingBodies<dim>::add_modes_of(const types::global_dof_index dof, const double weight, std::vector<double> &e) const
+  FloatingBodies<dim>::add_modes_of(const types::global_dof_index dof,
+                                    const double                  weight,
+                                    std::vector<double>          &e) const
   {
     const auto found = places.find(dof);
     if (found == places.end())
@@ -140,7 +150,7 @@ namespace Amontons
 
   template <int dim>
   FullMatrix<double>
-  FloatingBodies<dim>::null_space(const FullMatrix<double> &S) const
+  FloatingBodies<dim>::null_space(const FullMatrix<double> &S, const double relative_threshold) const
   {
     if (n_modes == 0)
       return FullMatrix<double>();
@@ -149,7 +159,8 @@ namespace Amontons
     Vector<double>     values;
     FullMatrix<double> vectors;
     const double       largest = std::max(S.linfty_norm(), 1e-300);
-    matrix.compute_eigenvalues_symmetric(-largest, 1e-12 * largest + 1e-290, 1e-300, values, vectors);
+    matrix.compute_eigenvalues_symmetric(
+        -largest, relative_threshold * largest + 1e-290, 1e-300, values, vectors);
     return values.size() == 0 ? FullMatrix<double>() : vectors;
   }
 
@@ -169,18 +180,97 @@ namespace Amontons
     return S;
   }
 
+  // Gaussian elimination with complete pivoting on the values of the unheld motions at the surface DoFs.
   template <int dim>
-  bool
-  FloatingBodies<dim>::held_by(const std::vector<const LinearEquation *> &equations) const
+  void
+  FloatingBodies<dim>::choose_pins(const std::vector<const LinearEquation *> &all_equations)
   {
-    return !any() || null_space(with_equations(equations)).m() == 0;
+    pinned.clear();
+    if (!any())
+      return;
+    // Curved surfaces of finite elements resist a rotation about their centre a little, where the true ones
+    // do not.
+    const auto                       nearly = null_space(with_equations(all_equations), 1e-7);
+    std::vector<std::vector<double>> unheld;
+    for (unsigned int k = 0; nearly.m() > 0 && k < nearly.n(); ++k)
+      {
+        std::vector<double> q(n_modes);
+        for (unsigned int i = 0; i < n_modes; ++i)
+          q[i] = nearly(i, k);
+        if (!is_driven(q))
+          unheld.push_back(q);
+      }
+    const unsigned int n = unheld.size();
+    if (n == 0)
+      return;
+    FullMatrix<double> values(surface_dofs.size(), n);
+    for (unsigned int i = 0; i < surface_dofs.size(); ++i)
+      {
+        std::vector<double> e(n_modes, 0.);
+        add_modes_of(surface_dofs[i], 1, e);
+        for (unsigned int k = 0; k < n; ++k)
+          for (unsigned int m = 0; m < n_modes; ++m)
+            values(i, k) += e[m] * unheld[k][m];
+      }
+    for (unsigned int step = 0; step < n; ++step)
+      {
+        unsigned int row = 0, column = 0;
+        double       largest = 0;
+        for (unsigned int i = 0; i < values.m(); ++i)
+          for (unsigned int k = 0; k < n; ++k)
+            if (std::abs(values(i, k)) > largest * (1 + 1e-6))
+              {
+                largest = std::abs(values(i, k));
+                row     = i;
+                column  = k;
+              }
+        if (largest < 1e-6)
+          return;
+        pinned.push_back(surface_dofs[row]);
+        std::vector<double> pivot(n);
+        for (unsigned int k = 0; k < n; ++k)
+          pivot[k] = values(row, k);
+        for (unsigned int i = 0; i < values.m(); ++i)
+          {
+            const double factor = values(i, column) / pivot[column];
+            for (unsigned int k = 0; k < n; ++k)
+              values(i, k) -= factor * pivot[k];
+          }
+      }
+  }
+
+  template <int dim>
+  std::string
+  FloatingBodies<dim>::unheld_by(const std::vector<const LinearEquation *> &equations) const
+  {
+    if (!any())
+      return "";
+    std::vector<const LinearEquation *> holding = equations;
+    std::vector<LinearEquation>         pins(pinned.size());
+    for (unsigned int i = 0; i < pinned.size(); ++i)
+      {
+        pins[i].coefficients[pinned[i]] = 1;
+        holding.push_back(&pins[i]);
+      }
+    const auto left = null_space(with_equations(holding), 1e-12);
+    if (left.m() == 0)
+      return "";
+    std::string text;
+    for (unsigned int k = 0; k < left.n(); ++k)
+      {
+        std::vector<double> q(n_modes);
+        for (unsigned int i = 0; i < n_modes; ++i)
+          q[i] = left(i, k);
+        text += (text.empty() ? "" : "; ") + describe(q);
+      }
+    return text;
   }
 
   template <int dim>
   std::string
   FloatingBodies<dim>::describe(const std::vector<double> &q) const
   {
-    static const std::vector<std::string> axes = {"x", "y", "z"};
+    static const std::vector<std::string> axes    = {"x", "y", "z"};
     double                                largest = 0;
     for (const double value : q)
       largest = std::max(largest, std::abs(value));
@@ -208,16 +298,24 @@ namespace Amontons
   }
 
   template <int dim>
-  std::string
-  FloatingBodies<dim>::check_loads(const LA::Vector                          &loads,
-                                   const std::vector<const LinearEquation *> &all_equations) const
+  bool
+  FloatingBodies<dim>::is_driven(const std::vector<double> &q) const
   {
-    if (!any())
-      return "";
-    const auto unheld = null_space(with_equations(all_equations));
-    if (unheld.m() == 0)
-      return "";
-    std::vector<double> force(n_modes, 0.), magnitude(n_modes, 0.);
+    double work = 0, scale = 0;
+    for (unsigned int i = 0; i < n_modes; ++i)
+      {
+        work += force[i] * q[i];
+        scale += magnitude[i] * std::abs(q[i]);
+      }
+    return std::abs(work) > 1e-6 * scale;
+  }
+
+  template <int dim>
+  void
+  FloatingBodies<dim>::set_loads(const LA::Vector &loads)
+  {
+    force.assign(n_modes, 0.);
+    magnitude.assign(n_modes, 0.);
     for (const auto dof : discretization.locally_owned)
       if (const double f = loads(dof); f != 0)
         {
@@ -231,22 +329,28 @@ namespace Amontons
         }
     Utilities::MPI::sum(force, discretization.geometry.communicator, force);
     Utilities::MPI::sum(magnitude, discretization.geometry.communicator, magnitude);
+  }
 
+  template <int dim>
+  std::string
+  FloatingBodies<dim>::check_loads(const std::vector<const LinearEquation *> &all_equations) const
+  {
+    if (!any())
+      return "";
+    const auto unheld = null_space(with_equations(all_equations), 1e-12);
+    if (unheld.m() == 0)
+      return "";
     std::string note;
     for (unsigned int k = 0; k < unheld.n(); ++k)
       {
         std::vector<double> q(n_modes);
-        double              work = 0, scale = 0;
         for (unsigned int i = 0; i < n_modes; ++i)
-          {
-            q[i] = unheld(i, k);
-            work += force[i] * q[i];
-            scale += magnitude[i] * std::abs(q[i]);
-          }
-        if (std::abs(work) > 1e-6 * scale)
-          throw InputError({discretization.scene.file, 0, ""},
-                           "nothing holds the rigid " + describe(q) + ", and the loads drive it",
-                           "hold it by a displacement, a symmetry plane, a platen or a contact pair that resists it");
+          q[i] = unheld(i, k);
+        if (is_driven(q))
+          throw InputError(
+              {discretization.scene.file, 0, ""},
+              "nothing holds the rigid " + describe(q) + ", and the loads drive it",
+              "hold it by a displacement, a symmetry plane, a platen or a contact pair that resists it");
         note += (note.empty() ? "" : "; ") + describe(q);
       }
     return "no support and no contact holds the rigid " + note + "; no load drives it, so it is kept at rest";

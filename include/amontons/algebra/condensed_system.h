@@ -11,47 +11,58 @@
 
 namespace Amontons
 {
-  // C^T r for a raw vector r over all DoFs (owned part): what constrained DoFs carry goes to those that they depend on.
-  LA::Vector condense(const LA::Vector &raw, const Constraints &constraints, const LA::Vector &like);
+  // C^T r for a raw vector r over all DoFs (owned part): what constrained DoFs carry goes to those that they
+  // depend on.
+  LA::Vector
+  condense(const LA::Vector &raw, const Constraints &constraints, const LA::Vector &like);
 
   // Cell matrices as the system sees them: dofs and matrix of cell c in [0, n).
   struct CellMatrices
   {
-    unsigned int                                                            n;
+    unsigned int                                                              n;
     std::function<const std::vector<types::global_dof_index> &(unsigned int)> dofs;
-    std::function<const FullMatrix<double> &(unsigned int)>                 matrix;
+    std::function<const FullMatrix<double> &(unsigned int)>                   matrix;
   };
 
-  // A linear scene does not change between iterations but for the closed nodes. So cells without a DoF of a possible slave node
-  // (the bulk) are assembled once per mesh; a change of state copies their sum and adds the few others again. The sparsity pattern
-  // holds all `candidates`, so that it is rebuilt only when a node outside of them closes.
+  // A linear scene does not change between iterations but for the closed nodes. So cells without a DoF of a
+  // possible slave node (the bulk) are assembled once per mesh; a change of state copies their sum and adds
+  // the few others again. The sparsity pattern holds all `candidates`, so that it is rebuilt only when a node
+  // outside of them closes.
   class CondensedSystem
   {
   public:
     CondensedSystem(const IndexSet &locally_owned, const IndexSet &relevant, MPI_Comm communicator);
 
-    // candidates: equations of all nodes that may close on this mesh; proximal: added to the diagonal entry of DoF d before
-    // condensation (raw; 0 where nothing regularises).
-    void setup(const CellMatrices                &cells,
-               const Constraints                 &supports,
-               const std::vector<LinearEquation> &candidates,
-               const LA::Vector                  *proximal);
+    // candidates: equations of all nodes that may close on this mesh.
+    void
+    setup(const CellMatrices                &cells,
+          const Constraints                 &supports,
+          const std::vector<LinearEquation> &candidates);
 
-    // regularise: with the proximal diagonal.
-    void assemble(const CellMatrices &cells, const Constraints &constraints, const bool regularise);
+    // diagonal (may be null): added to the diagonal entry of each DoF before condensation.
+    void
+    assemble(const CellMatrices &cells, const Constraints &constraints, const LA::Vector *diagonal);
 
-    const LA::SparseMatrix &matrix() const { return system; }
+    const LA::SparseMatrix &
+    matrix() const
+    {
+      return system;
+    }
 
   private:
-    void add_cell(const CellMatrices &cells, const unsigned int c, const Constraints &constraints, LA::SparseMatrix &matrix) const;
-    void add_missing_diagonals(const Constraints &constraints, const double scale, LA::SparseMatrix &matrix) const;
+    void
+    add_cell(const CellMatrices &cells,
+             const unsigned int  c,
+             const Constraints  &constraints,
+             LA::SparseMatrix   &matrix) const;
+    void
+    add_missing_diagonals(const Constraints &constraints, const double scale, LA::SparseMatrix &matrix) const;
 
     const IndexSet            locally_owned, relevant;
     const MPI_Comm            communicator;
     std::vector<unsigned int> surface_cells;
     std::vector<bool>         in_cells; // by owned DoF: some cell (of any rank) contributes to its row
     LA::SparseMatrix          bulk, system;
-    LA::Vector                proximal_diagonal;
     double                    diagonal_scale = 1;
   };
 } // namespace Amontons

@@ -8,38 +8,52 @@
 
 namespace Amontons
 {
-  // One scalar statement of a closed node: sum_d coefficient_d u_d = value, with multiplier mu: the contact force on DoF d is
-  // -coefficient_d mu. `candidates`: the DoFs of the node, one of which is eliminated.
+  // One scalar statement of a closed node: sum_d coefficient_d u_d = value, with multiplier mu: the contact
+  // force on DoF d is -coefficient_d mu. `candidates`: the DoFs of the node, one of which is eliminated.
   struct ContactEquation
   {
     LinearEquation                       equation;
     std::vector<types::global_dof_index> candidates;
   };
 
-  // Frictionless contact and tied interfaces: trial and test functions obey the same constraints (DESIGN.md section 1), and the
-  // condensed matrix is symmetric. Friction adds a second set for the test functions.
+  // Frictionless contact and tied interfaces: trial and test functions obey the same constraints (DESIGN.md
+  // section 1), and the condensed matrix is symmetric. Friction adds a second set for the test functions.
   class ContactConstraints
   {
   public:
-    // Adds the equations to the supports, in their order, each eliminating the candidate with the largest coefficient after
-    // substitution of what is eliminated already. Equations without a pivot (the supports own the node) are left out:
-    // pivots() has no entry for them.
+    // Adds the equations to the supports, in their order, each eliminating the candidate with the largest
+    // coefficient after substitution of what is eliminated already. Equations without a pivot (the supports
+    // own the node) are left out: pivots() has no entry for them.
     ContactConstraints(const Constraints &supports, const std::vector<ContactEquation> &equations);
 
-    const Constraints                                         &all() const { return constraints; }
-    const std::vector<std::optional<types::global_dof_index>> &pivots() const { return pivot_dofs; }
+    const Constraints &
+    all() const
+    {
+      return constraints;
+    }
+    const std::vector<std::optional<types::global_dof_index>> &
+    pivots() const
+    {
+      return pivot_dofs;
+    }
 
     // DoFs that recover_multipliers needs the residual of.
-    const std::vector<ContactEquation> &equations() const { return contact_equations; }
+    const std::vector<ContactEquation> &
+    equations() const
+    {
+      return contact_equations;
+    }
 
-    // Solves sum_c a_c,d mu_c = - r_d on the pivots d, where r = internal minus external forces, condensed with the supports,
-    // and a_c the equations after substitution of the supports. residual_at_pivots: by equation (0 without pivot).
-    // Contact force on DoF d: -a_c,d mu_c, so that mu > 0 pushes slave and master apart.
-    std::vector<double> recover_multipliers(const std::vector<double> &residual_at_pivots) const;
+    // Solves sum_c a_c,d mu_c = - r_d on the pivots d, where r = internal minus external forces, condensed
+    // with the supports, and a_c the equations after substitution of the supports. residual_at_pivots: by
+    // equation (0 without pivot). Contact force on DoF d: -a_c,d mu_c, so that mu > 0 pushes slave and master
+    // apart.
+    std::vector<double>
+    recover_multipliers(const std::vector<double> &residual_at_pivots) const;
 
   private:
-    Constraints                                         constraints;
-    std::vector<ContactEquation>                        contact_equations; // after substitution of the supports
+    Constraints                  constraints;
+    std::vector<ContactEquation> contact_equations; // after substitution of the supports
     std::vector<std::optional<types::global_dof_index>> pivot_dofs;
   };
 } // namespace Amontons

@@ -17,7 +17,8 @@ namespace Amontons
     double       tolerance      = 1e-10;
     unsigned int max_iterations = 2000;
 
-    void declare(ParameterHandler &prm) override;
+    void
+    declare(ParameterHandler &prm) override;
   };
 
   struct LinearSolveReport
@@ -26,41 +27,51 @@ namespace Amontons
     unsigned int iterations = 0; // Krylov; 1 for a direct solve
   };
 
-  // Symmetric positive definite systems. While the contact set moves, matrices differ by a few rows: the direct solver keeps its
-  // factorisation as the preconditioner of a few CG steps (a change of rank k costs about k of them), and multigrid keeps its hierarchy.
+  // Symmetric positive definite systems. While the contact set moves, matrices differ by a few rows: the
+  // direct solver keeps its factorisation as the preconditioner of a few CG steps (a change of rank k costs
+  // about k of them), and multigrid keeps its hierarchy.
   class LinearSolver
   {
   public:
     LinearSolver(const LinearSolverParameters &parameters, const int dim);
     ~LinearSolver();
 
-    // Rigid-body modes (values at all owned DoFs, by mode), or empty: translations are not enough for elasticity.
-    void set_near_null_space(std::vector<std::vector<double>> modes);
+    // Rigid-body modes (values at all owned DoFs, by mode), or empty: translations are not enough for
+    // elasticity.
+    void
+    set_near_null_space(std::vector<std::vector<double>> modes);
 
-    // The matrix has changed; `much`: the preconditioner must be rebuilt, else it is kept (a few nodes changed state). The matrix object and its
-    // sparsity pattern must stay the same over the life of this object.
-    void matrix_changed(const LA::SparseMatrix &matrix, const bool much);
+    // The matrix has changed; `much`: the preconditioner must be rebuilt, else it is kept (a few nodes
+    // changed state). The matrix object and its sparsity pattern must stay the same over the life of this
+    // object.
+    void
+    matrix_changed(const LA::SparseMatrix &matrix, const bool much);
 
-    // Solves to |r| <= relative_tolerance |rhs|; the direct solver ignores the tolerance. x: owned, initial guess 0.
-    LinearSolveReport solve(const LA::SparseMatrix &matrix,
-                            LA::Vector             &x,
-                            const LA::Vector       &rhs,
-                            const double            relative_tolerance);
+    // Solves to |r| <= relative_tolerance |rhs|; the direct solver ignores the tolerance. x: owned, initial
+    // guess 0.
+    LinearSolveReport
+    solve(const LA::SparseMatrix &matrix,
+          LA::Vector             &x,
+          const LA::Vector       &rhs,
+          const double            relative_tolerance);
 
-    bool is_direct(const types::global_dof_index n_dofs) const;
+    bool
+    is_direct(const types::global_dof_index n_dofs) const;
 
   private:
-    void build_preconditioner(const LA::SparseMatrix &matrix);
+    void
+    build_preconditioner(const LA::SparseMatrix &matrix);
 
-    const LinearSolverParameters                       &parameters;
-    const int                                           dim;
-    std::vector<std::vector<double>>                    modes;
+    const LinearSolverParameters                      &parameters;
+    const int                                          dim;
+    std::vector<std::vector<double>>                   modes;
     std::unique_ptr<TrilinosWrappers::PreconditionAMG> amg;
-    bool                                                amg_is_old = true;
+    bool                                               amg_is_old = true;
     struct Factorisation;
     std::unique_ptr<Factorisation> direct;
     bool                           factorisation_is_old = true;
 
-    LinearSolveReport solve_directly(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs);
+    LinearSolveReport
+    solve_directly(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs);
   };
 } // namespace Amontons

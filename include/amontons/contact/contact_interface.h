@@ -15,45 +15,52 @@ namespace Amontons
     std::unique_ptr<ContactSurface<dim>> slave;
     std::unique_ptr<ContactSurface<dim>> master_surface; // empty for analytic obstacles
     MasterSide<dim>                      master;
-    Coupling<dim>                        coupling; // small sliding: integrated once per mesh, in the reference configuration
-    unsigned int                         n_without_multiplier = 0; // slave nodes that supports own whole
+    Coupling<dim> coupling; // small sliding: integrated once per mesh, in the reference configuration
+    unsigned int  n_without_multiplier = 0; // slave nodes that supports own whole
   };
 
-  // Which side of each pair is the slave, decided once on the first mesh: true = first. Automatic: rigid bodies and obstacles are
-  // masters; else the clearly finer side (factor 1.5 in mean face size), else the softer body, else the first.
+  // Which side of each pair is the slave, decided once on the first mesh: true = first. Automatic: rigid
+  // bodies and obstacles are masters; else the clearly finer side (factor 1.5 in mean face size), else the
+  // softer body, else the first.
   template <int dim>
-  std::vector<bool> choose_slaves(const Discretization<dim> &discretization);
+  std::vector<bool>
+  choose_slaves(const Discretization<dim> &discretization);
 
   // Surfaces of all pairs. Collective.
   template <int dim>
-  std::vector<ContactInterface<dim>> make_interfaces(const Discretization<dim> &discretization,
-                                                     const std::vector<bool>   &first_is_slave);
+  std::vector<ContactInterface<dim>>
+  make_interfaces(const Discretization<dim> &discretization, const std::vector<bool> &first_is_slave);
 
   // Fills the couplings; `supports` tells which slave nodes cannot carry a multiplier.
   template <int dim>
-  void integrate_couplings(const Discretization<dim>          &discretization,
-                           const Constraints                  &supports,
-                           std::vector<ContactInterface<dim>> &interfaces);
+  void
+  integrate_couplings(const Discretization<dim>          &discretization,
+                      const Constraints                  &supports,
+                      std::vector<ContactInterface<dim>> &interfaces);
 
   // The answer on one slave surface: by slave node.
   template <int dim>
   struct SurfaceFields
   {
-    std::vector<double>         pressure; // L2 projection of the multiplier on to continuous functions, nodal values; 0 outside the overlap
+    std::vector<double> pressure; // L2 projection of the multiplier on to continuous functions, nodal values;
+                                  // 0 outside the overlap
     std::vector<double>         multiplier; // p_i of the node's coupling row, 0 without
-    std::vector<double>         gap;      // weighted gap of the row, >= 0; NaN without a row (nothing opposite)
-    std::vector<double>         area;     // int psi_i, 0 without a row
-    std::vector<Tensor<1, dim>> normal;   // unit
+    std::vector<double>         gap;    // weighted gap of the row, >= 0; NaN without a row (nothing opposite)
+    std::vector<double>         area;   // int psi_i, 0 without a row
+    std::vector<Tensor<1, dim>> normal; // unit
     std::vector<Tensor<1, dim>> traction; // tangential part (tied pairs; later: friction)
     std::vector<Tensor<1, dim>> slip;
     std::vector<ContactState>   state;
     std::vector<Tensor<1, dim>> displacement;
 
-    // Of the contact forces on the slave body: sum area p normal etc.; peak and size from the projected pressure.
+    // Of the contact forces on the slave body: sum area p normal etc.; peak and size from the projected
+    // pressure.
     Tensor<1, dim> normal_force, tangential_force;
     double         peak_pressure = 0;
-    double         contact_size  = 0; // half-width sqrt(4 int p x^2 / int p) (2D), radius sqrt(2.5 int p r^2 / int p) (3D, axisymmetric)
-    Point<dim>     centre;            // about which the size is taken
-    double         symmetry_factor = 1; // 2 for each symmetry plane through the contact: only that part of it is meshed
+    double         contact_size =
+        0; // half-width sqrt(4 int p x^2 / int p) (2D), radius sqrt(2.5 int p r^2 / int p) (3D, axisymmetric)
+    Point<dim> centre; // about which the size is taken
+    double     symmetry_factor =
+        1; // 2 for each symmetry plane through the contact: only that part of it is meshed
   };
 } // namespace Amontons

@@ -12,43 +12,50 @@ namespace Amontons
   {
     Point<dim>                               X; // reference position
     std::array<types::global_dof_index, dim> dofs;
-    Tensor<1, dim>                           normal; // unit, outward: mean over the faces that meet here; within symmetry planes
+    Tensor<1, dim> normal; // unit, outward: mean over the faces that meet here; within symmetry planes
     // Control value of the Bernstein trace at this node: c = sum of weight x nodal value (see face_basis.h).
     std::vector<std::pair<unsigned int, double>> control;
-    std::vector<Tensor<1, dim>>                  symmetry_planes; // unit normals of the planes (and the axis) that it lies on
+    std::vector<Tensor<1, dim>> symmetry_planes; // unit normals of the planes (and the axis) that it lies on
   };
 
   template <int dim>
   struct SurfaceFace
   {
-    std::vector<unsigned int> nodes;    // (degree+1)^(dim-1), lexicographic
-    std::vector<Point<dim>>   geometry; // true surface: lattice of (geometry_degree+1)^(dim-1) points, lexicographic
-    double                    sign;     // of the outward normal against the cross product of the tangents
-    double                    size;
-    Point<dim>                centre;
-    unsigned int              rank;       // owner of the cell, and
-    unsigned int              owned_index; // place in `owned` there
+    std::vector<unsigned int> nodes; // (degree+1)^(dim-1), lexicographic
+    std::vector<Point<dim>>
+                 geometry; // true surface: lattice of (geometry_degree+1)^(dim-1) points, lexicographic
+    double       sign;     // of the outward normal against the cross product of the tangents
+    double       size;
+    Point<dim>   centre;
+    unsigned int rank;        // owner of the cell, and
+    unsigned int owned_index; // place in `owned` there
   };
 
   template <int dim>
   class ContactSurface
   {
   public:
-    // Gaps are measured between the true surfaces, not the facets or quadratic arcs of the finite elements; polynomials of
-    // degree 4 through points of the true geometry stand for it: the error (h/R)^5 R is far below that of the solution.
+    // Gaps are measured between the true surfaces, not the facets or quadratic arcs of the finite elements;
+    // polynomials of degree 4 through points of the true geometry stand for it: the error (h/R)^5 R is far
+    // below that of the solution.
     static constexpr unsigned int geometry_degree = 4;
 
     // Collective.
     ContactSurface(const Discretization<dim> &discretization, const Boundary &boundary);
 
-    Point<dim>     position(const unsigned int face, const Point<dim - 1> &xi) const;
+    Point<dim>
+    position(const unsigned int face, const Point<dim - 1> &xi) const;
     // Columns: tangent vectors dX/dxi_k.
-    std::array<Tensor<1, dim>, dim - 1> tangents(const unsigned int face, const Point<dim - 1> &xi) const;
+    std::array<Tensor<1, dim>, dim - 1>
+    tangents(const unsigned int face, const Point<dim - 1> &xi) const;
     // Normal of the true surface, outward, unit; `jacobian` = area of the face element per d(xi).
-    Tensor<1, dim> face_normal(const unsigned int face, const Point<dim - 1> &xi, double *jacobian = nullptr) const;
+    Tensor<1, dim>
+    face_normal(const unsigned int face, const Point<dim - 1> &xi, double *jacobian = nullptr) const;
     // Unit normal interpolated between the nodal normals: continuous over the surface.
-    Tensor<1, dim> nodal_normal(const unsigned int face, const Point<dim - 1> &xi) const;
-    IndexSet       dofs() const;
+    Tensor<1, dim>
+    nodal_normal(const unsigned int face, const Point<dim - 1> &xi) const;
+    IndexSet
+    dofs() const;
 
     const Boundary                boundary;
     const unsigned int            degree;
@@ -59,8 +66,10 @@ namespace Amontons
     double                                                                               mean_size = 0;
 
   private:
-    void collect_faces(const Discretization<dim> &discretization);
-    void make_normals(const Discretization<dim> &discretization);
+    void
+    collect_faces(const Discretization<dim> &discretization);
+    void
+                              make_normals(const Discretization<dim> &discretization);
     const IndexSet::size_type n_dofs;
   };
 } // namespace Amontons

@@ -25,16 +25,17 @@ namespace Amontons
   template <int dim>
   using NodeDofs = std::array<types::global_dof_index, dim>;
 
-  // One multiplier. Jump: Delta = sum slave weight u - sum master weight u (each sum of weights is 1), and contact says
+  // One multiplier. Jump: Delta = sum slave weight u - sum master weight u (each sum of weights is 1), and
+  // contact says
   //   g = gap - normal . Delta >= 0,   p >= 0,   p g = 0,
   // with virtual work -area p normal . delta(Delta).
   template <int dim>
   struct CouplingRow
   {
-    unsigned int                                  node; // of the slave surface: the node that is eliminated
-    double                                        area;
-    double                                        gap;
-    Tensor<1, dim>                                normal; // int psi n / area; not of unit length on curved surfaces
+    unsigned int   node; // of the slave surface: the node that is eliminated
+    double         area;
+    double         gap;
+    Tensor<1, dim> normal; // int psi n / area; not of unit length on curved surfaces
     std::vector<std::pair<NodeDofs<dim>, double>> slave, master;
     std::vector<std::pair<unsigned int, double>>  traces; // int psi B_j dA, by slave node: Bernstein traces
   };

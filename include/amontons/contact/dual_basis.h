@@ -8,23 +8,25 @@
 
 namespace Amontons
 {
-  // On the covered part of a face, given by quadrature points and weights, with D_i = int B_i (> 0) and M_ij = int B_i B_j,
+  // On the covered part of a face, given by quadrature points and weights, with D_i = int B_i (> 0) and M_ij
+  // = int B_i B_j,
   //   psi = D M^-1 B,   so that   int psi_i B_j = delta_ij D_i   and   sum_i psi_i = 1   on the covered part
-  // (consistent dual basis; Cichosz and Bischoff 2011, Popp et al. 2013). A node f without a multiplier (owned by supports) shares
-  // psi_f in equal parts among the others, so that the sum stays 1: int psi_i B_f = D_f / n_others then.
-  // Small covered parts make M ill-conditioned; it is inverted in the Legendre basis of the part's bounding box, which
-  // costs the square root of the condition number only.
+  // (consistent dual basis; Cichosz and Bischoff 2011, Popp et al. 2013). A node f without a multiplier
+  // (owned by supports) shares psi_f in equal parts among the others, so that the sum stays 1: int psi_i B_f
+  // = D_f / n_others then. Small covered parts make M ill-conditioned; it is inverted in the Legendre basis
+  // of the part's bounding box, which costs the square root of the condition number only.
   template <int fdim>
   struct DualBasis
   {
-    dealii::FullMatrix<double> psi;     // (node, point); zero rows for nodes without a multiplier
-    dealii::FullMatrix<double> traces;  // (node, node): int psi_i B_j
-    dealii::FullMatrix<double> mass;    // (node, node): int B_i B_j
+    dealii::FullMatrix<double> psi;    // (node, point); zero rows for nodes without a multiplier
+    dealii::FullMatrix<double> traces; // (node, node): int psi_i B_j
+    dealii::FullMatrix<double> mass;   // (node, node): int B_i B_j
   };
 
   template <int fdim>
-  DualBasis<fdim> make_dual_basis(const unsigned int                            degree,
-                                  const std::vector<dealii::Point<fdim>>       &points,
-                                  const std::vector<double>                    &weights,
-                                  const std::vector<bool>                      &carries_multiplier);
+  DualBasis<fdim>
+  make_dual_basis(const unsigned int                      degree,
+                  const std::vector<dealii::Point<fdim>> &points,
+                  const std::vector<double>              &weights,
+                  const std::vector<bool>                &carries_multiplier);
 } // namespace Amontons

@@ -18,20 +18,23 @@ namespace Amontons
     unsigned int               carrier  = 0; // of the obstacle
   };
 
-  // All overlaps of the pair whose gap is at most `reach`; gaps as the pair declares them (`Initial gap`, `Adjust`).
-  // Throws InputError where the bodies overlap without a declared interference. `pair` gives names for messages.
+  // All overlaps of the pair whose gap is at most `reach`; gaps as the pair declares them (`Initial gap`,
+  // `Adjust`). Throws InputError where the bodies overlap without a declared interference. `pair` gives names
+  // for messages.
   template <int dim>
-  std::vector<OverlapPoint<dim>> find_overlaps(const PairData            &pair,
-                                               const ContactSurface<dim> &slave,
-                                               const MasterSide<dim>     &master,
-                                               const double               reach,
-                                               const bool                 axisymmetric);
+  std::vector<OverlapPoint<dim>>
+  find_overlaps(const PairData            &pair,
+                const ContactSurface<dim> &slave,
+                const MasterSide<dim>     &master,
+                const double               reach,
+                const bool                 axisymmetric);
 
   // carries_multiplier: by slave node, false where supports own the node whole.
   template <int dim>
-  Coupling<dim> integrate_coupling(const Discretization<dim>        &discretization,
-                                   const ContactSurface<dim>        &slave,
-                                   const MasterSide<dim>            &master,
-                                   std::vector<OverlapPoint<dim>>    points,
-                                   const std::vector<bool>          &carries_multiplier);
+  Coupling<dim>
+  integrate_coupling(const Discretization<dim>     &discretization,
+                     const ContactSurface<dim>     &slave,
+                     const MasterSide<dim>         &master,
+                     std::vector<OverlapPoint<dim>> points,
+                     const std::vector<bool>       &carries_multiplier);
 } // namespace Amontons

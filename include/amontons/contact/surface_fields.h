@@ -5,21 +5,24 @@
 
 namespace Amontons
 {
-  // states, pressures, gaps: by coupling row; tied: force per area by row and component (empty rows if not tied). `displacement` readable at
-  // relevant DoFs. Symmetry planes and the axis give the centre of the contact where the slave touches them; else the centre of force.
+  // states, pressures, gaps: by coupling row; tied: force per area by row and component (empty rows if not
+  // tied). `displacement` readable at relevant DoFs. Symmetry planes and the axis give the centre of the
+  // contact where the slave touches them; else the centre of force.
   template <int dim>
-  SurfaceFields<dim> make_surface_fields(const Discretization<dim>              &discretization,
-                                         const ContactInterface<dim>            &interface,
-                                         const std::vector<ContactState>        &states,
-                                         const std::vector<double>              &pressures,
-                                         const std::vector<double>              &gaps,
-                                         const std::vector<std::vector<double>> &tied,
-                                         const LA::Vector                       &displacement);
+  SurfaceFields<dim>
+  make_surface_fields(const Discretization<dim>              &discretization,
+                      const ContactInterface<dim>            &interface,
+                      const std::vector<ContactState>        &states,
+                      const std::vector<double>              &pressures,
+                      const std::vector<double>              &gaps,
+                      const std::vector<std::vector<double>> &tied,
+                      const LA::Vector                       &displacement);
 
   // Value at a point of a slave face of a field given by nodal values (Lagrange interpolation).
   template <int dim>
-  double value_on_face(const ContactSurface<dim>   &surface,
-                       const std::vector<double>   &nodal_values,
-                       const unsigned int           face,
-                       const Point<dim - 1>        &xi);
+  double
+  value_on_face(const ContactSurface<dim> &surface,
+                const std::vector<double> &nodal_values,
+                const unsigned int         face,
+                const Point<dim - 1>      &xi);
 } // namespace Amontons

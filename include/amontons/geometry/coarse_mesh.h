@@ -44,6 +44,11 @@ namespace Amontons
                 const std::string                             &name,
                 const std::function<bool(const Point<dim> &)> &inside);
 
+  // Throws InputError for more cells than any machine holds, before they are made. Every rank holds the coarse mesh.
+  template <int dim>
+  void
+  check_cell_count(const BodyData &body, const double n_coarse_cells);
+
   // Positive measure of all cells and a consistent direction of all edges, as deal.II wants them.
   template <int dim>
   void

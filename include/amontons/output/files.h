@@ -13,6 +13,13 @@ namespace Amontons
   void
   make_output_folder(const std::string &folder, const MPI_Comm communicator);
 
+  // After a run that failed: removes the folder, and the parents, that the last make_output_folder made. A folder that
+  // was there before stays. Not collective. After success, keep_output_folder: the folder is now the user's.
+  void
+  remove_new_output_folder();
+  void
+  keep_output_folder();
+
   // Writes aside (file.tmp) and renames, so that a file is never half-written. Not collective.
   void
   write_file(const std::string &file, const std::string &text);

@@ -1,4 +1,5 @@
-// Rigid motions of the bodies: which ones supports leave, which of these contact can hold, and whether loads drive the others.
+// Rigid motions of the bodies: which ones supports leave, which of these contact can hold, and whether loads
+// drive the others.
 #pragma once
 
 #include <amontons/contact/contact_interface.h>
@@ -9,9 +10,10 @@
 
 namespace Amontons
 {
-  // The displacements of all bodies and carriers as rigid motions: v = sum_m q_m v_m with translations and rotations (scaled by the
-  // body's size) of each. A constraint line u_d = sum a u_j is violated by e_m = v_m,d - sum a v_m,j, a contact equation by a . v_m; the null
-  // space of S = sum e e^T over the lines are the motions that supports leave, that of S + C the ones that contact cannot hold either.
+  // The displacements of all bodies and carriers as rigid motions: v = sum_m q_m v_m with translations and
+  // rotations (scaled by the body's size) of each. A constraint line u_d = sum a u_j is violated by e_m =
+  // v_m,d - sum a v_m,j, a contact equation by a . v_m; the null space of S = sum e e^T over the lines are
+  // the motions that supports leave, that of S + C the ones that contact cannot hold either.
   template <int dim>
   class FloatingBodies
   {
@@ -20,26 +22,60 @@ namespace Amontons
                    const Constraints                        &supports,
                    const std::vector<ContactInterface<dim>> &interfaces);
 
+    // What the loads (raw) do on each motion; to be called before the functions below.
+    void
+    set_loads(const LA::Vector &loads);
+
     // Names of the bodies and motions that supports alone do not hold.
-    const std::vector<bool> &floats() const { return floating; } // by body, then by carrier
-    bool                     any() const { return n_free > 0; }
+    const std::vector<bool> &
+    floats() const
+    {
+      return floating;
+    } // by body, then by carrier
+    bool
+    any() const
+    {
+      return n_free > 0;
+    }
 
-    // Whether the equations (of closed nodes) hold all of these motions.
-    bool held_by(const std::vector<const LinearEquation *> &equations) const;
+    // Motions that no node that may close could hold need not move: as many DoFs of contact surfaces as there
+    // are such motions, chosen so that holding their increments holds the motions. Statically determinate, so
+    // nothing is strained by it.
+    const std::vector<types::global_dof_index> &
+    pins() const
+    {
+      return pinned;
+    }
+    void
+    choose_pins(const std::vector<const LinearEquation *> &all_equations);
 
-    // Throws InputError if loads work on a motion that neither supports nor any node that may close can hold; else returns a
-    // sentence about motions that nothing holds (and nothing drives), or "".
-    std::string check_loads(const LA::Vector &loads, const std::vector<const LinearEquation *> &all_equations) const;
+    // Whether the equations (of closed nodes) and the pins hold all motions that supports leave; if not, a
+    // description of those left.
+    std::string
+    unheld_by(const std::vector<const LinearEquation *> &equations) const;
+
+    // Throws InputError if loads work on a motion that neither supports nor any node that may close can hold;
+    // else returns a sentence about motions that nothing holds (and nothing drives), or "".
+    std::string
+    check_loads(const std::vector<const LinearEquation *> &all_equations) const;
 
     // Body (or n_bodies + carrier) that a relevant DoF belongs to.
-    unsigned int owner_of(const types::global_dof_index dof) const;
+    unsigned int
+    owner_of(const types::global_dof_index dof) const;
 
   private:
-    std::vector<double> violation(const std::map<types::global_dof_index, double> &coefficients) const;
-    void                add_modes_of(const types::global_dof_index dof, const double weight, std::vector<double> &e) const;
-    FullMatrix<double>  null_space(const FullMatrix<double> &S) const; // columns
-    FullMatrix<double>  with_equations(const std::vector<const LinearEquation *> &equations) const;
-    std::string         describe(const std::vector<double> &q) const;
+    std::vector<double>
+    violation(const std::map<types::global_dof_index, double> &coefficients) const;
+    void
+    add_modes_of(const types::global_dof_index dof, const double weight, std::vector<double> &e) const;
+    FullMatrix<double>
+    null_space(const FullMatrix<double> &S, const double relative_threshold) const; // columns
+    bool
+    is_driven(const std::vector<double> &q) const;
+    FullMatrix<double>
+    with_equations(const std::vector<const LinearEquation *> &equations) const;
+    std::string
+    describe(const std::vector<double> &q) const;
 
     struct DofPlace
     {
@@ -47,13 +83,16 @@ namespace Amontons
       Point<dim>   X;
     };
 
-    const Discretization<dim>                    &discretization;
-    std::map<types::global_dof_index, DofPlace>   places;
-    std::vector<Point<dim>>                       centres; // by body, then carrier
-    std::vector<double>                           sizes;
-    unsigned int                                  modes_per_body, n_modes;
-    FullMatrix<double>                            supports_matrix;
-    std::vector<bool>                             floating;
-    unsigned int                                  n_free = 0;
+    const Discretization<dim>                  &discretization;
+    std::map<types::global_dof_index, DofPlace> places;
+    std::vector<types::global_dof_index>        surface_dofs; // of all interfaces, the same on every rank
+    std::vector<Point<dim>>                     centres;      // by body, then carrier
+    std::vector<double>                         sizes;
+    unsigned int                                modes_per_body, n_modes;
+    FullMatrix<double>                          supports_matrix;
+    std::vector<bool>                           floating;
+    unsigned int                                n_free = 0;
+    std::vector<types::global_dof_index>        pinned;
+    std::vector<double>                         force, magnitude; // by motion
   };
 } // namespace Amontons

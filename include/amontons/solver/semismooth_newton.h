@@ -1,4 +1,5 @@
-// One loop for geometry and contact: solve with the present closed nodes, see which nodes pull or penetrate, change them.
+// One loop for geometry and contact: solve with the present closed nodes, see which nodes pull or penetrate,
+// change them.
 #pragma once
 
 #include <amontons/algebra/condensed_system.h>
@@ -19,7 +20,8 @@ namespace Amontons
     double       tolerance      = 1e-9; // residual relative to the internal forces
     double       scaling        = 1;    // multiplies the complementarity parameter c = E / h
 
-    void declare(ParameterHandler &prm) override;
+    void
+    declare(ParameterHandler &prm) override;
   };
 
   // What one solve did; failure is a value.
@@ -34,9 +36,9 @@ namespace Amontons
     std::string            message; // a diagnosis if not
     std::vector<Iteration> iterations;
     double                 one_linear_solve_seconds = 0;
-    double                 regularisation_force     = 0; // carried by the proximal term in the end, relative to the load
-    bool                   safeguarded              = false;
-    std::string            note;
+    double      regularisation_force = 0; // carried by the proximal term in the end, relative to the load
+    bool        safeguarded          = false;
+    std::string note;
   };
 
   template <int dim>
@@ -50,13 +52,15 @@ namespace Amontons
 
     using Observer = std::function<void(const NewtonReport::Iteration &)>;
 
-    // state: displacement is the start and the result; states (if they fit the rows) the first guess of the closed nodes.
-    NewtonReport solve(const ElasticityOperator<dim>            &elasticity,
-                       const std::vector<ContactInterface<dim>> &interfaces,
-                       const Constraints                        &supports,
-                       const LA::Vector                         &loads,
-                       SolutionState                            &state,
-                       const Observer                           &observer);
+    // state: displacement is the start and the result; states (if they fit the rows) the first guess of the
+    // closed nodes.
+    NewtonReport
+    solve(const ElasticityOperator<dim>            &elasticity,
+          const std::vector<ContactInterface<dim>> &interfaces,
+          const Constraints                        &supports,
+          const LA::Vector                         &loads,
+          SolutionState                            &state,
+          const Observer                           &observer);
 
   private:
     const NewtonParameters       &parameters;

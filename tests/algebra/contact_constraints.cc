@@ -1,0 +1,232 @@
+// Condensation gives the solution and the multipliers of the full saddle point system: chains of pairs, corners with two rows, oblique
+// supports, nodes that supports own.
+#include "check.h"
+
+#include <amontons/algebra/condensed_system.h>
+#include <amontons/algebra/contact_constraints.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <random>
+
+using namespace Amontons;
+
+using Matrix = FullMatrix<double>;
+using Dofs   = std::vector<types::global_dof_index>;
+
+const unsigned int n = 12;
+std::mt19937       generator(1);
+
+double
+random_number()
+{
+  return std::uniform_real_distribution<double>(-1, 1)(generator);
+}
+
+ContactEquation
+make(const std::map<types::global_dof_index, double> &coefficients, const double value, const Dofs &candidates)
+{
+  return {{coefficients, value}, candidates};
+}
+
+LA::Vector
+as_vector(const std::vector<double> &values)
+{
+  LA::Vector v(complete_index_set(n), MPI_COMM_SELF);
+  for (unsigned int i = 0; i < n; ++i)
+    v(i) = values[i];
+  v.compress(VectorOperation::insert);
+  return v;
+}
+
+// u = C x + k, x: all DoFs (those that are constrained do not matter).
+void
+dense(const Constraints &constraints, Matrix &C, std::vector<double> &k)
+{
+  C.reinit(n, n);
+  k.assign(n, 0.);
+  for (unsigned int i = 0; i < n; ++i)
+    if (!constraints.is_constrained(i))
+      C(i, i) = 1;
+    else
+      {
+        for (const auto &[j, weight] : *constraints.get_constraint_entries(i))
+          C(i, j) = weight;
+        k[i] = constraints.get_inhomogeneity(i);
+      }
+}
+
+std::vector<double>
+times(const Matrix &A, const std::vector<double> &x, const bool transpose = false)
+{
+  std::vector<double> y(transpose ? A.n() : A.m(), 0.);
+  for (unsigned int i = 0; i < A.m(); ++i)
+    for (unsigned int j = 0; j < A.n(); ++j)
+      if (transpose)
+        y[j] += A(i, j) * x[i];
+      else
+        y[i] += A(i, j) * x[j];
+  return y;
+}
+
+std::vector<double>
+solve(const Matrix &A, const std::vector<double> &b)
+{
+  Matrix inverse(A.m(), A.n());
+  inverse.invert(A);
+  return times(inverse, b);
+}
+
+// supports: equations with one candidate each, eliminated in their order. has_pivot: by equation.
+void
+check_case(const std::string                   &what,
+           const std::vector<ContactEquation> &supports_as_equations,
+           const std::vector<ContactEquation> &equations,
+           const std::vector<bool>            &has_pivot)
+{
+  Matrix              K(n, n), A(n, n);
+  std::vector<double> f;
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      f.push_back(random_number());
+      for (unsigned int j = 0; j < n; ++j)
+        A(i, j) = random_number();
+    }
+  A.mTmult(K, A);
+  for (unsigned int i = 0; i < n; ++i)
+    K(i, i) += 0.5;
+
+  Constraints supports(complete_index_set(n));
+  for (const auto &e : supports_as_equations)
+    eliminate(e.equation, e.candidates[0], supports);
+  supports.close();
+  const ContactConstraints contact(supports, equations);
+
+  // K u + sum_c a_c mu_c = f, a_c . u = value_c, over supports and equations
+  std::vector<const LinearEquation *> all;
+  for (const auto &e : supports_as_equations)
+    all.push_back(&e.equation);
+  for (unsigned int i = 0; i < equations.size(); ++i)
+    if (has_pivot[i])
+      all.push_back(&equations[i].equation);
+  const unsigned int  m = n + all.size();
+  Matrix              saddle(m, m);
+  std::vector<double> right = f;
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      saddle(i, j) = K(i, j);
+  for (unsigned int c = 0; c < all.size(); ++c)
+    {
+      right.push_back(all[c]->value);
+      for (const auto &[dof, coefficient] : all[c]->coefficients)
+        saddle(n + c, dof) = saddle(dof, n + c) = coefficient;
+    }
+  const auto expected = solve(saddle, right);
+
+  // C^T K C x = C^T (f - K k), with ones on the diagonal of constrained DoFs
+  Matrix              C, KC(n, n), CKC(n, n);
+  std::vector<double> k;
+  dense(contact.all(), C, k);
+  K.mmult(KC, C);
+  C.Tmmult(CKC, KC);
+  for (unsigned int i = 0; i < n; ++i)
+    if (contact.all().is_constrained(i))
+      CKC(i, i) = 1;
+  auto       r  = f;
+  const auto Kk = times(K, k);
+  for (unsigned int i = 0; i < n; ++i)
+    r[i] -= Kk[i];
+  auto u = times(C, solve(CKC, times(C, r, true)));
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      u[i] += k[i];
+      check::is_close(u[i], expected[i], 1e-8, what + ": solution", 1);
+    }
+
+  // Multipliers
+  auto       raw = times(K, u);
+  for (unsigned int i = 0; i < n; ++i)
+    raw[i] -= f[i];
+  const auto          on_supports = condense(as_vector(raw), supports, as_vector(raw));
+  std::vector<double> at_pivots(equations.size(), 0.);
+  for (unsigned int i = 0; i < equations.size(); ++i)
+    {
+      check::is_true(contact.pivots()[i].has_value() == has_pivot[i],
+                     what + ": pivot of equation " + std::to_string(i));
+      if (contact.pivots()[i])
+        at_pivots[i] = on_supports(*contact.pivots()[i]);
+    }
+  const auto   mu    = contact.recover_multipliers(at_pivots);
+  unsigned int place = n + supports_as_equations.size();
+  for (unsigned int i = 0; i < equations.size(); ++i)
+    check::is_close(mu[i], has_pivot[i] ? expected[place++] : 0, 1e-8, what + ": multiplier " + std::to_string(i), 1);
+
+  // condense() is C^T
+  for (const Constraints *constraints : {&std::as_const(supports), &contact.all()})
+    {
+      dense(*constraints, C, k);
+      const auto from_dense = times(C, raw, true);
+      const auto condensed  = condense(as_vector(raw), *constraints, as_vector(raw));
+      for (unsigned int i = 0; i < n; ++i)
+        check::is_close(condensed(i), from_dense[i], 1e-12, what + ": condensed vector", 1);
+    }
+}
+
+// Nodes have the DoFs (0, 1), (2, 3), ...
+void
+check_cases()
+{
+  const double s = std::sqrt(0.5);
+  check_case("no equation", {}, {}, {});
+  const auto simple = make({{1, -1.}, {3, 0.4}, {5, 0.6}}, 0.1, {0, 1});
+  check_case("one node", {}, {simple}, {true});
+
+  // node 1 (2, 3) is a master of node 0 and a slave on nodes 2, 3; either may come first
+  const auto chained = make({{3, -1.}, {5, 0.3}, {7, 0.7}}, 0.2, {2, 3});
+  check_case("chain", {}, {simple, chained}, {true, true});
+  check_case("chain, from its end", {}, {chained, simple}, {true, true});
+  const auto third = make({{4, 0.1}, {5, -1.}, {9, 0.25}, {11, 0.75}}, -0.1, {4, 5});
+  check_case("three links", {}, {simple, chained, third}, {true, true, true});
+  check_case("three links, from the end", {}, {third, chained, simple}, {true, true, true});
+  check_case("three links, from the middle", {}, {chained, third, simple}, {true, true, true});
+
+  // two rows at the corner (0, 1), which also refer to the mid-side node of their face
+  const auto first  = make({{0, 0.9}, {1, -0.2}, {4, -0.8}, {5, 0.1}, {2, 0.1}}, 0.1, {0, 1});
+  const auto second = make({{0, 0.3}, {1, 1.}, {7, -1.}, {6, -0.3}}, -0.3, {0, 1});
+  check_case("corner", {}, {first, second}, {true, true});
+  check_case("corner and chain", {}, {second, first, make({{2, 1.}, {8, -1.}}, 0, {2, 3})}, {true, true, true});
+  check_case("two parallel rows at a node", {}, {first, second, make({{0, 1.}, {1, 1.}}, 0, {0, 1})}, {true, true, false});
+
+  // two slaves that refer to each other's node through quadratic traces
+  check_case("neighbours",
+             {},
+             {make({{1, -1.}, {3, -0.2}, {9, 1.2}}, 0.1, {0, 1}), make({{3, -1.}, {11, 1.}}, 0.05, {2, 3})},
+             {true, true});
+
+  // oblique plane through the slave node, then also through the master
+  const auto plane        = make({{0, s}, {1, s}}, 0, {0});
+  const auto master_plane = make({{2, 0.6}, {3, 0.8}}, 0, {3});
+  check_case("oblique support", {plane}, {simple}, {true});
+  check_case("oblique supports", {plane, master_plane}, {simple, third}, {true, true});
+  check_case("oblique supports in a chain", {master_plane}, {simple, chained, third}, {true, true, true});
+
+  // prescribed displacements of the slave node and of the master; a node that supports own whole
+  const auto held = make({{1, 1.}}, 0.4, {1});
+  check_case("held component", {held}, {first}, {true});
+  check_case("node that supports own", {make({{0, 1.}}, 0.1, {0}), held}, {first, third}, {false, true});
+  check_case("moved master", {make({{3, 1.}}, 0.2, {3}), make({{5, 1.}}, -0.1, {5})}, {simple}, {true});
+
+  // tied: a row for each component
+  check_case("tied",
+             {},
+             {make({{0, 1.}, {2, -0.5}, {4, -0.5}}, 0, {0}), make({{1, 1.}, {3, -0.5}, {5, -0.5}}, 0, {1})},
+             {true, true});
+}
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  check_cases();
+  return check::result();
+}

@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""Runs one scene in several ways and compares: compare_runs.py AMONTONS OUTPUT SCENE [--set X]... --run "RANKS | SET | SET"... [OPTION]...
+
+The first run is the reference. The same forces, peaks, sizes, sets and rows of contact.csv (sorted by place), to a relative tolerance.
+--tolerance 1e-8: of forces and pressures;  --iterations 0: by how much the iterations on a mesh may differ;  --forces-only: no contact.csv.
+"""
+import csv
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+
+def run(executable, output, scene, ranks, sets):
+    shutil.rmtree(output, ignore_errors=True)
+    command = [executable, scene, "--output", output, "--quiet"]
+    for text in sets:
+        command += ["--set", text]
+    if int(ranks) > 1:
+        command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", ranks] + command
+    environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
+    code = subprocess.run(command, env=environment, timeout=1200).returncode
+    if code != 0:
+        sys.exit(f"{' '.join(command)}: exit code {code}")
+    with open(os.path.join(output, "summary.json")) as file:
+        summary = json.load(file)
+    with open(os.path.join(output, "contact.csv")) as file:
+        rows = list(csv.DictReader(file))
+    rows.sort(key=lambda r: (r["pair"], *(round(float(r[c]), 9) for c in "XYZ")))
+    return summary, rows
+
+
+def compare(first, other, tolerance, iterations, forces_only):
+    """The differences, as messages."""
+    messages = []
+
+    def near(what, a, b, scale):
+        if not abs(a - b) <= tolerance * scale:
+            messages.append(f"{what}: {a} and {b}")
+
+    (s, rows), (t, others) = first, other
+    found = [n["iterations"] for n in s["newton"]], [n["iterations"] for n in t["newton"]]
+    if len(found[0]) != len(found[1]) or any(abs(a - b) > iterations for a, b in zip(*found)):
+        messages.append(f"iterations: {found[0]} and {found[1]}")
+    for p, q in zip(s["pairs"], t["pairs"]):
+        force = max(sum(f * f for f in p["normal_force"]) ** 0.5, 1e-300)
+        for kind in "normal_force", "tangential_force":
+            for a, b in zip(p[kind], q[kind]):
+                near(f"{p['name']} {kind}", a, b, force)
+        for kind in "peak_pressure", "contact_size":
+            near(f"{p['name']} {kind}", p[kind], q[kind], abs(p[kind]))
+        for kind in "n_open", "n_stick", "n_slip":
+            if p[kind] != q[kind]:
+                messages.append(f"{p['name']} {kind}: {p[kind]} and {q[kind]}")
+    if forces_only:
+        return messages
+    if len(rows) != len(others):
+        messages.append(f"rows of contact.csv: {len(rows)} and {len(others)}")
+    peak = max([abs(float(r["pressure"])) for r in rows] or [0])
+    for r, o in zip(rows, others):
+        place = f"{r['pair']} ({r['X']}, {r['Y']}, {r['Z']})"
+        near(f"{place} pressure", float(r["pressure"]), float(o["pressure"]), peak)
+        if r["state"] != o["state"]:
+            messages.append(f"{place} state: {r['state']} and {o['state']}")
+    return messages
+
+
+def main():
+    executable, output, scene = sys.argv[1:4]
+    sets, runs, tolerance, iterations, forces_only = [], [], 1e-8, 0, False
+    arguments = sys.argv[4:]
+    while arguments:
+        flag = arguments.pop(0)
+        if flag == "--forces-only":
+            forces_only = True
+        elif flag == "--set":
+            sets.append(arguments.pop(0))
+        elif flag == "--run":
+            runs.append([word.strip() for word in arguments.pop(0).split("|")])
+        elif flag == "--tolerance":
+            tolerance = float(arguments.pop(0))
+        elif flag == "--iterations":
+            iterations = int(arguments.pop(0))
+        else:
+            sys.exit(f"unknown option {flag}")
+    results = [run(executable, f"{output}_{i}", scene, r[0], sets + r[1:]) for i, r in enumerate(runs)]
+    failed = 0
+    for words, result in zip(runs[1:], results[1:]):
+        messages = compare(results[0], result, tolerance, iterations, forces_only)
+        print(f"{'FAILED' if messages else 'ok    '} {' | '.join(runs[0])} against {' | '.join(words)}")
+        for message in messages[:10]:
+            print(f"         {message}")
+        failed += bool(messages)
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()

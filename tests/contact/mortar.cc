@@ -1,0 +1,382 @@
+// Coupling rows of two meshed surfaces (or one and an obstacle): weights, areas, normals and gaps are those of geometry by hand, on flat, partly
+// covered, curved and axisymmetric surfaces.
+#include "check.h"
+
+#include <amontons/contact/contact_interface.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+
+using namespace Amontons;
+
+BodyData
+block(const std::string &name, const Point<3> &lower, const Point<3> &upper, const unsigned int nx)
+{
+  BodyData body;
+  body.name  = name;
+  body.lower = lower;
+  body.upper = upper;
+  body.cells = {{nx, 2, 1}};
+  return body;
+}
+
+BodyData
+ring(const std::string &name, const double inner, const double outer, const unsigned int refinements)
+{
+  BodyData body;
+  body.name         = name;
+  body.shape        = "ring";
+  body.inner_radius = inner;
+  body.radius       = outer;
+  body.refinements  = refinements;
+  return body;
+}
+
+PairData
+pair_of(const BoundaryName &slave, const BoundaryName &master)
+{
+  PairData pair;
+  pair.name   = "pair";
+  pair.first  = slave;
+  pair.second = master;
+  pair.slave  = PairData::Slave::first;
+  return pair;
+}
+
+// The coupling of the first pair of the scene.
+struct Problem
+{
+  Problem(const Scene &s, const unsigned int degree)
+    : scene(s)
+    , geometry(MPI_COMM_WORLD)
+  {
+    make_geometry(scene, geometry);
+    discretization = std::make_unique<Discretization<2>>(scene, geometry, degree);
+    discretization->distribute_dofs();
+    interfaces = make_interfaces(*discretization, choose_slaves(*discretization));
+    integrate_couplings(*discretization, discretization->make_supports(0), interfaces);
+    for (const auto *surface : {interfaces[0].slave.get(), interfaces[0].master_surface.get()})
+      if (surface != nullptr)
+        for (const auto &node : surface->nodes)
+          positions[node.dofs] = node.X;
+  }
+
+  const Coupling<2> &
+  coupling() const
+  {
+    return interfaces[0].coupling;
+  }
+
+  double
+  total_area() const
+  {
+    double area = 0;
+    for (const auto &row : coupling().rows)
+      area += row.area;
+    return area;
+  }
+
+  // int g dA = sum over the rows
+  double
+  gap_integral() const
+  {
+    double sum = 0;
+    for (const auto &row : coupling().rows)
+      sum += row.area * row.gap;
+    return sum;
+  }
+
+  // Mean position of one side of a row.
+  Tensor<1, 2>
+  mean(const std::vector<std::pair<NodeDofs<2>, double>> &side) const
+  {
+    Tensor<1, 2> sum;
+    for (const auto &[dofs, weight] : side)
+      sum += weight * Tensor<1, 2>(positions.at(dofs));
+    return sum;
+  }
+
+  Scene                               scene;
+  Geometry<2>                         geometry;
+  std::unique_ptr<Discretization<2>>  discretization;
+  std::vector<ContactInterface<2>>    interfaces;
+  std::map<NodeDofs<2>, Point<2>>     positions;
+};
+
+void
+check_weights(const Problem &problem, const std::string &what)
+{
+  check::is_true(!problem.coupling().rows.empty(), what + ": there are rows");
+  for (const auto &row : problem.coupling().rows)
+    {
+      double slave = 0, master = 0;
+      for (const auto &entry : row.slave)
+        slave += entry.second;
+      for (const auto &entry : row.master)
+        master += entry.second;
+      check::is_close(slave, 1, 1e-9, what + ": slave weights");
+      if (problem.interfaces[0].master.surface != nullptr)
+        check::is_close(master, 1, 1e-9, what + ": master weights");
+      check::is_true(row.area > 0, what + ": area");
+    }
+}
+
+// On flat parallel surfaces at the distance `gap`, slave above: the mean positions lie opposite of each other, so that
+// rigid translations and rotations change no gap.
+void
+check_flat(const Problem &problem, const double area, const double gap, const std::string &what)
+{
+  check_weights(problem, what);
+  check::is_close(problem.total_area(), area, 1e-12, what + ": total area");
+  for (const auto &row : problem.coupling().rows)
+    {
+      const Tensor<1, 2> jump = problem.mean(row.slave) - problem.mean(row.master);
+      check::is_close(row.gap, gap, 1e-10, what + ": gap", 1);
+      check::is_close((row.normal - Tensor<1, 2>({0, -1})).norm(), 0, 1e-10, what + ": normal", 1);
+      check::is_close((jump - Tensor<1, 2>({0, gap})).norm(), 0, 1e-8, what + ": jump of the positions", 1);
+      // u = rotation by a unit angle
+      const Tensor<1, 2> rotated({-jump[1], jump[0]});
+      check::is_close(row.normal * rotated, 0, 1e-8, what + ": normal jump of a rotation", 1);
+    }
+}
+
+void
+check_blocks(const unsigned int degree)
+{
+  const std::string what = "blocks of degree " + std::to_string(degree);
+  struct Case
+  {
+    double       a, b; // the slave on the master [0, 2]
+    unsigned int n;
+    double       gap;
+  };
+  for (const Case &c : {Case{0, 2, 5, 0},
+                        Case{0, 2, 7, 0.1},
+                        Case{0.3, 1.1, 3, 0.05},
+                        Case{-0.7, 2.4, 4, 0.05},
+                        Case{-1, 3, 1, 0},
+                        Case{1.95, 4, 2, 0},
+                        Case{1.2, 3.1, 9, 0.02}})
+    {
+      Scene scene;
+      scene.bodies = {block("lower", {0, 0, 0}, {2, 1, 0}, 6), block("upper", {c.a, 1 + c.gap, 0}, {c.b, 2, 0}, c.n)};
+      scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+      check_flat(Problem(scene, degree),
+                 std::min(c.b, 2.) - std::max(c.a, 0.),
+                 c.gap,
+                 what + ", slave from " + std::to_string(c.a) + " to " + std::to_string(c.b));
+    }
+}
+
+// A slave whose left side is held: its corner carries nothing, the others carry its share.
+void
+check_held_node(const unsigned int degree)
+{
+  Scene scene;
+  scene.bodies = {block("lower", {-0.1, 0, 0}, {2, 1, 0}, 6), block("upper", {0, 1, 0}, {2, 2, 0}, 4)};
+  scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+  ConditionData held;
+  held.boundaries   = {{"upper", "left", {}}};
+  held.displacement = {{Expression(0.), Expression(0.), {}}};
+  scene.conditions  = {held};
+  const Problem problem(scene, degree);
+  check_flat(problem, 2, 0, "held corner");
+  check::is_true(problem.interfaces[0].n_without_multiplier == 1, "one node without multiplier");
+  check::is_true(problem.coupling().rows.size() + 1 == problem.interfaces[0].slave->nodes.size(), "rows of the others");
+}
+
+// Gap x^2 / (2R) of a flat slave below a large circle: rows give (x_i^2 - h^2/6) / (2R) on linear faces, control values on quadratic ones.
+void
+check_circle_over_plane(const unsigned int degree)
+{
+  const double R = 1000, h = 0.25;
+  Scene        scene;
+  scene.bodies = {block("it", {-1, 0, 0}, {1, 1, 0}, 8)};
+  ObstacleData circle;
+  circle.name         = "circle";
+  circle.type         = ObstacleData::Type::sphere;
+  circle.centre       = {0, 1 + R, 0};
+  circle.radius       = R;
+  circle.motion.name  = "circle";
+  scene.obstacles     = {circle};
+  PairData pair       = pair_of({"it", "top", {}}, {});
+  pair.second         = {};
+  pair.obstacle       = "circle";
+  scene.pairs         = {pair};
+  const Problem problem(scene, degree);
+  check_weights(problem, "circle over plane");
+  check::is_close(problem.total_area(), 2, 1e-12, "circle over plane: area");
+  for (const auto &row : problem.coupling().rows)
+    {
+      const double x        = problem.interfaces[0].slave->nodes[row.node].X[0];
+      const bool   is_mid   = degree == 2 && std::abs(x / h - std::round(x / h)) > 0.1;
+      const double expected = degree == 1 ? x * x - h * h / 6 : is_mid ? x * x - h * h / 4 : x * x;
+      check::is_close(row.gap, expected / (2 * R), 1e-6, "circle over plane: gap", 1 / (2 * R));
+    }
+}
+
+// A meshed disk above a flat slave: int (R - sqrt(R^2 - x^2)) dx over [-1, 1].
+void
+check_disk_over_plane(const unsigned int degree)
+{
+  const double R = 20;
+  BodyData     disk;
+  disk.name        = "disk";
+  disk.shape       = "half disk";
+  disk.radius      = R;
+  disk.centre      = {0, 1 + R, 0};
+  disk.refinements = 4;
+  Scene scene;
+  scene.bodies = {block("it", {-1, 0, 0}, {1, 1, 0}, 7), disk};
+  scene.pairs  = {pair_of({"it", "top", {}}, {"disk", "arc", {}})};
+  const Problem problem(scene, degree);
+  check_weights(problem, "disk over plane");
+  check::is_close(problem.total_area(), 2, 1e-10, "disk over plane: area");
+  check::is_close(problem.gap_integral(),
+                  1 / (3 * R) + 1 / (20 * R * R * R) + 1 / (56 * std::pow(R, 5)),
+                  1e-6,
+                  "disk over plane: integral of the gap");
+}
+
+// Areas are int B_i 2 pi r dr.
+void
+check_axisymmetric(const unsigned int degree)
+{
+  const unsigned int n = 5;
+  Scene              scene;
+  scene.kind   = Kind::axisymmetric;
+  scene.bodies = {block("lower", {0, 0, 0}, {1, 1, 0}, 7), block("upper", {0, 1, 0}, {1, 2, 0}, n)};
+  scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+  const Problem problem(scene, degree);
+  check_flat(problem, numbers::PI, 0, "axisymmetric");
+  check::is_true(problem.coupling().rows.size() == n * degree + 1, "axisymmetric: all nodes carry multipliers");
+  const double h = 1. / n;
+  for (const auto &row : problem.coupling().rows)
+    {
+      // int B over one face is h/(degree + 1), with its centroid at (k + 1)/(degree + 2) for B_k
+      const double x        = problem.interfaces[0].slave->nodes[row.node].X[0];
+      const double k        = x / (h / degree);
+      const bool   mid      = degree == 2 && std::lround(k) % 2 == 1;
+      double       expected = 0;
+      if (mid)
+        expected = h / 3 * x;
+      else
+        {
+          if (x < 1 - 1e-10)
+            expected += h / (degree + 1) * (x + h / (degree + 2));
+          if (x > 1e-10)
+            expected += h / (degree + 1) * (x - h / (degree + 2));
+        }
+      check::is_close(row.area, 2 * numbers::PI * expected, 1e-10, "axisymmetric: area of a node");
+    }
+}
+
+void
+check_rings(const unsigned int degree, const double gap)
+{
+  const std::string what = "rings with gap " + std::to_string(gap);
+  for (const bool inner_is_slave : {true, false})
+    {
+      Scene scene;
+      scene.bodies = {ring("inner", 0.7, 1, 1), ring("outer", 1 + gap, 1.5, 2)};
+      const BoundaryName a{"inner", "outer", {}}, b{"outer", "inner", {}};
+      scene.pairs = {inner_is_slave ? pair_of(a, b) : pair_of(b, a)};
+      const Problem problem(scene, degree);
+      check_weights(problem, what);
+      const double R = inner_is_slave ? 1 : 1 + gap;
+      check::is_close(problem.total_area(), 2 * numbers::PI * R, 1e-6, what + ": area");
+      check::is_true(problem.coupling().rows.size() == problem.interfaces[0].slave->nodes.size(),
+                     what + ": all nodes carry multipliers");
+      for (const auto &node : problem.interfaces[0].slave->nodes)
+        {
+          const Tensor<1, 2> radial = (inner_is_slave ? 1 : -1) * node.X / node.X.norm();
+          check::is_close(node.X.norm(), R, 1e-7, what + ": nodes on the circle");
+          check::is_close((node.normal - radial).norm(), 0, 1e-6, what + ": normals are radial", 1);
+        }
+      for (const auto &point : problem.coupling().points)
+        {
+          check::is_close(point.gap, gap, 1e-6, what + ": gap at a point", R);
+          check::is_close((point.x_master - point.x_slave - point.gap * point.normal).norm(),
+                          0,
+                          1e-10,
+                          what + ": opposite points",
+                          1);
+        }
+      for (const auto &row : problem.coupling().rows)
+        check::is_close(row.gap, gap, 1e-6, what + ": weighted gap", R);
+    }
+}
+
+// The ends of a quarter ring lie on symmetry planes: normals stay in them.
+void
+check_normals_at_symmetry()
+{
+  Scene scene;
+  scene.bodies          = {ring("inner", 0.7, 1, 1), ring("outer", 1, 1.5, 2)};
+  scene.bodies[0].shape = scene.bodies[1].shape = "quarter ring";
+  scene.pairs           = {pair_of({"inner", "outer", {}}, {"outer", "inner", {}})};
+  ConditionData symmetry;
+  symmetry.type       = ConditionData::Type::symmetry;
+  symmetry.boundaries = {{"inner", "cut x", {}}, {"inner", "cut y", {}}};
+  scene.conditions    = {symmetry};
+  const Problem problem(scene, 2);
+  check_weights(problem, "quarter rings");
+  check::is_close(problem.total_area(), numbers::PI_2, 1e-6, "quarter rings: area");
+  unsigned int n_on_planes = 0;
+  for (const auto &node : problem.interfaces[0].slave->nodes)
+    {
+      n_on_planes += node.symmetry_planes.size();
+      check::is_close((node.normal - node.X / node.X.norm()).norm(), 0, 1e-5, "quarter rings: normals are radial", 1);
+      for (const auto &plane : node.symmetry_planes)
+        check::is_close(node.normal * plane, 0, 1e-12, "quarter rings: normals lie in the planes", 1);
+    }
+  check::is_true(n_on_planes == 2, "quarter rings: two nodes lie on symmetry planes");
+}
+
+// `Adjust` closes small gaps, an initial gap replaces the geometric one, an overlap is an error.
+void
+check_declared_gaps()
+{
+  Scene scene;
+  scene.bodies          = {block("lower", {0, 0, 0}, {2, 1, 0}, 6), block("upper", {0, 1.001, 0}, {2, 2, 0}, 5)};
+  scene.pairs           = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+  scene.pairs[0].adjust = 0.01;
+  for (const auto &row : Problem(scene, 1).coupling().rows)
+    check::is_true(row.gap == 0, "adjusted gap");
+  scene.pairs[0].adjust      = 0;
+  scene.pairs[0].initial_gap = Expression("0.1 + 0.5*x", {});
+  const Problem declared(scene, 1);
+  for (const auto &row : declared.coupling().rows)
+    check::is_close(row.gap, 0.1 + 0.5 * declared.mean(row.slave)[0], 1e-10, "declared gap");
+  scene.pairs[0].initial_gap = {};
+  scene.bodies[1].lower[1]   = 0.9;
+  bool thrown                = false;
+  try
+    {
+      const Problem overlapping(scene, 1);
+    }
+  catch (const InputError &)
+    {
+      thrown = true;
+    }
+  check::is_true(thrown, "bodies that overlap are an input error");
+}
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  for (const unsigned int degree : {1, 2})
+    {
+      check_blocks(degree);
+      check_held_node(degree);
+      check_circle_over_plane(degree);
+      check_disk_over_plane(degree);
+      check_axisymmetric(degree);
+      check_rings(degree, 0);
+      check_rings(degree, 0.01);
+    }
+  check_normals_at_symmetry();
+  check_declared_gaps();
+  return check::result();
+}

@@ -1,0 +1,393 @@
+// Stiffness: constant strains and rigid motions exact on distorted cells in every kind, no spurious modes, no locking near incompressibility.
+#include "check.h"
+
+#include <amontons/elasticity/elasticity_operator.h>
+#include <amontons/elasticity/loads.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/sparse_direct.h>
+#include <deal.II/lac/sparse_matrix.h>
+
+#include <random>
+
+using namespace Amontons;
+
+template <int dim>
+using Field = std::function<Tensor<1, dim>(const Point<dim> &)>;
+
+Scene
+block(const Kind kind, const double poisson)
+{
+  Scene scene;
+  scene.kind = kind;
+  BodyData body;
+  body.name             = "it";
+  body.lower            = {1, 0, 0};
+  body.upper            = {3, 1, 1};
+  body.cells            = {{4, 3, 3}};
+  body.material.young   = 7;
+  body.material.poisson = poisson;
+  scene.bodies          = {body};
+  return scene;
+}
+
+template <int dim>
+struct Problem
+{
+  // distortion: of inner vertices, relative to the cell size.
+  Problem(const Scene &s, const unsigned int degree, const double distortion)
+    : scene(s)
+    , geometry(MPI_COMM_WORLD)
+  {
+    make_geometry(scene, geometry);
+    move_inner_vertices(distortion);
+    start(degree);
+  }
+
+  Problem(const Scene &s, const unsigned int degree, const std::function<Point<dim>(const Point<dim> &)> &map)
+    : scene(s)
+    , geometry(MPI_COMM_WORLD)
+  {
+    make_geometry(scene, geometry);
+    std::set<unsigned int> done;
+    for (const auto &cell : geometry.triangulation.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        if (done.insert(cell->vertex_index(v)).second)
+          cell->vertex(v) = map(cell->vertex(v));
+    start(degree);
+  }
+
+  void
+  move_inner_vertices(const double distortion)
+  {
+    std::mt19937                           generator(1);
+    std::uniform_real_distribution<double> random(-distortion, distortion);
+    std::set<unsigned int>                 boundary;
+    for (const auto &cell : geometry.triangulation.active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary())
+          for (const unsigned int v : face->vertex_indices())
+            boundary.insert(face->vertex_index(v));
+    std::set<unsigned int> done = boundary;
+    for (const auto &cell : geometry.triangulation.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        if (done.insert(cell->vertex_index(v)).second)
+          for (unsigned int d = 0; d < dim; ++d)
+            cell->vertex(v)[d] += random(generator) * cell->diameter() / std::sqrt(double(dim));
+  }
+
+  void
+  start(const unsigned int degree)
+  {
+    discretization = std::make_unique<Discretization<dim>>(scene, geometry, degree);
+    discretization->distribute_dofs();
+    elasticity = std::make_unique<ElasticityOperator<dim>>(*discretization);
+    elasticity->assemble();
+    DoFTools::map_dofs_to_support_points(discretization->mapping, discretization->dof_handler, points);
+    std::vector<types::global_dof_index> dofs(discretization->fe.n_dofs_per_cell());
+    for (const auto &cell : discretization->dof_handler.active_cell_iterators())
+      {
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          components[dofs[i]] = discretization->fe.system_to_component_index(i).first;
+      }
+  }
+
+  LA::Vector
+  interpolate(const Field<dim> &field) const
+  {
+    LA::Vector u = discretization->make_owned_vector();
+    for (const auto &[dof, c] : components)
+      u(dof) = field(points.at(dof))[c];
+    u.compress(VectorOperation::insert);
+    LA::Vector result = discretization->make_relevant_vector();
+    result            = u;
+    return result;
+  }
+
+  // Displacement under the scene's loads and supports, without contact.
+  LA::Vector
+  solve() const
+  {
+    const auto             supports = discretization->make_supports(1);
+    const auto             loads    = assemble_loads<dim>(*discretization, 1, {});
+    DynamicSparsityPattern dsp(discretization->dof_handler.n_dofs());
+    DoFTools::make_sparsity_pattern(discretization->dof_handler, dsp, supports);
+    SparsityPattern pattern;
+    pattern.copy_from(dsp);
+    SparseMatrix<double> matrix(pattern);
+    Vector<double>       rhs(dsp.n_rows());
+    for (const auto dof : discretization->locally_owned)
+      supports.distribute_local_to_global(Vector<double>({loads(dof)}), {dof}, rhs);
+    for (unsigned int c = 0; c < elasticity->n_cells(); ++c)
+      supports.distribute_local_to_global(elasticity->matrix(c),
+                                          Vector<double>(elasticity->dofs(c).size()),
+                                          elasticity->dofs(c),
+                                          matrix,
+                                          rhs);
+    SparseDirectUMFPACK solver;
+    solver.initialize(matrix);
+    solver.solve(rhs);
+    LA::Vector u(discretization->locally_owned, MPI_COMM_WORLD);
+    for (const auto dof : discretization->locally_owned)
+      u(dof) = rhs(dof);
+    u.compress(VectorOperation::insert);
+    supports.distribute(u);
+    return u;
+  }
+
+  // Value of component c at the node nearest to p.
+  double
+  value_at(const LA::Vector &u, const Point<dim> &p, const unsigned int c) const
+  {
+    double nearest = 1e300, value = 0;
+    for (const auto &[dof, component] : components)
+      if (component == c && p.distance(points.at(dof)) < nearest)
+        {
+          nearest = p.distance(points.at(dof));
+          value   = u(dof);
+        }
+    return value;
+  }
+
+  bool
+  is_inside(const Point<dim> &p) const
+  {
+    bool inside = p[0] > 1 + 1e-10 && p[0] < 3 - 1e-10;
+    for (unsigned int d = 1; d < dim; ++d)
+      inside = inside && p[d] > 1e-10 && p[d] < 1 - 1e-10;
+    return inside;
+  }
+
+  Scene                                        scene;
+  Geometry<dim>                                geometry;
+  std::unique_ptr<Discretization<dim>>         discretization;
+  std::unique_ptr<ElasticityOperator<dim>>     elasticity;
+  std::map<types::global_dof_index, Point<dim>> points;
+  std::map<types::global_dof_index, unsigned int> components;
+};
+
+std::string
+name_of(const Kind kind, const unsigned int degree)
+{
+  static const std::vector<std::string> names = {"plane strain", "plane stress", "axisymmetric", "3D"};
+  return names[static_cast<unsigned int>(kind)] + ", degree " + std::to_string(degree);
+}
+
+// Stress by hand from the strain of kind: 2 mu e + lambda tr e, with the strain energy density.
+template <int dim>
+double
+energy_density(const Kind kind, const MaterialData &m, Voigt<dim> e)
+{
+  const double mu = m.young / 2 / (1 + m.poisson), lambda = m.young * m.poisson / (1 + m.poisson) / (1 - 2 * m.poisson);
+  if (kind == Kind::plane_stress)
+    e[2] = -m.poisson / (1 - m.poisson) * (e[0] + e[1]);
+  const double trace = e[0] + e[1] + e[2];
+  double       w     = 0.5 * lambda * trace * trace;
+  for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+    w += (k < 3 ? mu : 0.5 * mu) * e[k] * e[k];
+  return w;
+}
+
+template <int dim>
+void
+check_patch(const Kind kind, const unsigned int degree, const double poisson)
+{
+  const std::string  what = name_of(kind, degree);
+  const Scene        scene = block(kind, poisson);
+  const Problem<dim> problem(scene, degree, 0.25);
+  // u = G X; axisymmetric: no shear, u_r = a r.
+  Tensor<2, dim> G;
+  for (unsigned int i = 0; i < dim; ++i)
+    for (unsigned int j = 0; j < dim; ++j)
+      if (kind != Kind::axisymmetric || i == j)
+        G[i][j] = 0.1 * std::sin(1. + 2 * i + 5 * j);
+  Voigt<dim> strain;
+  strain.fill(0);
+  for (unsigned int i = 0; i < dim; ++i)
+    strain[i] = G[i][i];
+  strain[3] = G[0][1] + G[1][0];
+  if (dim == 3)
+    {
+      strain[4]              = G[0][dim - 1] + G[dim - 1][0];
+      strain[n_voigt<dim> - 1] = G[1][dim - 1] + G[dim - 1][1];
+    }
+  if (kind == Kind::axisymmetric)
+    strain[2] = G[0][0];
+
+  const auto u     = problem.interpolate([&](const Point<dim> &X) { return G * X; });
+  const auto force = problem.elasticity->apply(u);
+  double     largest = 0, energy = 0;
+  for (const auto &[dof, c] : problem.components)
+    {
+      largest = std::max(largest, std::abs(force(dof)));
+      energy += 0.5 * force(dof) * u(dof);
+    }
+  for (const auto &[dof, c] : problem.components)
+    if (problem.is_inside(problem.points.at(dof)))
+      check::is_close(force(dof), 0, 1e-11, what + ": inner force of a constant strain", largest);
+  const double volume = kind == Kind::axisymmetric ? numbers::PI * (9 - 1) : 2;
+  check::is_close(energy,
+                  volume * energy_density<dim>(kind, scene.bodies[0].material, strain),
+                  1e-11,
+                  what + ": energy of a constant strain");
+
+  // Stresses at points
+  FEValues<dim> values(problem.discretization->mapping,
+                       problem.discretization->fe,
+                       QGauss<dim>(degree + 1),
+                       ElasticityOperator<dim>::needed_flags());
+  const auto    sigma = LinearElastic<dim>(scene.bodies[0].material, kind).stress(strain);
+  for (const auto &cell : problem.discretization->dof_handler.active_cell_iterators())
+    {
+      values.reinit(cell);
+      for (const auto &s : problem.elasticity->stresses(values, cell, u))
+        for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+          check::is_close(s[k], sigma[k], 1e-10, what + ": stress of a constant strain", std::abs(sigma[0]));
+    }
+}
+
+template <int dim>
+void
+check_rigid_motions(const Kind kind, const unsigned int degree)
+{
+  const Problem<dim>      problem(block(kind, 0.4), degree, 0.25);
+  std::vector<Field<dim>> motions;
+  for (unsigned int d = 0; d < dim; ++d)
+    if (kind != Kind::axisymmetric || d == 1)
+      motions.push_back([d](const Point<dim> &) {
+        Tensor<1, dim> v;
+        v[d] = 1;
+        return v;
+      });
+  for (unsigned int a = 0; a < dim && kind != Kind::axisymmetric; ++a)
+    for (unsigned int b = a + 1; b < dim; ++b)
+      motions.push_back([a, b](const Point<dim> &X) {
+        Tensor<1, dim> v;
+        v[a] = -X[b];
+        v[b] = X[a];
+        return v;
+      });
+  for (const auto &motion : motions)
+    check::is_close(problem.elasticity->apply(problem.interpolate(motion)).linfty_norm(),
+                    0,
+                    1e-12,
+                    name_of(kind, degree) + ": force of a rigid motion",
+                    7);
+
+  // Every cell: symmetric, and rigid motions are all that costs no energy.
+  for (unsigned int c = 0; c < std::min(2u, problem.elasticity->n_cells()); ++c)
+    {
+      const auto              &K = problem.elasticity->matrix(c);
+      LAPACKFullMatrix<double> matrix(K.m(), K.n());
+      matrix = K;
+      for (unsigned int i = 0; i < K.m(); ++i)
+        for (unsigned int j = 0; j < i; ++j)
+          check::is_close(K(i, j), K(j, i), 1e-14, name_of(kind, degree) + ": symmetry", K.linfty_norm());
+      Vector<double>     eigenvalues;
+      FullMatrix<double> vectors;
+      const double       largest = K.linfty_norm();
+      matrix.compute_eigenvalues_symmetric(-largest, 1e-8 * largest, 1e-14 * largest, eigenvalues, vectors);
+      check::is_true(eigenvalues.size() == motions.size(),
+                     name_of(kind, degree) + ": " + std::to_string(eigenvalues.size()) + " modes without energy instead of " +
+                       std::to_string(motions.size()));
+      check::is_close(eigenvalues.linfty_norm(), 0, 1e-12, name_of(kind, degree) + ": no negative eigenvalue", largest);
+    }
+}
+
+ConditionData
+symmetry(const std::vector<BoundaryName> &boundaries)
+{
+  ConditionData condition;
+  condition.type       = ConditionData::Type::symmetry;
+  condition.boundaries = boundaries;
+  return condition;
+}
+
+// Thick-walled cylinder under inner pressure: u(r) = (1+nu)/E p a^2/(b^2-a^2) ((1-2nu) r + b^2/r).
+void
+check_cylinder(const unsigned int degree, const unsigned int refinements, const double poisson, const double tolerance)
+{
+  const double a = 1, b = 2, p = 0.3;
+  Scene        scene;
+  BodyData     body;
+  body.name             = "it";
+  body.shape            = "quarter ring";
+  body.inner_radius     = a;
+  body.radius           = b;
+  body.refinements      = refinements;
+  body.material.young   = 5;
+  body.material.poisson = poisson;
+  scene.bodies          = {body};
+  ConditionData pressure;
+  pressure.type       = ConditionData::Type::pressure;
+  pressure.boundaries = {{"it", "inner", {}}};
+  pressure.value[0]   = Expression(p);
+  scene.conditions    = {symmetry({{"it", "cut x", {}}, {"it", "cut y", {}}}), pressure};
+  const Problem<2> problem(scene, degree, 0.);
+  const auto       u = problem.solve();
+  for (const double r : {a, b})
+    check::is_close(problem.value_at(u, Point<2>(r, 0), 0),
+                    (1 + poisson) / 5 * p * a * a / (b * b - a * a) * ((1 - 2 * poisson) * r + b * b / r),
+                    tolerance,
+                    "cylinder under pressure, degree " + std::to_string(degree) + ", nu " + std::to_string(poisson));
+}
+
+// Cook's membrane, plane strain, nearly incompressible: deflection 16.442 of the middle of the right side at E = 1.12499998125,
+// nu = 0.499999975 (Brink and Stein, Comput. Mech. 19 (1996) 105).
+void
+check_cook(const unsigned int degree, const unsigned int n, const double tolerance)
+{
+  Scene    scene;
+  BodyData body;
+  body.name             = "it";
+  body.lower            = {0, 0, 0};
+  body.upper            = {1, 1, 0};
+  body.cells            = {{n, n, 1}};
+  body.material.young   = 1.125;
+  body.material.poisson = 0.4999;
+  scene.bodies          = {body};
+  ConditionData held, force;
+  held.boundaries   = {{"it", "left", {}}};
+  held.displacement = {{Expression(0.), Expression(0.), {}}};
+  force.type        = ConditionData::Type::total_force;
+  force.boundaries  = {{"it", "right", {}}};
+  force.value[1]    = Expression(1.);
+  scene.conditions  = {held, force};
+  const Problem<2> problem(scene, degree, [](const Point<2> &p) {
+    return Point<2>(48 * p[0], 44 * p[0] + p[1] * (44 - 28 * p[0]));
+  });
+  const auto u = problem.solve();
+  check::is_close(
+    problem.value_at(u, Point<2>(48, 52), 1), 16.442, tolerance, "Cook's membrane, degree " + std::to_string(degree));
+}
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  for (const unsigned int degree : {1, 2})
+    {
+      for (const Kind kind : {Kind::plane_strain, Kind::plane_stress, Kind::axisymmetric})
+        {
+          check_patch<2>(kind, degree, 0.3);
+          check_patch<2>(kind, degree, kind == Kind::plane_stress ? 0.49 : 0.499);
+          check_rigid_motions<2>(kind, degree);
+        }
+      check_patch<3>(Kind::three_dimensional, degree, 0.3);
+      check_rigid_motions<3>(Kind::three_dimensional, degree);
+    }
+  for (const double poisson : {0., 0.3, 0.4999})
+    {
+      check_cylinder(1, 3, poisson, 0.02);
+      check_cylinder(2, 2, poisson, 1e-3);
+    }
+  check_cook(1, 32, 0.0002);
+  check_cook(2, 16, 0.0002);
+  return check::result();
+}

@@ -1,0 +1,147 @@
+# Scenes with the checks of their answers: add_scene_test(NAME name SCENE file RANKS n SET "Section/Name=value"... CHECK "path OP value"...)
+# and add_comparison_test(NAME name SCENE file SET ... RUN "ranks | Section/Name=value"... OPTIONS ...). Files are relative to parameters/.
+set(SCENE_QUIET "Output/VTU=false" "Output/Report=false")
+
+function(add_scene_test)
+  cmake_parse_arguments(T "" "NAME;SCENE;RANKS" "SET;CHECK" ${ARGN})
+  if(NOT T_RANKS)
+    set(T_RANKS 1)
+  endif()
+  set(arguments)
+  foreach(text IN LISTS SCENE_QUIET T_SET)
+    list(APPEND arguments --set "${text}")
+  endforeach()
+  foreach(text IN LISTS T_CHECK)
+    list(APPEND arguments --check "${text}")
+  endforeach()
+  add_test(NAME scenes/${T_NAME}
+           COMMAND python3 ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/run_scene.py $<TARGET_FILE:amontons> ${CMAKE_BINARY_DIR}/scenes/${T_NAME}
+                   ${T_RANKS} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../parameters/${T_SCENE} ${arguments})
+  set_tests_properties(scenes/${T_NAME} PROPERTIES PROCESSORS ${T_RANKS} TIMEOUT 120)
+endfunction()
+
+function(add_comparison_test)
+  cmake_parse_arguments(T "" "NAME;SCENE" "SET;RUN;OPTIONS" ${ARGN})
+  set(arguments ${T_OPTIONS})
+  foreach(text IN LISTS SCENE_QUIET T_SET)
+    list(APPEND arguments --set "${text}")
+  endforeach()
+  foreach(text IN LISTS T_RUN)
+    list(APPEND arguments --run "${text}")
+  endforeach()
+  add_test(NAME scenes/${T_NAME}
+           COMMAND python3 ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/compare_runs.py $<TARGET_FILE:amontons> ${CMAKE_BINARY_DIR}/scenes/${T_NAME}
+                   ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../parameters/${T_SCENE} ${arguments})
+  set_tests_properties(scenes/${T_NAME} PROPERTIES PROCESSORS 2 TIMEOUT 120)
+endfunction()
+
+set(EXACT "reference.errors.pressure_l2 <= 1e-10" "reference.errors.nodal_peak_pressure <= 1e-10" "checks.force_balance <= 1e-8")
+set(ITERATIONS "newton.0.iterations <= 12" "newton.1:.iterations <= 4")
+
+# ---- Patch tests
+
+foreach(degree 1 2)
+  foreach(slave first second)
+    set(both "Discretization/Degree=${degree}" "Contact interface/Slave=${slave}")
+    foreach(angle 17 45)
+      add_scene_test(NAME patch_q${degree}_${slave}_turned_${angle} SCENE verification/patch_pressure.prm
+                     SET ${both} "Body upper/Rotate=${angle}" "Body lower/Rotate=${angle}" CHECK ${EXACT})
+    endforeach()
+    add_scene_test(NAME patch_q${degree}_${slave}_1_to_10 SCENE verification/patch_pressure.prm
+                   SET ${both} "Body upper/Cells=1,3" "Body lower/Cells=10,5" "Body upper/Rotate=17" "Body lower/Rotate=17" CHECK ${EXACT})
+    add_scene_test(NAME patch_q${degree}_${slave}_10_to_1 SCENE verification/patch_pressure.prm
+                   SET ${both} "Body upper/Cells=10,3" "Body lower/Cells=1,5" CHECK ${EXACT})
+    add_scene_test(NAME patch_q${degree}_${slave}_hanging_nodes SCENE verification/patch_hanging_nodes.prm
+                   SET ${both} "Refinement/Cycles=1" CHECK ${EXACT})
+    add_scene_test(NAME patch_q${degree}_${slave}_punch SCENE verification/patch_punch.prm SET ${both} CHECK ${EXACT})
+    # The punch ends a little beyond a node of the foundation.
+    foreach(sliver 1.200000001 1.20001)
+      add_scene_test(NAME patch_q${degree}_${slave}_sliver_${sliver} SCENE verification/patch_punch.prm
+                     SET ${both} "Body punch/Lower corner=0.6,0" "Body punch/Upper corner=${sliver},1" "Body foundation/Cells=10,5"
+                         "Reference/Solution=uniform(p=5,x=0.9,width=0.3)"
+                     CHECK ${EXACT})
+    endforeach()
+  endforeach()
+  add_scene_test(NAME patch_q${degree}_displacement SCENE patch_test.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
+  add_scene_test(NAME patch_q${degree}_plane_stress SCENE verification/patch_pressure.prm
+                 SET "Kind=plane stress" "Discretization/Degree=${degree}" CHECK ${EXACT})
+  add_scene_test(NAME patch_q${degree}_confined SCENE verification/patch_confined.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
+  add_scene_test(NAME two_punches_q${degree} SCENE verification/two_punches.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
+  add_scene_test(NAME three_blocks_q${degree} SCENE three_blocks.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
+endforeach()
+foreach(ratio 1e-6 1e6)
+  add_scene_test(NAME patch_stiffness_${ratio} SCENE verification/patch_pressure.prm
+                 SET "Body upper/Young modulus=1" "Body lower/Young modulus=${ratio}" CHECK ${EXACT})
+endforeach()
+
+# ---- Closed forms; the tolerances are the floors of the models
+
+set(HERTZ ${ITERATIONS} "reference.errors.contact_size <= 0.003" "reference.errors.peak_pressure <= 0.003")
+add_scene_test(NAME cylinder_1a SCENE hertz_cylinder.prm CHECK ${HERTZ} "reference.errors.pressure_l2 <= 0.02")
+add_scene_test(NAME cylinders_1b SCENE verification/two_cylinders.prm SET "Refinement/Cycles=7" CHECK ${HERTZ} "reference.errors.pressure_l2 <= 0.02"
+               "reference.errors.normal_force <= 1e-4")
+add_scene_test(NAME cylinders_1b_slave_upper_finer SCENE verification/two_cylinders.prm
+               SET "Contact line/Slave=first" "Body upper/Refinements=3" "Refinement/Cycles=4" CHECK ${HERTZ})
+add_scene_test(NAME cylinders_1b_1_to_8 SCENE verification/two_cylinders.prm
+               SET "Contact line/Slave=second" "Body lower/Refinements=3" "Refinement/Cycles=4" CHECK ${HERTZ})
+add_scene_test(NAME cylinders_1b_8_to_1 SCENE verification/two_cylinders.prm
+               SET "Contact line/Slave=second" "Body upper/Refinements=3" "Refinement/Cycles=4" CHECK ${HERTZ})
+add_scene_test(NAME roller_1d SCENE nafems_roller.prm
+               CHECK ${ITERATIONS} "pairs.0.contact_size ~ 6.197 0.002" "reference.values.peak_pressure.0 ~ 3595.5 0.002"
+                     "probes.0.points.0.displacement.1 ~ -1.2812 0.001" "probes.1.points.0.displacement.1 ~ -1.5686 0.002")
+add_scene_test(NAME sphere_2a SCENE hertz_sphere_axisymmetric.prm CHECK ${HERTZ} "reference.errors.pressure_l2 <= 0.01")
+add_scene_test(NAME flat_punch_3a SCENE verification/flat_punch_line.prm
+               CHECK ${ITERATIONS} "reference.errors.pressure_l2 <= 0.02" "reference.errors.normal_force <= 1e-8")
+add_scene_test(NAME flat_punch_3a_fine SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=10"
+               CHECK ${ITERATIONS} "reference.errors.pressure_l2 <= 0.02")
+add_scene_test(NAME flat_punch_3b SCENE verification/flat_punch_axisymmetric.prm
+               CHECK ${ITERATIONS} "reference.errors.pressure_l2 <= 0.02" "reference.errors.normal_force <= 0.005")
+add_scene_test(NAME flat_punch_3b_fine SCENE verification/flat_punch_axisymmetric.prm SET "Refinement/Cycles=10"
+               CHECK ${ITERATIONS} "reference.errors.pressure_l2 <= 0.02" "reference.errors.normal_force <= 0.003")
+add_scene_test(NAME cone_3c SCENE verification/cone.prm
+               CHECK ${ITERATIONS} "reference.errors.pressure_l2 <= 0.01" "reference.errors.contact_size <= 0.003")
+add_scene_test(NAME half_plane_box SCENE half_plane_box.prm CHECK ${HERTZ} "reference.errors.normal_force <= 1e-3" "reference.errors.pressure_l2 <= 0.01")
+foreach(slave first second)
+  set(UNIFORM "newton.0:.iterations <= 4" "reference.errors.pressure_l2 <= 0.003" "reference.errors.nodal_peak_pressure <= 0.003")
+  add_scene_test(NAME rings_${slave} SCENE verification/rings.prm SET "Contact interface/Slave=${slave}" CHECK ${UNIFORM})
+  add_scene_test(NAME shrink_fit_${slave} SCENE verification/shrink_fit.prm SET "Contact interface/Slave=${slave}" CHECK ${UNIFORM})
+endforeach()
+add_scene_test(NAME shrink_fit_plane_stress SCENE verification/shrink_fit.prm SET "Kind=plane stress" CHECK ${UNIFORM})
+add_scene_test(NAME shrink_fit_spheres SCENE verification/shrink_fit_spheres.prm CHECK ${UNIFORM})
+add_scene_test(NAME punch_r0094_2 SCENE nafems_punch.prm CHECK ${ITERATIONS} "probes.0.points.0.displacement.1 ~ -0.13396 0.002"
+               "pairs.0.peak_pressure <= 1000")
+foreach(degree 1 2)
+  add_scene_test(NAME nearly_incompressible_q${degree} SCENE hertz_cylinder.prm
+                 SET "Discretization/Degree=${degree}" "Body block/Poisson ratio=0.4999"
+                     "Reference/Solution=hertz_line(P=1000,R=10,E1=200e3,nu1=0.4999)"
+                 CHECK ${HERTZ})
+endforeach()
+
+# ---- Tied pairs
+
+add_scene_test(NAME tied_patch SCENE verification/tied_patch.prm
+               CHECK "probes.0.points.0.displacement.0 ~ -0.00585 1e-10" "probes.0.points.0.displacement.1 ~ 0.01365 1e-10")
+add_scene_test(NAME tied_beam SCENE verification/tied_beam.prm CHECK "probes.0.points.0.displacement.1 ~ -0.0267074 5e-4")
+add_scene_test(NAME beam_in_one_piece SCENE verification/beam_in_one_piece.prm CHECK "probes.0.points.0.displacement.1 ~ -0.0267074 5e-4")
+
+# ---- Bodies that only contact holds, no contact
+
+foreach(scene disk_above_block disk_weight disk_platen)
+  add_scene_test(NAME ${scene} SCENE verification/${scene}.prm CHECK ${ITERATIONS} "reference.errors.normal_force <= 1e-4"
+                 "reference.errors.contact_size <= 0.005")
+endforeach()
+add_scene_test(NAME just_touching SCENE verification/just_touching.prm CHECK "status is converged" ${ITERATIONS} "pairs.0.peak_pressure <= 1e-6")
+add_scene_test(NAME no_contact SCENE verification/no_contact.prm CHECK "status is converged" ${ITERATIONS} "pairs.0.peak_pressure <= 1e-12")
+add_scene_test(NAME lifted SCENE verification/tension.prm CHECK "status is converged" ${ITERATIONS} "pairs.0.peak_pressure <= 1e-12")
+
+# ---- The same answer: ranks, complementarity factor
+
+foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight)
+  get_filename_component(name ${scene} NAME)
+  add_comparison_test(NAME ranks_${name} SCENE ${scene}.prm RUN 1 2 3 4)
+endforeach()
+foreach(scene hertz_cylinder nafems_roller verification/two_cylinders verification/disk_above_block)
+  get_filename_component(name ${scene} NAME)
+  add_comparison_test(NAME complementarity_${name} SCENE ${scene}.prm OPTIONS --iterations 2
+                      RUN 1 "1 | Contact solver/Complementarity factor=1e-3" "1 | Contact solver/Complementarity factor=1e3")
+endforeach()

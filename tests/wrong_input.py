@@ -1,0 +1,478 @@
+#!/usr/bin/env python3
+"""Wrong scenes end with exit code 1 and one readable message: wrong_input.py AMONTONS [NAME-PART]...
+
+Each case is written to a folder of its own and run there. Checked: exit code, one message on stderr that has the expected words
+(a regular expression), no output folder left, no stack trace, done in time; some cases on 2 and 3 ranks.
+With NAME-PARTs, only cases whose names contain one of them.
+"""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+SECONDS = 20
+
+BASE = """set Kind = plane strain
+subsection Body upper
+  set Lower corner  = 0, 0
+  set Upper corner  = 2, 1
+  set Cells         = 3, 2
+  set Young modulus = 1000
+  set Poisson ratio = 0.3
+end
+subsection Body lower
+  set Lower corner  = 0, -1
+  set Upper corner  = 2, 0
+  set Cells         = 4, 2
+  set Young modulus = 1000
+  set Poisson ratio = 0.3
+end
+subsection Boundary condition load
+  set Boundaries = upper/top
+  set Value      = 0; -0.01
+end
+subsection Boundary condition floor
+  set Boundaries = lower/bottom
+  set Value      = 0; 0
+end
+subsection Contact middle
+  set First  = upper/bottom
+  set Second = lower/top
+end
+"""
+
+ONE_BODY = """subsection Body block
+%s
+end
+subsection Boundary condition floor
+  set Boundaries = block/bottom
+  set Value      = 0; 0
+end
+"""
+
+OBSTACLE = """subsection Body block
+  set Lower corner = 0, -1
+  set Upper corner = 1, 0
+  set Cells        = 2, 2
+end
+subsection Boundary condition floor
+  set Boundaries = block/bottom
+  set Value      = 0; 0
+end
+subsection Obstacle tool
+%s
+end
+subsection Contact top
+  set First  = block/top
+  set Second = tool
+end
+"""
+
+MSH2 = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+1 1 "bottom"
+2 2 "all"
+$EndPhysicalNames
+$Nodes
+6
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+5 2 0 0
+6 2 1 0
+$EndNodes
+$Elements
+4
+1 1 2 1 1 1 2
+2 1 2 1 1 2 5
+3 3 2 2 1 1 2 3 4
+4 3 2 2 1 2 5 6 3
+$EndElements
+"""
+
+MSH4 = """$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+1 1 "bottom"
+$EndPhysicalNames
+$Entities
+0 1 1 0
+1 0 0 0 1 0 0 1 1 0
+1 0 0 0 1 1 0 0 1 1
+$EndEntities
+$Nodes
+1 4 1 4
+2 1 0 4
+1
+2
+3
+4
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+$EndNodes
+$Elements
+2 2 1 2
+1 1 1 1
+1 1 2
+2 1 3 1
+2 1 2 3 4
+$EndElements
+"""
+
+INP = """*NODE
+1, 0, 0
+2, 1, 0
+3, 1, 1
+4, 0, 1
+*ELEMENT, TYPE=CPE4, ELSET=all
+1, 1, 2, 3, 4
+*NSET, NSET=bottom
+1, 2
+"""
+
+CASES = []  # name, files, arguments, ranks, expected words (None: must run), expected line of scene.prm
+
+
+def case(name, files, words, arguments=("scene.prm",), ranks=1, keep=()):
+    if isinstance(files, (str, bytes)):
+        files = {"scene.prm": files}
+    CASES.append((name, files, list(arguments), ranks, words, keep))
+
+
+def line_of(text, part):
+    for number, line in enumerate(text.split("\n"), 1):
+        if part in line:
+            return number
+    raise KeyError(part)
+
+
+def change(name, old, new, words, text=BASE, ranks=1, part=None):
+    """The scene `text` with `old` replaced; the message begins with the line of `part` (default: of `new`'s first line)."""
+    assert old in text, (name, old)
+    scene = text.replace(old, new, 1)
+    number = line_of(scene, part if part is not None else new.strip().split("\n")[0])
+    case(name, scene, rf"^scene\.prm:{number}: .*{words}", ranks=ranks)
+
+
+def mesh(name, file, text, words, ranks=1, kind=""):
+    case(name, {"scene.prm": kind + ONE_BODY % f"  set Mesh = {file}", file: text}, words, ranks=ranks)
+
+
+def scenes():
+    case("valid", BASE, None)
+    case("valid on 3 ranks", BASE, None, ranks=3)
+
+    # names
+    change("unknown body", "lower/bottom", "lowr/bottom", r"unknown body 'lowr' \(did you mean 'lower'\?\).*upper, lower")
+    change("unknown body in a contact", "= lower/top", "= loer/top", "unknown body 'loer'.*lower", ranks=2)
+    change("unknown boundary", "lower/bottom", "lower/botom", "no boundary 'botom'.*bottom.*left, right", ranks=3)
+    change("unknown boundary of a contact", "= lower/top", "= lower/tpo", "no boundary 'tpo'.*top", ranks=2)
+    change("unknown parameter", "set Young modulus", "set Young module", r"unknown entry 'Young module' \(did you mean 'Young modulus'")
+    change("unknown section", "subsection Contact middle", "subsection Contct middle", "unknown section 'Contct middle'.*Contact middle")
+    change("unknown obstacle", "= lower/top", "= tool", "unknown obstacle 'tool'")
+    change("body without boundary", "= lower/top", "= lower", "without a boundary.*lower/BOUNDARY", part="subsection Contact")
+    change("slave = master", "= lower/top", "= upper/bottom", "slave = master", ranks=2)
+    change("self contact", "= lower/top", "= upper/top", "self contact is not supported", part="set Second = upper/top")
+    change("unknown closed form", "0; -0.01", "halfplane_eliptic(P = 1, a = 1)", "halfplane_eliptic.*did you mean 'halfplane_elliptic'")
+    change("closed form without a parameter", "0; -0.01", "halfplane_elliptic(P = 1)", "'a' is missing", ranks=2)
+    reference = BASE + "subsection Reference\n  set Solution = %s\nend\n"
+    for name, solution, words in [("unknown", "hertz_lin(P = 1)", "did you mean 'hertz_line'"),
+                                  ("missing parameter", "hertz_line(P = 1, R = 1, E1 = 1)", "'nu1' is missing"),
+                                  ("unknown parameter", "hertz_line(P = 1, R = 1, E1 = 1, nu1 = 0.3, Q = 1)", "the parameter 'Q'"),
+                                  ("negative", "hertz_line(P = -1, R = 1, E1 = 1, nu1 = 0.3)", "P = -1.*positive")]:
+        text = reference % solution
+        case("reference: " + name, text, rf"^scene\.prm:{line_of(text, 'Solution')}: .*{words}")
+    text = BASE + "subsection Reference\n  set Solution = uniform(p = 1, width = 1)\n  set Contact = midle\nend\n"
+    case("reference: unknown contact", text, "unknown contact 'midle'.*middle")
+
+    # values
+    change("wrong type", "= 1000", "= stiff", "found 'stiff'.*number")
+    change("wrong choice", "Kind = plane strain", "Kind = plain strain", "found 'plain strain'.*plane strain")
+    change("not a flag", "= lower/top", "= lower/top\n  set Tied = perhaps", "found 'perhaps'", part="set Tied")
+    change("nu = 0.5", "= 0.3", "= 0.5", r"found 0\.5.*less than 0\.5")
+    change("nu = 0.6", "= 0.3", "= 0.6", r"found 0\.6.*less than 0\.5", ranks=2)
+    change("nu = -1", "= 0.3", "= -1", "more than -1")
+    change("E = 0", "= 1000", "= 0", "found 0.*positive")
+    change("E < 0", "= 1000", "= -5", "found '?-5")
+    change("E = inf", "= 1000", "= inf", "found '?inf")
+    change("E = nan", "= 1000", "= nan", "found '?nan")
+    change("no numbers", "= 3, 2", "= 3", "found '3'")
+    change("Cells = 0", "= 3, 2", "= 3, 0", "found '3, 0'")
+    change("huge Cells", "= 3, 2", "= 20000, 20000", "cells", part="Body upper", ranks=2)
+    change("huge Cells beyond integers", "= 3, 2", "= 99999999999, 2", "found '99999999999, 2'")
+    change("many coarse cells", "= 3, 2", "= 4000, 4000", "at most 2e6", part="Body upper")
+    change("many refinements", "= 3, 2", "= 3, 2\n  set Refinements = 20", "at most 5e7", part="Body upper")
+    change("negative refinements", "= 3, 2", "= 3, 2\n  set Refinements = -1", "found '-1'", part="Refinements")
+    change("zero thickness", "= 2, 1", "= 2, 0", "larger coordinates", ranks=3)
+    change("grading", "= 3, 2", "= 3, 2\n  set Grading = 0, 1", "positive", part="Grading")
+    change("grading without cells", "= 3, 2", "= 300, 2\n  set Grading = 1e300, 1", "without length", part="Body upper")
+    change("unknown shape", "set Lower corner  = 0, 0", "set Mesh = blok\n  set Lower corner  = 0, 0", "did you mean 'block'", part="blok")
+    change("radius of a block", "set Lower corner  = 0, 0", "set Radius = 3\n  set Lower corner  = 0, 0", "no meaning", part="Radius")
+    change("thin ring", "  set Lower corner  = 0, 0\n  set Upper corner  = 2, 1\n  set Cells         = 3, 2\n",
+           "  set Mesh = ring\n  set Radius = 1\n  set Inner radius = 0.999999999999\n", "cells", part="Body upper")
+    change("inner radius", "  set Lower corner  = 0, 0\n  set Upper corner  = 2, 1\n  set Cells         = 3, 2\n",
+           "  set Mesh = ring\n  set Radius = 1\n  set Inner radius = 2\n", "less than the outer radius", part="Inner radius")
+    change("negative radius", "Kind = plane strain", "Kind = axisymmetric", "negative radius.*x >= 0",
+           text=BASE.replace("Lower corner  = 0, 0", "Lower corner  = -1, 0"), part="Lower corner  = -1, 0")
+    case("negative radius after placement",
+         BASE.replace("plane strain", "axisymmetric").replace("= 3, 2", "= 3, 2\n  set Rotate = 90"), "axisymmetric.*x >= 0", ranks=2)
+    change("negative radius of a disk", "Kind = plane strain", "Kind = axisymmetric", "axisymmetric.*quarter disk", ranks=2,
+           text=BASE.replace("  set Lower corner  = 0, 0\n  set Upper corner  = 2, 1\n  set Cells         = 3, 2\n",
+                             "  set Mesh = half disk\n  set Centre = 0, 1\n"), part="Body upper")
+    change("End time", "set Kind", "set End time = 0\nset Kind", "positive")
+    change("Increments", "set Kind", "set Increments = 0\nset Kind", "found '0'")
+    change("Points of a probe", "set Kind", "subsection Probe P\nset Body = upper\nset From = 0, 0\nset To = 1, 1\nset Points = 2000000000\nend\nset Kind",
+           "found", part="Points")
+    change("probe without a place", "set Kind", "subsection Probe P\nset Body = upper\nend\nset Kind", "no place")
+    change("probe of an unknown body", "set Kind", "subsection Probe P\nset Body = uper\nset Point = 0, 0\nend\nset Kind", "unknown body 'uper'",
+           part="Probe P")
+
+    # expressions
+    change("expression error", "0; -0.01", "0; -0.01*(x", "cannot be read")
+    change("unknown function", "0; -0.01", "0; sine(x)", "cannot be read.*sine")
+    change("unknown variable", "0; -0.01", "0; -0.01*w", "cannot be read.*w")
+    change("r in plane strain", "0; -0.01", "0; -0.01*r", "variable r")
+    change("components", "0; -0.01", "0", "1 component")
+    change("nothing prescribed", "0; -0.01", "free; free", "prescribes nothing")
+    change("table", "0; -0.01", "0; table(0: 0, 1)", "table")
+    change("table whose times decrease", "0; -0.01", "0; table(1: 0, 0: 1)", "increas")
+    change("constant that is not finite", "0; -0.01", "0; log(-1)", "finite")
+    change("constant division by zero", "0; -0.01", "0; 1/0", "finite")
+    for ranks in 1, 2, 3:
+        change(f"infinite displacement, {ranks} ranks", "0; -0.01", "0; -0.01/x", r"infinite at x = 0, y = 1", ranks=ranks)
+        change(f"displacement that is no number, {ranks} ranks", "0; -0.01", "0; -0.01*log(x-5)", r"not a number at x = .*, y = 1",
+               ranks=ranks)
+        change(f"traction that is no number, {ranks} ranks", "  set Value      = 0; -0.01",
+               "  set Type = traction\n  set Value      = 0; sqrt(0.3-x)", r"not a number at x = .*, y = 1", ranks=ranks, part="set Value      = 0; sqrt")
+    change("pressure that is no number", "  set Value      = 0; -0.01", "  set Type = pressure\n  set Value      = log(-1-x)", "not a number",
+           part="set Value      = log")
+    change("body force that is no number", "= 3, 2", "= 3, 2\n  set Body force = 0; log(-y)", "not a number at x", part="Body force")
+    change("initial gap that is no number", "= lower/top", "= lower/top\n  set Initial gap = sqrt(x-1)", "not a number at x", part="Initial gap", ranks=2)
+    change("value that is no number later", "set Kind = plane strain", "set Increments = 4\nset Kind = plane strain", "not a number at .*t = 0.5",
+           text=BASE.replace("0; -0.01", "0; -0.01*t+0*sqrt(0.3-t)"), part="set Value      = 0; -0.01", ranks=2)
+    case("total force on the axis", BASE.replace("plane strain", "axisymmetric").replace(
+        "  set Boundaries = upper/top\n  set Value      = 0; -0.01", "  set Boundaries = upper/left\n  set Type = total force\n  set Value = 0; -1"),
+         "area|axis")
+
+    # structure of the file
+    change("missing end", "= 0, 0\n  set Upper corner  = 2, 1\n", "= 0, 0\n  set Upper corner  = 2, 1\n  subsection Deep\n", "no 'end'|Deep",
+           part="Body upper")
+    change("end too many", "set Kind = plane strain", "set Kind = plane strain\nend", "no section is open", part="end")
+    scene = BASE + "subsection Body upper\nend\n"
+    case("duplicate section", scene, rf"^scene\.prm:{len(BASE.splitlines()) + 1}: .*second time \(first in line 2\)")
+    change("duplicate entry", "= 0.3", "= 0.3\n  set Poisson ratio = 0.2", r"second time \(first in line", part="= 0.2")
+    change("no keyword", "set Kind", "Kind", "found 'Kind = plane strain'.*subsection")
+    change("misspelt keyword", "subsection Body upper", "subsecton Body upper", "did you mean 'subsection'")
+    change("no equals", "set Kind = plane strain", "set Kind plane strain", "set NAME = VALUE")
+    change("section without a name", "subsection Contact middle", "subsection Contact", "no name")
+    case("empty file", "", r"^scene\.prm: .*no body")
+    case("binary file", bytes(range(256)) * 40, r"^scene\.prm:\d+: .*no text file")
+    case("executable as scene", {}, "no text file|found", arguments=["EXECUTABLE"])
+    case("missing scene", {}, "nothing.prm.*cannot be opened", arguments=["nothing.prm"], ranks=2)
+    case("folder as scene", {}, "cannot be opened", arguments=["."])
+    case("include loop", "include scene.prm\n" + BASE, "include each other", ranks=2)
+    case("include of a missing file", "include nothing.prm\n" + BASE, r"^scene\.prm:1: .*nothing\.prm")
+    case("continued at the end", BASE + "set Title = a \\", "ends after")
+    case("two obstacles of one name", OBSTACLE % "  set Surface = plane\n  set Normal = 0, -1" + "subsection Obstacle tool\nend\n", "second time")
+
+    # files that are right
+    case("Windows line ends", BASE.replace("\n", "\r\n").encode(), None)
+    case("tabs", BASE.replace("  set ", "\tset\t").replace(" = ", "\t=\t"), None)
+    case("byte order mark", b"\xef\xbb\xbf" + BASE.encode(), None)
+    case("comments after values", BASE.replace("= 0.3", "= 0.3 # steel").replace("end\n", "end # of it\n"), None)
+    case("include", {"scene.prm": "include parts/a.prm\n", "parts/a.prm": BASE}, None)
+    case("probe outside", BASE + "subsection Probe P\n  set Body = upper\n  set Point = 9, 9\nend\n", None)
+    case("probe outside, 2 ranks", BASE + "subsection Probe P\n  set Body = upper\n  set Point = 9, 9\nend\n", None, ranks=2)
+    json = ('{"Body upper": {"Lower corner": [0, 0], "Upper corner": [2, 1], "Young modulus": 100}, "Boundary condition a": '
+            '{"Boundaries": "upper/bottom", "Value": [0, 0]}, "Boundary condition b": {"Boundaries": "upper/top", "Value": [0, -0.01]}}')
+    case("JSON", {"scene.json": json}, None, arguments=["scene.json"])
+    case("JSON with a byte order mark", {"scene.json": b"\xef\xbb\xbf" + json.encode()}, None, arguments=["scene.json"])
+
+    # JSON that is wrong
+    for name, old, new, words in [("unreadable", '"Value"', '"Value', r"^scene\.json:\d+: .*no JSON"), ("entry", "Young modulus", "Yung modulus", "Yung modulus.*did you mean"),
+                                  ("type", "100", '"soft"', "found 'soft'"), ("body", "upper/top", "uper/top", "unknown body 'uper'"),
+                                  ("expression", "-0.01", '"-0.01*q"', "cannot be read"), ("array", '{"Body upper"', '{"Material": [{"a": 1}], "Body upper"', "Material")]:
+        assert old in json
+        case("JSON: " + name, {"scene.json": json.replace(old, new, 1)}, words, arguments=["scene.json"])
+    case("JSON: empty", {"scene.json": ""}, r"^scene\.json:\d+: .*no JSON", arguments=["scene.json"], ranks=2)
+
+    # mechanics
+    drop = BASE.replace("  set Boundaries = upper/top\n  set Value      = 0; -0.01", "  set Boundaries = upper/top\n  set Type = traction\n  set Value = %s")
+    contact = drop[drop.index("subsection Contact"):]
+    for ranks in 1, 2, 3:
+        case(f"sideways load that contact cannot hold, {ranks} ranks", drop % "1; -1", "holds.*upper|rigid.*upper", ranks=ranks)
+    case("load on a body without supports", (drop % "0; -1").replace(contact, ""), "holds.*upper", ranks=2)
+    case("moment on a free body", (drop % "0; x-1").replace(contact, ""), "holds.*rotation.*upper")
+    change("overlap", "= 0, 0\n  set Upper corner  = 2, 1", "= 0, -0.2\n  set Upper corner  = 2, 1", r"overlap by 0\.2.*Initial gap", part="subsection Contact", ranks=2)
+    change("traction of a rigid body", "= 3, 2", "= 3, 2\n  set Rigid = true", "rigid", part="set Boundaries = upper/top")
+    change("boundary twice", "= lower/bottom", "= lower/bottom, lower/bottom", "twice")
+    change("pair twice", "subsection Contact middle", "subsection Contact other\n  set First = upper/bottom\n  set Second = lower/top\nend\nsubsection Contact middle",
+           "same two surfaces", part="Contact middle")
+
+    # obstacles and platens
+    for name, text, words in [("surface", "  set Surface = ball", "found 'ball'.*sphere"), ("radius", "  set Surface = circle\n  set Radius = 0", "positive"),
+                              ("normal", "  set Normal = 0, 0", "direction"), ("normal of a circle", "  set Surface = circle\n  set Normal = 1, 0", "no meaning"),
+                              ("flank", "  set Surface = cone\n  set Flank angle = 90", "between 0 and 90"),
+                              ("free component with a force", "  set Displacement = 0; 0\n  set Force = 0; -1", "'free'"),
+                              ("motion", "  set Displacement = 0", "1 component"), ("expression", "  set Displacement = 0; -q", "cannot be read"),
+                              ("no number", "  set Normal = 0, -1\n  set Displacement = 0; log(-t)", "not a number"),
+                              ("force that is no number", "  set Normal = 0, -1\n  set Force = 0; log(-t)", "not a number"),
+                              ("moment without free rotation", "  set Normal = 0, -1\n  set Rotation = 0\n  set Moment = 1", "free")]:
+        case("obstacle: " + name, OBSTACLE % text, r"^scene\.prm:\d+: .*" + words, ranks=2 if "number" in name else 1)
+    case("obstacle overlaps", OBSTACLE % "  set Normal = 0, -1\n  set Centre = 0, -0.3", "overlap")
+    change("platen with a value", "  set Value      = 0; -0.01", "  set Type = platen\n  set Value      = 0; -0.01", "no meaning.*platen", part="set Value      = 0; -0.01")
+    change("platen with a held force", "  set Value      = 0; -0.01", "  set Type = platen\n  set Displacement = 0; 0\n  set Force = 0; -1", "'free'", part="set Force")
+    change("motion without a platen", "  set Value      = 0; -0.01", "  set Value      = 0; -0.01\n  set Force = 0; -1", "only for a platen", part="set Force")
+    change("radial platen", "  set Value      = 0; -0.01", "  set Type = platen\n  set Displacement = 1; 0", "radial", part="set Displacement",
+           text=BASE.replace("plane strain", "axisymmetric"))
+
+    # meshes
+    mesh("mesh .msh 2.2", "m.msh", MSH2, None)
+    mesh("mesh .msh 4.1", "m.msh", MSH4, None, ranks=2)
+    mesh("mesh .inp", "m.inp", INP, None)
+    mesh("mesh with Windows line ends", "m.msh", MSH2.replace("\n", "\r\n").encode(), None)
+    case("missing mesh", ONE_BODY % "  set Mesh = m.msh", r"^scene\.prm:2: .*no file '.*m\.msh'", ranks=3)
+    case("mesh of an unknown kind", ONE_BODY % "  set Mesh = m.stl", r"^scene\.prm:2: .*m\.stl.*\.msh, \.geo or \.inp")
+    for version, text in ("2.2", MSH2), ("4.1", MSH4):
+        lines = text.split("\n")
+        for fraction in 0.1, 0.3, 0.5, 0.7, 0.9, 0.97:
+            n = int(fraction * len(lines))
+            mesh(f"truncated .msh {version} at line {n}", "m.msh", "\n".join(lines[:n]), r"m\.msh:\d+: ", ranks=2 if fraction == 0.5 else 1)
+    mesh("empty .msh", "m.msh", "", r"m\.msh")
+    mesh("too many nodes announced", "m.msh", MSH2.replace("$Nodes\n6", "$Nodes\n7"), r"m\.msh:\d+: ")
+    mesh("too few nodes announced", "m.msh", MSH2.replace("$Nodes\n6", "$Nodes\n5"), r"m\.msh:\d+: .*\$EndNodes.*counts")
+    mesh("negative count", "m.msh", MSH2.replace("$Elements\n4", "$Elements\n-4"), r"m\.msh:\d+: ")
+    mesh("huge count", "m.msh", MSH2.replace("$Elements\n4", "$Elements\n99999999999999"), r"m\.msh:\d+: ")
+    mesh("huge block of nodes", "m.msh", MSH4.replace("2 1 0 4", "2 1 0 99999999999999"), r"m\.msh:\d+: ")
+    mesh("too few elements announced", "m.msh", MSH4.replace("2 1 3 1\n", "2 1 3 0\n"), r"m\.msh:\d+: ")
+    mesh("unknown node", "m.msh", MSH2.replace("3 3 2 2 1 1 2 3 4", "3 3 2 2 1 1 2 3 44"), r"m\.msh:\d+: .*no node 44", ranks=3)
+    mesh("unknown node in 4.1", "m.msh", MSH4.replace("2 1 2 3 4\n", "2 1 2 3 44\n"), r"m\.msh:\d+: .*no node 44")
+    mesh("node twice", "m.msh", MSH2.replace("2 1 0 0\n", "1 1 0 0\n"), r"m\.msh:\d+: .*twice")
+    mesh("coordinate that is no number", "m.msh", MSH2.replace("3 1 1 0", "3 1 nan 0"), r"m\.msh:\d+: .*finite number")
+    mesh("text in the mesh", "m.msh", MSH2.replace("3 1 1 0", "3 1 one 0"), r"m\.msh:\d+: .*found 'one'")
+    mesh("version of gmsh's format", "m.msh", MSH2.replace("2.2 0 8", "3.0 0 8"), r"m\.msh:2: .*2\.2 and 4\.1")
+    mesh("no gmsh mesh", "m.msh", "hello\n", r"m\.msh:1: .*no gmsh mesh")
+    mesh("folded cell", "m.msh", MSH2.replace("3 3 2 2 1 1 2 3 4", "3 3 2 2 1 1 3 2 4"), r"m\.msh:\d+: .*folded")
+    mesh("mesh out of the plane", "m.msh", MSH2.replace("3 1 1 0", "3 1 1 1"), "different z")
+    mesh("no boundary names", "m.msh", MSH2.replace('1 1 "bottom"', '1 9 "bottom"'), "no boundary 'bottom'", ranks=2)
+    mesh("triangles", "m.msh", MSH2.replace("3 3 2 2 1 1 2 3 4", "3 2 2 2 1 1 2 3"), r"m\.msh:\d+: .*1 triangles.*quadrilaterals.*Recombine", ranks=2)
+    tetrahedra = MSH2.replace("3 3 2 2 1 1 2 3 4", "3 4 2 2 1 1 2 3 4")
+    mesh("tetrahedra in the plane", "m.msh", tetrahedra, r"m\.msh:\d+: .*three-dimensional")
+    # a version without 3D says that first
+    case("tetrahedra", {"scene.prm": "set Kind = 3D\n" + (ONE_BODY % "  set Mesh = m.msh").replace("0; 0", "0; 0; 0"), "m.msh": tetrahedra},
+         "tetrahedra.*hexahedra|found 3D", ranks=2)
+    mesh("broken .inp", "m.inp", INP.replace("1, 1, 2, 3, 4", "1, 1, 2, 3"), r"m\.inp:\d+: .*nodes")
+    mesh(".inp with an unknown node", "m.inp", INP.replace("1, 1, 2, 3, 4", "1, 1, 2, 3, 5"), r"m\.inp:\d+: .*no node 5", ranks=2)
+    mesh(".inp with an unknown element", "m.inp", INP.replace("CPE4", "XYZ4"), r"m\.inp:\d+: .*XYZ4")
+    mesh(".inp with triangles", "m.inp", INP.replace("CPE4", "CPE3").replace("1, 1, 2, 3, 4", "1, 1, 2, 3"), r"m\.inp:\d+: .*triangles.*Recombine")
+    mesh(".inp without nodes", "m.inp", "hello\n", r"m\.inp.*no nodes")
+    mesh(".inp with an unknown node in a set", "m.inp", INP + "77\n", r"m\.inp.*no node 77")
+    mesh("binary .inp", "m.inp", bytes(range(256)) * 20, r"m\.inp")
+    geo = "Point(1) = {0,0,0}; Point(2) = {1,0,0}; Point(3) = {1,1,0}; Point(4) = {0,1,0};\nLine(1) = {1,2}; Line(2) = {2,3}; Line(3) = {3,4}; Line(4) = {4,1};\n" \
+          "Curve Loop(1) = {1,2,3,4}; Plane Surface(1) = {1};\nPhysical Curve(\"bottom\") = {1}; Physical Surface(\"all\") = {1};\n"
+    mesh("mesh .geo", "m.geo", geo + "Transfinite Surface{1}; Recombine Surface{1};\n", None)
+    mesh(".geo that makes triangles", "m.geo", geo, r"m\.geo.*triangles.*Recombine", ranks=2)
+    mesh(".geo that fails", "m.geo", geo.replace("Plane Surface(1) = {1};", "Plane Surface(1) = {7"), r"gmsh made no mesh of .*m\.geo", ranks=2)
+    mesh("empty .geo", "m.geo", "", r"m\.geo")
+    case("curved boundary of no name", {"scene.prm": ONE_BODY % "  set Mesh = m.msh\n  set Curved boundaries = side = circle(0, 0)", "m.msh": MSH2}, "boundary 'side'")
+    case("curved boundary that is not round", {"scene.prm": ONE_BODY % "  set Mesh = m.msh\n  set Curved boundaries = bottom = square(0, 0)", "m.msh": MSH2},
+         r"^scene\.prm:3: .*square")
+
+    # command line
+    case("--set of an unknown entry", BASE, r"^--set: .*Yung.*did you mean 'Young modulus'", arguments=["scene.prm", "--set", "Body upper/Yung modulus = 3"])
+    case("--set of an unknown section", BASE, r"^--set: .*Body uper", arguments=["scene.prm", "--set", "Body uper/Young modulus = 3"])
+    case("--set without =", BASE, r"^--set: .*Section/Name = value", arguments=["scene.prm", "--set", "Body upper/Young modulus"])
+    case("--set of a wrong value", BASE, r"^--set: .*found 'x'", arguments=["scene.prm", "--set", "Body upper/Young modulus = x"], ranks=2)
+    case("--set without value", BASE, "value is missing", arguments=["scene.prm", "--set"])
+    case("unknown argument", BASE, "--ouput.*did you mean '--output'", arguments=["scene.prm", "--ouput", "x"], ranks=2)
+    case("two scenes", BASE, "second file", arguments=["scene.prm", "scene.prm"])
+    case("study without a file", {}, "no study file", arguments=["study"])
+    case("study of a missing file", {}, "nothing.prm", arguments=["study", "nothing.prm"], ranks=2)
+    case("output is a file", {"scene.prm": BASE, "taken": "mine"}, "taken.*cannot be made", arguments=["scene.prm", "--output", "taken"], ranks=2, keep=["taken"])
+    case("output below a file", {"scene.prm": BASE, "taken": "mine"}, "taken.*cannot be made", arguments=["scene.prm", "--output", "taken/a/b"], keep=["taken"])
+    case("no arguments", {}, "usage", arguments=[])
+
+
+def run(executable, folder, name, files, arguments, ranks, words, keep):
+    for file, text in files.items():
+        path = os.path.join(folder, file)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "wb") as stream:
+            stream.write(text if isinstance(text, bytes) else text.encode())
+    before = sorted(os.listdir(folder))
+    command = [executable] + [executable if a == "EXECUTABLE" else a for a in arguments]
+    if ranks > 1:
+        command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks)] + command
+    environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
+    try:
+        done = subprocess.run(command, cwd=folder, env=environment, timeout=SECONDS, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE)
+    except subprocess.TimeoutExpired:
+        return [f"not done after {SECONDS} s"]
+    errors, text = [], done.stderr.decode(errors="replace")
+    out = done.stdout.decode(errors="replace")
+    if words is None:
+        if done.returncode != 0:
+            errors.append(f"exit code {done.returncode}")
+        if text:
+            errors.append("stderr is not empty")
+        if "outside" in name and "note" not in out.lower() and "outside" not in out:
+            errors.append("no note")
+    else:
+        # what mpirun adds stands between lines of dashes, or names MPI processes
+        lines = [line for line in re.sub(r"(?ms)^-{60,}\n.*?^-{60,}\n", "", text).split("\n") if line and not re.match(r"^\[.*\]|.*mpirun", line)]
+        if done.returncode != 1:
+            errors.append(f"exit code {done.returncode}")
+        if len(lines) != 1 and words != "usage":
+            errors.append(f"{len(lines)} lines on stderr")
+        if not any(re.search(words, line) for line in lines):
+            errors.append(f"the message has no '{words}'")
+        if re.search(r"Stacktrace|terminate called|Segmentation|core dumped|internal error", text):
+            errors.append("a crash")
+        if sorted(os.listdir(folder)) != before:
+            errors.append(f"left: {sorted(set(os.listdir(folder)) - set(before))}")
+        for file in keep:
+            with open(os.path.join(folder, file)) as stream:
+                if stream.read() != files[file]:
+                    errors.append(f"{file} is changed")
+    if errors:
+        errors.append("stderr: " + text.strip()[:600])
+        if words is None:
+            errors.append("stdout: " + out.strip()[-300:])
+    elif os.environ.get("SHOW"):
+        print(f"      {text.strip()[:400]}")
+    return errors
+
+
+def main():
+    executable, parts = os.path.abspath(sys.argv[1]), sys.argv[2:]
+    scenes()
+    failed = n = 0
+    with tempfile.TemporaryDirectory(prefix="amontons-wrong-") as top:
+        for i, (name, files, arguments, ranks, words, keep) in enumerate(CASES):
+            if parts and not any(part in name for part in parts):
+                continue
+            folder = os.path.join(top, str(i))
+            os.makedirs(folder)
+            errors = run(executable, folder, name, files, arguments, ranks, words, keep)
+            n += 1
+            failed += bool(errors)
+            if errors:
+                print(f"FAILED {name}" + "".join("\n       " + e for e in errors), flush=True)
+            elif os.environ.get("SHOW"):
+                print(f"ok     {name}", flush=True)
+    print(f"{n - failed} of {n} cases hold")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()

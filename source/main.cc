@@ -146,7 +146,12 @@ namespace
       }
     if (line.is_study)
       return run_study(line.scene, line.output.empty() ? default_output(line.scene) : line.output);
-    return run_scene(line.scene, line.overrides, line.output, line.quiet).status == "converged" ? 0 : 1;
+    const RunSummary summary = run_scene(line.scene, line.overrides, line.output, line.quiet);
+    if (summary.status == "converged")
+      return 0;
+    if (is_root && line.quiet)
+      std::cerr << line.scene << ": not converged: " << summary.message << std::endl;
+    return 1;
   }
   // An error that all ranks meet is printed once, and they end in peace. Where others may wait for a rank in
   // vain, the lowest of those that failed says why, and all are stopped. `channel` is used for nothing else.

@@ -20,8 +20,8 @@ namespace Amontons
             return !scene.bodies[first.body].rigid;
           if (pair.slave != PairData::Slave::automatic)
             return pair.slave == PairData::Slave::first;
-          const double h1 = ContactSurface<dim>(discretization, first).mean_size;
-          const double h2 = ContactSurface<dim>(discretization, second).mean_size;
+          const double h1 = ContactSurface<dim>(discretization, pair.first).mean_size;
+          const double h2 = ContactSurface<dim>(discretization, *pair.second).mean_size;
           if (h1 * 1.5 < h2 || h2 * 1.5 < h1)
             return h1 < h2;
           return scene.bodies[first.body].material.young <= scene.bodies[second.body].material.young;
@@ -43,8 +43,7 @@ namespace Amontons
         ContactInterface<dim> interface;
         interface.pair     = &pair;
         const auto surface = [&](const BoundaryName &name) {
-          return std::make_unique<ContactSurface<dim>>(discretization,
-                                                       discretization.geometry.boundary(name, scene));
+          return std::make_unique<ContactSurface<dim>>(discretization, name);
         };
         if (pair.second)
           {

@@ -96,17 +96,23 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  ContactSurface<dim>::ContactSurface(const Discretization<dim> &discretization, const Boundary &boundary)
-      : boundary(boundary), degree(discretization.fe.degree), n_dofs(discretization.dof_handler.n_dofs())
+  ContactSurface<dim>::ContactSurface(const Discretization<dim> &discretization, const BoundaryName &name)
+      : body(discretization.geometry.boundary(name, discretization.scene).body),
+        degree(discretization.fe.degree), n_dofs(discretization.dof_handler.n_dofs())
   {
-    collect_faces(discretization);
+    collect_faces(discretization, name);
     make_normals(discretization);
   }
 
   template <int dim>
   void
-  ContactSurface<dim>::collect_faces(const Discretization<dim> &discretization)
+  ContactSurface<dim>::collect_faces(const Discretization<dim> &discretization, const BoundaryName &name)
   {
+    std::set<types::boundary_id> boundaries = {
+        discretization.geometry.boundary(name, discretization.scene).id};
+    for (const auto &further : name.more)
+      boundaries.insert(
+          discretization.geometry.boundary({name.body, further, name.where}, discretization.scene).id);
     const auto                          &fe   = discretization.fe;
     const auto                          &base = fe.base_element(0);
     const MappingQ<dim>                  true_geometry(geometry_degree);
@@ -117,7 +123,7 @@ namespace Amontons
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == boundary.id)
+          if (cell->face(f)->at_boundary() && boundaries.count(cell->face(f)->boundary_id()) > 0)
             {
               cell->get_dof_indices(cell_dofs);
               for (const unsigned int i : nodes_on_face(base, f))

@@ -41,7 +41,8 @@ namespace Amontons
                       const Opposite               &opposite,
                       std::vector<OverlapPoint<2>> &points)
     {
-      const QGauss<1> gauss(n_points);
+      const QGauss<1>   gauss(n_points);
+      const std::size_t before = points.size();
       for (unsigned int q = 0; q < gauss.size(); ++q)
         {
           OverlapPoint<2> p;
@@ -52,11 +53,13 @@ namespace Amontons
           double jacobian;
           slave.face_normal(slave_face, p.xi_slave, &jacobian);
           p.weight = gauss.weight(q) * (b - a) * jacobian;
-          if (opposite(p))
+          if (!opposite(p)) // rounding at the ends of a sliver: all of it or nothing
             {
-              p.gap = p.normal * (p.x_master - p.x_slave);
-              points.push_back(p);
+              points.resize(before);
+              return;
             }
+          p.gap = p.normal * (p.x_master - p.x_slave);
+          points.push_back(p);
         }
     }
   } // namespace
@@ -107,7 +110,7 @@ namespace Amontons
     double b = project_to_slave(slave, slave_face, master.position(master_face, Point<1>(1)));
     if (a > b)
       std::swap(a, b);
-    if (b - a < 1e-10)
+    if (b - a < 1e-8)
       return;
     integrate_segment(
         slave,
@@ -165,7 +168,7 @@ namespace Amontons
       ends.push_back(1);
 
     for (unsigned int i = 0; i + 1 < ends.size(); i += 2)
-      if (ends[i + 1] - ends[i] > 1e-10)
+      if (ends[i + 1] - ends[i] > 1e-8)
         integrate_segment(
             slave,
             slave_face,

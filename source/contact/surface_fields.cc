@@ -9,37 +9,57 @@ namespace Amontons
 {
   namespace
   {
-    // Control values c of the projection: sum_j int B_i B_j c_j = sum_rows int psi_row B_i value_row over the
-    // overlap.
+    // Control values c of the projection: sum_j int B_i B_j c_j = sum_rows int psi_row B_i value_row over the overlap. Nodes of which
+    // next to nothing is covered take the mean of the others of their face.
     template <int dim>
     std::vector<double>
     project(const ContactInterface<dim> &interface, const std::vector<double> &row_values)
     {
-      const auto                          &coupling = interface.coupling;
+      const auto &coupling = interface.coupling;
+      const auto  expand   = [&](const unsigned int node) {
+        std::vector<std::pair<unsigned int, double>> terms;
+        if (const auto sliver = coupling.slivers.find(node); sliver != coupling.slivers.end())
+          for (const unsigned int other : sliver->second)
+            terms.emplace_back(other, 1. / sliver->second.size());
+        else
+          terms.emplace_back(node, 1.);
+        return terms;
+      };
       std::map<unsigned int, unsigned int> unknown; // by slave node
       for (const auto &entry : coupling.trace_mass)
-        unknown.emplace(entry.first.first, unknown.size());
+        for (const auto &term : expand(entry.first.first))
+          unknown.emplace(term.first, unknown.size());
       std::vector<double> control(interface.slave->nodes.size(), 0.);
       const unsigned int  n = unknown.size();
       if (n == 0)
         return control;
-      DynamicSparsityPattern dsp(n, n);
+
+      DynamicSparsityPattern                                      dsp(n, n);
+      std::vector<std::tuple<unsigned int, unsigned int, double>> entries;
       for (const auto &[nodes, value] : coupling.trace_mass)
-        dsp.add(unknown[nodes.first], unknown[nodes.second]);
+        for (const auto &[i, a] : expand(nodes.first))
+          for (const auto &[j, b] : expand(nodes.second))
+            {
+              entries.emplace_back(unknown[i], unknown[j], a * b * value);
+              dsp.add(unknown[i], unknown[j]);
+            }
       SparsityPattern pattern;
       pattern.copy_from(dsp);
       SparseMatrix<double> mass(pattern);
-      for (const auto &[nodes, value] : coupling.trace_mass)
-        mass.add(unknown[nodes.first], unknown[nodes.second], value);
+      for (const auto &[i, j, value] : entries)
+        mass.add(i, j, value);
       Vector<double> rhs(n);
       for (unsigned int r = 0; r < coupling.rows.size(); ++r)
         for (const auto &[node, trace] : coupling.rows[r].traces)
-          rhs[unknown[node]] += trace * row_values[r];
+          for (const auto &[i, a] : expand(node))
+            rhs[unknown[i]] += a * trace * row_values[r];
       SparseDirectUMFPACK solver;
       solver.initialize(mass);
       solver.solve(rhs);
-      for (const auto &[node, k] : unknown)
-        control[node] = rhs[k];
+      for (const auto &entry : coupling.trace_mass)
+        for (const auto &[i, a] : expand(entry.first.first))
+          if (entry.first.first == entry.first.second)
+            control[entry.first.first] += a * rhs[unknown[i]];
       return control;
     }
 
@@ -72,31 +92,38 @@ namespace Amontons
                 const ContactInterface<dim> &interface,
                 SurfaceFields<dim>          &fields)
     {
-      double     force = 0;
-      Point<dim> centre;
+      double              force = 0, spread = 0;
+      Point<dim>          centre;
+      std::vector<double> forces;
       for (const auto &p : interface.coupling.points)
         {
-          const double f =
+          forces.push_back(
               std::max(0., value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave)) *
-              p.weight;
-          force += f;
-          centre += f * p.x_slave;
+              p.weight);
+          force += forces.back();
+          centre += forces.back() * p.x_slave;
         }
       if (force > 0)
         centre /= force;
-      const bool                  axisymmetric = discretization.scene.kind == Kind::axisymmetric;
-      std::vector<Tensor<1, dim>> planes;
+      for (unsigned int q = 0; q < forces.size(); ++q)
+        spread += forces[q] * centre.distance_square(interface.coupling.points[q].x_slave);
+      spread = force > 0 ? std::sqrt(spread / force) : 0;
+
+      // A plane cuts the contact if it is as near as an end of half a contact is (1.6 spreads for half of a
+      // Hertz pressure).
+      const bool       axisymmetric = discretization.scene.kind == Kind::axisymmetric;
+      auto            &planes       = fields.symmetry_planes;
+      const Point<dim> force_centre = centre;
       for (unsigned int i = 0; i < interface.slave->nodes.size(); ++i)
-        if (fields.state[i] != ContactState::open)
+        if (fields.area[i] > 0 && interface.slave->nodes[i].X.distance(force_centre) < 2.5 * spread)
           for (const auto &normal : interface.slave->nodes[i].symmetry_planes)
-            if (std::none_of(planes.begin(), planes.end(), [&](const auto &m) {
+            if (!axisymmetric && std::none_of(planes.begin(), planes.end(), [&](const auto &m) {
                   return std::abs(m * normal) > 1 - 1e-6;
                 }))
               {
                 planes.push_back(normal);
                 centre -= (normal * (centre - interface.slave->nodes[i].X)) * normal;
-                if (!axisymmetric)
-                  fields.symmetry_factor *= 2;
+                fields.symmetry_factor *= 2;
               }
       if (axisymmetric)
         centre[0] = 0;

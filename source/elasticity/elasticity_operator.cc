@@ -79,6 +79,17 @@ namespace Amontons
   }
 
   template <int dim>
+  double
+  ElasticityOperator<dim>::rounding_scale(const LA::Vector &u) const
+  {
+    double sum = 0;
+    for (const auto &cell : cells)
+      for (unsigned int i = 0; i < cell.dofs.size(); ++i)
+        sum += std::pow(cell.matrix(i, i) * u(cell.dofs[i]), 2);
+    return std::sqrt(Utilities::MPI::sum(sum, discretization.geometry.communicator));
+  }
+
+  template <int dim>
   std::vector<Voigt<dim>>
   ElasticityOperator<dim>::stresses(const FEValues<dim>                                  &values,
                                     const typename DoFHandler<dim>::active_cell_iterator &cell,

@@ -151,22 +151,27 @@ namespace Amontons
       if (answer.interfaces[k].pair->name == data.pair)
         i = k;
     const auto &fields = answer.fields.at(i);
+    // What symmetry planes cut is compared as a whole: the components along their normals cancel in the
+    // mirror.
+    Tensor<1, dim> force = fields.normal_force;
+    for (const auto &normal : fields.symmetry_planes)
+      force -= (force * normal) * normal;
+    const double P            = fields.symmetry_factor * force.norm();
+    const bool   line         = dim == 2 && answer.discretization.scene.kind != Kind::axisymmetric;
+    const double hertz_factor = line ? 4 : 2.5;
+    const double a =
+        fields.contact_size * std::sqrt(reference.size_factor.value_or(hertz_factor) / hertz_factor);
     if (reference.normal_force)
-      add_value(summary,
-                "normal_force",
-                fields.symmetry_factor * fields.normal_force.norm(),
-                *reference.normal_force);
+      add_value(summary, "normal_force", P, *reference.normal_force);
     if (reference.contact_size)
-      add_value(summary, "contact_size", fields.contact_size, *reference.contact_size);
+      add_value(summary, "contact_size", a, *reference.contact_size);
     if (reference.peak_pressure)
       {
         add_value(summary, "nodal_peak_pressure", fields.peak_pressure, *reference.peak_pressure);
         // Peak from the force and size: 2P/(pi a) in the plane, 3P/(2 pi a^2) for points; the nodal peak of
         // Q1 is only O(h).
-        const double P = fields.symmetry_factor * fields.normal_force.norm(), a = fields.contact_size;
         if (reference.contact_size && a > 0)
           {
-            const bool line = dim == 2 && answer.discretization.scene.kind != Kind::axisymmetric;
             add_value(summary,
                       "peak_pressure",
                       line ? 2 * P / (numbers::PI * a) : 3 * P / (2 * numbers::PI * a * a),

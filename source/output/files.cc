@@ -40,8 +40,9 @@ namespace Amontons
   {
     // Rank 0 says how many folders are new; then every rank can remove them.
     std::vector<std::filesystem::path> path;
-    for (auto part = std::filesystem::path(folder).lexically_normal(); !part.empty() && part != part.root_path();
-         part      = part.parent_path())
+    for (auto part = std::filesystem::path(folder).lexically_normal();
+         !part.empty() && part != part.root_path();
+         part = part.parent_path())
       if (part.has_filename())
         path.insert(path.begin(), part);
     int good = 1, n_new = 0;

@@ -95,6 +95,38 @@ namespace Amontons
       return result;
     }
 
+    // Whether the condition can exert a force along component c at a face: displacements where they are
+    // prescribed, symmetry planes along their normal, platens in every direction.
+    template <int dim>
+    bool
+    holds_component(const ConditionData                                  &condition,
+                    const typename DoFHandler<dim>::active_cell_iterator &cell,
+                    const unsigned int                                    f,
+                    const unsigned int                                    c)
+    {
+      if (condition.type == ConditionData::Type::displacement)
+        return condition.field || condition.displacement[c];
+      if (condition.type == ConditionData::Type::platen)
+        return true;
+      double extent = 0, along_c = 0; // a plane normal to an axis has no extent along it
+      for (unsigned int v = 1; v < cell->face(f)->n_vertices(); ++v)
+        {
+          const auto edge = cell->face(f)->vertex(v) - cell->face(f)->vertex(0);
+          extent          = std::max(extent, edge.norm());
+          along_c         = std::max(along_c, std::abs(edge[c]));
+        }
+      const bool axis_aligned_along_c = along_c < 1e-8 * extent;
+      bool       oblique              = true;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          double along_d = 0;
+          for (unsigned int v = 1; v < cell->face(f)->n_vertices(); ++v)
+            along_d = std::max(along_d, std::abs((cell->face(f)->vertex(v) - cell->face(f)->vertex(0))[d]));
+          oblique = oblique && along_d >= 1e-8 * extent;
+        }
+      return axis_aligned_along_c || oblique;
+    }
+
     template <int dim>
     std::string
     label(const Answer<dim> &answer, const Boundary &boundary)
@@ -135,12 +167,16 @@ namespace Amontons
     std::set<types::global_dof_index> counted;
     std::vector<ReactionSummary>      reactions;
 
-    for (const auto &condition : discretization.scene.conditions)
+    // In the order in which discretization/supports.cc lets them take DoFs.
+    using Type = ConditionData::Type;
+    std::vector<const ConditionData *> conditions;
+    for (const auto type : {Type::displacement, Type::symmetry, Type::platen})
+      for (const auto &condition : discretization.scene.conditions)
+        if (condition.type == type)
+          conditions.push_back(&condition);
+    for (const ConditionData *pointer : conditions)
       {
-        using Type = ConditionData::Type;
-        if (condition.type != Type::displacement && condition.type != Type::symmetry &&
-            condition.type != Type::platen)
-          continue;
+        const ConditionData &condition = *pointer;
         for (const auto &name : condition.boundaries)
           {
             const Boundary     &boundary = discretization.geometry.boundary(name, discretization.scene);
@@ -157,7 +193,7 @@ namespace Amontons
                           {
                             const auto dof   = dofs[fe.component_to_system_index(c, i)];
                             const auto force = forces.find(dof);
-                            if (force == forces.end() || !answer.supports.is_constrained(dof) ||
+                            if (force == forces.end() || !holds_component<dim>(condition, cell, f, c) ||
                                 !counted.insert(dof).second)
                               continue;
                             sums[c] += force->second;
@@ -212,12 +248,12 @@ namespace Amontons
     const auto          places = locate_dofs(answer.discretization);
     const auto          forces = support_forces(answer, places);
     std::vector<double> sums(2, 0.);
-    const auto          hanging = answer.discretization.make_hanging_node_constraints();
     LA::Vector          missing = answer.discretization.make_owned_vector();
     for (const auto &[dof, force] : forces)
       missing(dof) = force;
     missing.compress(VectorOperation::insert);
-    const LA::Vector condensed = condense(missing, hanging, answer.discretization.make_owned_vector());
+    const LA::Vector condensed =
+        condense(missing, answer.supports, answer.discretization.make_owned_vector());
     for (const auto &entry : places)
       {
         const double value = condensed(entry.first);
@@ -229,7 +265,8 @@ namespace Amontons
       if (answer.discretization.locally_owned.is_element(dof))
         sums[1] += force * force;
     Utilities::MPI::sum(sums, answer.discretization.geometry.communicator, sums);
-    checks["force_balance"] = sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0;
+    const double rounding   = 1e-12 * answer.elasticity.rounding_scale(answer.state.displacement);
+    checks["force_balance"] = sums[1] > 0 ? std::sqrt(sums[0] / std::max(sums[1], rounding * rounding)) : 0;
     return checks;
   }
 

@@ -117,7 +117,8 @@ namespace Amontons
       const double      P = get("P"), a = get("a");
       ReferenceSolution s =
           flat_punch(P, a, [=](const double x) { return ClosedForms::flat_punch_line_pressure(x, P, a); });
-      s.centre = get.centre();
+      s.size_factor = 2;
+      s.centre      = get.centre();
       return s;
     }
 
@@ -128,8 +129,9 @@ namespace Amontons
       const double      P = ClosedForms::flat_punch_force(a, get("delta"), modulus);
       ReferenceSolution s =
           flat_punch(P, a, [=](const double r) { return ClosedForms::flat_punch_pressure(r, P, a); });
-      s.approach = get("delta");
-      s.centre   = get.centre();
+      s.size_factor = 1.5;
+      s.approach    = get("delta");
+      s.centre      = get.centre();
       return s;
     }
 
@@ -143,6 +145,7 @@ namespace Amontons
       s.normal_force = get("P");
       s.contact_size = c.size;
       s.approach     = c.approach;
+      s.size_factor  = 3;
       s.pressure     = [=](const double r) { return ClosedForms::cone_pressure(r, c.size, flank, modulus); };
       s.pressure_range = 1.3 * c.size;
       s.centre         = get.centre();

@@ -1,6 +1,8 @@
 #include <amontons/scene/section_readers.h>
 #include <amontons/scene/text.h>
 
+#include <deal.II/base/utilities.h>
+
 namespace Amontons
 {
   BoundaryName
@@ -63,20 +65,40 @@ namespace Amontons
     return obstacle;
   }
 
+  // A contact surface: one boundary, or a list of boundaries of one body that continue each other.
+  static BoundaryName
+  read_surface(const SectionInput &section, const std::string &entry, const std::string &text)
+  {
+    BoundaryName surface;
+    for (const auto &part : dealii::Utilities::split_string_list(text, ','))
+      {
+        const BoundaryName name = read_boundary_name(section, entry, part);
+        if (surface.body.empty())
+          surface = name;
+        else if (name.body != surface.body)
+          section.fail(entry, "boundaries of two bodies", "a list of boundaries of one body");
+        else
+          surface.more.push_back(name.boundary);
+      }
+    if (surface.body.empty())
+      return read_boundary_name(section, entry, text);
+    return surface;
+  }
+
   PairData
   read_pair(const SectionInput &section)
   {
     PairData pair;
     pair.name                = section.name;
     pair.where               = section.where();
-    pair.first               = read_boundary_name(section, "First", section.text("First"));
+    pair.first               = read_surface(section, "First", section.text("First"));
     const std::string second = section.text("Second");
     if (second.empty())
       section.fail("Second", "found nothing", "BODY/BOUNDARY, or the name of an obstacle");
     if (second.find('/') == std::string::npos)
       pair.obstacle = second;
     else
-      pair.second = read_boundary_name(section, "Second", second);
+      pair.second = read_surface(section, "Second", second);
 
     const std::string slave = section.text("Slave");
     pair.slave              = slave == "first"    ? PairData::Slave::first

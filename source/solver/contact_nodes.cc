@@ -51,7 +51,7 @@ namespace Amontons
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         const auto  &slave    = *interfaces[i].slave;
-        const auto  &material = discretization.scene.bodies[slave.boundary.body].material;
+        const auto  &material = discretization.scene.bodies[slave.body].material;
         const double c        = scaling * contact_modulus(material) / slave.mean_size;
         for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
           {

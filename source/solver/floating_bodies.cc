@@ -48,7 +48,7 @@ namespace Amontons
           for (const auto &node : surface->nodes)
             for (unsigned int c = 0; c < dim; ++c)
               {
-                places[node.dofs[c]] = {surface->boundary.body, c, node.X};
+                places[node.dofs[c]] = {surface->body, c, node.X};
                 surface_dofs.push_back(node.dofs[c]);
               }
     for (unsigned int m = 0; m < discretization.carrier_dofs.size(); ++m)
@@ -305,7 +305,7 @@ namespace Amontons
     for (unsigned int i = 0; i < n_modes; ++i)
       {
         work += force[i] * q[i];
-        scale += magnitude[i] * std::abs(q[i]);
+        scale = std::max(scale, magnitude[i]); // q is a unit vector
       }
     return std::abs(work) > 1e-6 * scale;
   }

@@ -223,8 +223,10 @@ for (unsigned int iteration = 0; iteration < parameters.max_iterations; ++iterat
     for (const auto dof : discretization.locally_owned)
       if (constraints->all().is_constrained(dof))
         free_residual(dof) = 0;
-    const double scale = std::max(internal.l2_norm(), loads.l2_norm());
-    step.residual      = scale > 0 ? free_residual.l2_norm() / scale : 0;
+    // What rounding leaves of |K||u| counts as zero: scenes without stress, stiff bodies on soft ones.
+    const double rounding = 1e-14 * elasticity.rounding_scale(state.displacement);
+    const double scale    = std::max({internal.l2_norm(), loads.l2_norm(), rounding / parameters.tolerance});
+    step.residual         = scale > 0 ? free_residual.l2_norm() / scale : 0;
 
     std::vector<bool> next = closed;
     for (unsigned int k = 0; k < nodes.size(); ++k)

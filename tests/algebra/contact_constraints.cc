@@ -1,5 +1,5 @@
-// Condensation gives the solution and the multipliers of the full saddle point system: chains of pairs, corners with two rows, oblique
-// supports, nodes that supports own.
+// Condensation gives the solution and the multipliers of the full saddle point system: chains of pairs,
+// corners with two rows, oblique supports, nodes that supports own.
 #include "check.h"
 
 #include <amontons/algebra/condensed_system.h>
@@ -24,7 +24,9 @@ random_number()
 }
 
 ContactEquation
-make(const std::map<types::global_dof_index, double> &coefficients, const double value, const Dofs &candidates)
+make(const std::map<types::global_dof_index, double> &coefficients,
+     const double                                     value,
+     const Dofs                                      &candidates)
 {
   return {{coefficients, value}, candidates};
 }
@@ -79,7 +81,7 @@ solve(const Matrix &A, const std::vector<double> &b)
 
 // supports: equations with one candidate each, eliminated in their order. has_pivot: by equation.
 void
-check_case(const std::string                   &what,
+check_case(const std::string                  &what,
            const std::vector<ContactEquation> &supports_as_equations,
            const std::vector<ContactEquation> &equations,
            const std::vector<bool>            &has_pivot)
@@ -144,7 +146,7 @@ check_case(const std::string                   &what,
     }
 
   // Multipliers
-  auto       raw = times(K, u);
+  auto raw = times(K, u);
   for (unsigned int i = 0; i < n; ++i)
     raw[i] -= f[i];
   const auto          on_supports = condense(as_vector(raw), supports, as_vector(raw));
@@ -159,7 +161,8 @@ check_case(const std::string                   &what,
   const auto   mu    = contact.recover_multipliers(at_pivots);
   unsigned int place = n + supports_as_equations.size();
   for (unsigned int i = 0; i < equations.size(); ++i)
-    check::is_close(mu[i], has_pivot[i] ? expected[place++] : 0, 1e-8, what + ": multiplier " + std::to_string(i), 1);
+    check::is_close(
+        mu[i], has_pivot[i] ? expected[place++] : 0, 1e-8, what + ": multiplier " + std::to_string(i), 1);
 
   // condense() is C^T
   for (const Constraints *constraints : {&std::as_const(supports), &contact.all()})
@@ -194,8 +197,12 @@ check_cases()
   const auto first  = make({{0, 0.9}, {1, -0.2}, {4, -0.8}, {5, 0.1}, {2, 0.1}}, 0.1, {0, 1});
   const auto second = make({{0, 0.3}, {1, 1.}, {7, -1.}, {6, -0.3}}, -0.3, {0, 1});
   check_case("corner", {}, {first, second}, {true, true});
-  check_case("corner and chain", {}, {second, first, make({{2, 1.}, {8, -1.}}, 0, {2, 3})}, {true, true, true});
-  check_case("two parallel rows at a node", {}, {first, second, make({{0, 1.}, {1, 1.}}, 0, {0, 1})}, {true, true, false});
+  check_case(
+      "corner and chain", {}, {second, first, make({{2, 1.}, {8, -1.}}, 0, {2, 3})}, {true, true, true});
+  check_case("two parallel rows at a node",
+             {},
+             {first, second, make({{0, 1.}, {1, 1.}}, 0, {0, 1})},
+             {true, true, false});
 
   // two slaves that refer to each other's node through quadratic traces
   check_case("neighbours",

@@ -1,5 +1,5 @@
-// Dual shape functions are biorthogonal to the Bernstein traces and sum to 1 on any covered part, with and without nodes that carry no
-// multiplier.
+// Dual shape functions are biorthogonal to the Bernstein traces and sum to 1 on any covered part, with and
+// without nodes that carry no multiplier.
 #include "check.h"
 
 #include <amontons/contact/dual_basis.h>
@@ -20,7 +20,8 @@ random_number(const double a, const double b)
   return std::uniform_real_distribution<double>(a, b)(generator);
 }
 
-// Quadrature on a box of side `fraction` in the unit face, in `n_parts` slabs with a weight that varies as on curved faces.
+// Quadrature on a box of side `fraction` in the unit face, in `n_parts` slabs with a weight that varies as on
+// curved faces.
 template <int fdim>
 void
 cover(const double                      fraction,
@@ -41,7 +42,8 @@ cover(const double                      fraction,
         for (unsigned int d = 0; d < fdim; ++d)
           p[d] = lower[d] + fraction * (d == 0 ? (part + gauss.point(q)[0]) / n_parts : gauss.point(q)[d]);
         points.push_back(p);
-        weights.push_back(gauss.weight(q) * std::pow(fraction, fdim) / n_parts * 3 * (1 + 0.5 * p[0] * p[fdim - 1]));
+        weights.push_back(gauss.weight(q) * std::pow(fraction, fdim) / n_parts * 3 *
+                          (1 + 0.5 * p[0] * p[fdim - 1]));
       }
 }
 
@@ -112,7 +114,7 @@ check_all()
                             carries,
                             tolerance,
                             std::to_string(fdim) + "D, degree " + std::to_string(degree) + ", covered " +
-                              std::to_string(fraction));
+                                std::to_string(fraction));
         }
 }
 

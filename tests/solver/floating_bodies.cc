@@ -1,4 +1,5 @@
-// Rigid motions that neither supports nor contact hold are found and named; loads that drive one are the user's error.
+// Rigid motions that neither supports nor contact hold are found and named; loads that drive one are the
+// user's error.
 #include "check.h"
 
 #include <amontons/elasticity/loads.h>
@@ -62,9 +63,7 @@ two_blocks(const Kind kind = Kind::plane_strain)
 
 struct Problem
 {
-  explicit Problem(const Scene &s)
-    : scene(s)
-    , geometry(MPI_COMM_WORLD)
+  explicit Problem(const Scene &s) : scene(s), geometry(MPI_COMM_WORLD)
   {
     make_geometry(scene, geometry);
     discretization = std::make_unique<Discretization<2>>(scene, geometry, 2);
@@ -131,20 +130,23 @@ check_sliding_block()
   const auto &floats = pressed.floating->floats();
   check::is_true(pressed.floating->any() && !floats[0] && floats[1], "only the upper block floats");
   const std::string note = pressed.check_loads();
-  check::is_true(!contains(note, "thrown") && contains(note, "motion along x of body 'upper'"), "a note: " + note);
+  check::is_true(!contains(note, "thrown") && contains(note, "motion along x of body 'upper'"),
+                 "a note: " + note);
   check::is_true(!contains(note, "along y") && !contains(note, "'lower'"), "about nothing else: " + note);
   check::is_true(!pressed.floating->unheld_by(pressed.all).empty(), "contact does not hold sliding");
   pressed.floating->choose_pins(pressed.all);
   check::is_true(pressed.floating->pins().size() == 1, "one pin");
   check::is_true(pressed.floating->unheld_by(pressed.all).empty(), "contact and a pin hold all");
-  check::is_true(pressed.floating->unheld_by({pressed.all.front(), pressed.all.back()}).empty(), "two nodes are enough");
+  check::is_true(pressed.floating->unheld_by({pressed.all.front(), pressed.all.back()}).empty(),
+                 "two nodes are enough");
   check::is_true(contains(pressed.floating->unheld_by({pressed.all.front()}), "rotation"), "one node is not");
   check::is_true(!pressed.floating->unheld_by({}).empty(), "a pin alone is not");
 
   scene.conditions.back() = force({"upper", "top", {}}, 0.01, -1);
   check::is_true(contains(Problem(scene).check_loads(), "thrown"), "a tangential force drives the block");
   scene.conditions.push_back(force({"upper", "right", {}}, -0.01, 0));
-  check::is_true(!contains(Problem(scene).check_loads(), "thrown"), "tangential forces in equilibrium do not");
+  check::is_true(!contains(Problem(scene).check_loads(), "thrown"),
+                 "tangential forces in equilibrium do not");
 }
 
 void
@@ -155,7 +157,8 @@ check_guided_block()
   scene.conditions.push_back(force({"upper", "top", {}}, 0.5, -1));
   Problem problem(scene);
   check::is_true(problem.floating->floats()[1], "a block on a guide floats");
-  check::is_true(problem.check_loads().empty(), "contact holds what the guide leaves: " + problem.check_loads());
+  check::is_true(problem.check_loads().empty(),
+                 "contact holds what the guide leaves: " + problem.check_loads());
   problem.floating->choose_pins(problem.all);
   check::is_true(problem.floating->pins().empty(), "no pins");
   check::is_true(problem.floating->unheld_by({problem.all[1]}).empty(), "one node is enough");
@@ -163,7 +166,8 @@ check_guided_block()
 
   // without contact
   scene.pairs = {};
-  check::is_true(contains(Problem(scene).check_loads(), "motion along y of body 'upper'"), "nothing holds the block");
+  check::is_true(contains(Problem(scene).check_loads(), "motion along y of body 'upper'"),
+                 "nothing holds the block");
   check::is_true(contains(Problem(scene).check_loads(), "thrown"), "and the load drives it");
 }
 
@@ -181,7 +185,8 @@ check_held_blocks()
   scene.conditions.push_back(force({"upper", "right", {}}, 1, 1));
   scene.pairs[0].tied = true;
   Problem tied(scene);
-  check::is_true(tied.floating->any() && tied.check_loads().empty(), "a tied block is held: " + tied.check_loads());
+  check::is_true(tied.floating->any() && tied.check_loads().empty(),
+                 "a tied block is held: " + tied.check_loads());
   check::is_true(tied.floating->unheld_by(tied.all).empty(), "by the tied nodes");
 }
 
@@ -227,11 +232,13 @@ check_axisymmetric()
   check::is_true(problem.floating->floats()[1], "axisymmetric: the upper body floats");
   check::is_true(problem.check_loads().empty(), "axisymmetric: contact holds it");
   check::is_true(problem.floating->unheld_by({problem.all[2]}).empty(), "axisymmetric: one node is enough");
-  check::is_true(contains(problem.floating->unheld_by({}), "axial motion of body 'upper'"), "axisymmetric: axial motion");
+  check::is_true(contains(problem.floating->unheld_by({}), "axial motion of body 'upper'"),
+                 "axisymmetric: axial motion");
   scene.pairs = {};
   check::is_true(contains(Problem(scene).check_loads(), "thrown"), "axisymmetric: nothing holds it");
   scene.conditions.pop_back();
-  check::is_true(contains(Problem(scene).check_loads(), "axial motion of body 'upper'"), "axisymmetric: nothing drives it");
+  check::is_true(contains(Problem(scene).check_loads(), "axial motion of body 'upper'"),
+                 "axisymmetric: nothing drives it");
 }
 
 // A frictionless ring in another may turn: one pin, whatever the small resistance of finite element circles.
@@ -244,18 +251,19 @@ check_ring()
       body.shape       = "ring";
       body.refinements = 1;
     }
-  scene.bodies[0].inner_radius  = 1;
-  scene.bodies[0].radius        = 1.5;
-  scene.bodies[1].inner_radius  = 0.6;
-  scene.bodies[1].radius        = 1;
-  scene.conditions              = {hold({"lower", "outer", {}})};
-  scene.pairs[0].first.boundary = "outer";
+  scene.bodies[0].inner_radius    = 1;
+  scene.bodies[0].radius          = 1.5;
+  scene.bodies[1].inner_radius    = 0.6;
+  scene.bodies[1].radius          = 1;
+  scene.conditions                = {hold({"lower", "outer", {}})};
+  scene.pairs[0].first.boundary   = "outer";
   scene.pairs[0].second->boundary = "inner";
   ConditionData pressure          = condition(ConditionData::Type::pressure, {"upper", "inner", {}});
   pressure.value[0]               = Expression(1.);
   scene.conditions.push_back(pressure);
   Problem problem(scene);
-  check::is_true(!contains(problem.check_loads(), "thrown"), "pressure does not turn a ring: " + problem.check_loads());
+  check::is_true(!contains(problem.check_loads(), "thrown"),
+                 "pressure does not turn a ring: " + problem.check_loads());
   problem.floating->choose_pins(problem.all);
   check::is_true(problem.floating->pins().size() == 1, "one pin holds the ring");
   check::is_true(problem.floating->unheld_by(problem.all).empty(), "and contact the rest");

@@ -32,8 +32,9 @@ namespace Amontons
                   const Vector<float>        &indicators);
 
   // Marks the cells of deformable bodies behind slave and master faces that may touch first: faces with overlap points whose gap
-  // exceeds the smallest of the pair by at most `distance` times the face's size. Pairs of which more than half is close (conforming
-  // surfaces) are left alone. Returns how many it marked, on all ranks. Collective.
+  // exceeds the smallest of the pair by at most `distance` times the face's size. Pairs with
+  // enough (8) close faces, or all of whose faces are close (conforming surfaces), are left alone. Returns how many it marked, on all
+  // ranks. Collective.
   template <int dim>
   unsigned int mark_close_cells(const Discretization<dim>                &discretization,
                                 const std::vector<ContactInterface<dim>> &interfaces,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <amontons/contact/mortar_integrator.h>
-#include <amontons/friction/contact_state.h>
+#include <amontons/contact/contact_state.h>
 
 #include <memory>
 
@@ -60,7 +60,9 @@ namespace Amontons
     double         contact_size =
         0; // half-width sqrt(4 int p x^2 / int p) (2D), radius sqrt(2.5 int p r^2 / int p) (3D, axisymmetric)
     Point<dim> centre; // about which the size is taken
-    double     symmetry_factor =
+    std::vector<Tensor<1, dim>>
+           symmetry_planes; // normals of those through the contact (not the axis of revolution)
+    double symmetry_factor =
         1; // 2 for each symmetry plane through the contact: only that part of it is meshed
   };
 } // namespace Amontons

@@ -1,4 +1,4 @@
-// One named boundary as a surface that may touch others, known whole on every rank.
+// One or several named boundaries of a body as a surface that may touch others, known whole on every rank.
 #pragma once
 
 #include <amontons/discretization/discretization.h>
@@ -41,7 +41,7 @@ namespace Amontons
     static constexpr unsigned int geometry_degree = 4;
 
     // Collective.
-    ContactSurface(const Discretization<dim> &discretization, const Boundary &boundary);
+    ContactSurface(const Discretization<dim> &discretization, const BoundaryName &name);
 
     Point<dim>
     position(const unsigned int face, const Point<dim - 1> &xi) const;
@@ -57,7 +57,7 @@ namespace Amontons
     IndexSet
     dofs() const;
 
-    const Boundary                boundary;
+    const unsigned int            body;
     const unsigned int            degree;
     std::vector<SurfaceNode<dim>> nodes;
     std::vector<SurfaceFace<dim>> faces;
@@ -67,7 +67,7 @@ namespace Amontons
 
   private:
     void
-    collect_faces(const Discretization<dim> &discretization);
+    collect_faces(const Discretization<dim> &discretization, const BoundaryName &name);
     void
                               make_normals(const Discretization<dim> &discretization);
     const IndexSet::size_type n_dofs;

@@ -45,6 +45,8 @@ namespace Amontons
   {
     std::vector<CouplingRow<dim>>  rows;
     std::vector<OverlapPoint<dim>> points;
+    // Nodes of which next to nothing is covered, with those that take their share.
+    std::map<unsigned int, std::vector<unsigned int>> slivers;
     // int B_i B_j dA over the overlap, by slave node
     std::map<std::pair<unsigned int, unsigned int>, double> trace_mass;
   };

@@ -23,6 +23,9 @@ namespace Amontons
     // K u on unconstrained degrees of freedom (hanging nodes as if they were free); u readable at relevant DoFs.
     LA::Vector apply(const LA::Vector &u) const;
 
+    // Norm of diag(K) u: what rounding is measured against.
+    double rounding_scale(const LA::Vector &u) const;
+
     // Stress at the points of `values` (reinited on the cell; update flags as StrainOperator needs), from the same projected
     // strain as the stiffness.
     std::vector<Voigt<dim>> stresses(const FEValues<dim>                                         &values,

@@ -18,6 +18,8 @@ namespace Amontons
     std::optional<double> contact_size;  // half-width or radius a
     std::optional<double> peak_pressure; // p0
     std::optional<double> approach;
+    // a^2 / <r^2> of the pressure, <r^2> = int p r^2 / int p: 4 for Hertz lines, 2.5 for Hertz points
+    std::optional<double> size_factor;
     // pressure at distance r from the centre of the contact, and the interval of r over which L2 errors are taken
     std::function<double(double)>   pressure;
     double                          pressure_range = 0;

@@ -97,8 +97,9 @@ namespace Amontons
 
   struct BoundaryName
   {
-    std::string body, boundary;
-    Where       where;
+    std::string              body, boundary;
+    Where                    where;
+    std::vector<std::string> more = {}; // contact surfaces may go on over further boundaries of the same body
   };
 
   // A displacement field of the reference library (see reference_solution.h), by name and parameters.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <amontons/base/linear_algebra.h>
-#include <amontons/friction/contact_state.h>
+#include <amontons/contact/contact_state.h>
 
 #include <vector>
 

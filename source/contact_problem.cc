@@ -227,7 +227,11 @@ namespace Amontons
   ContactProblem<dim>::refine()
   {
     TimerOutput::Scope scope(timer, "mesh");
-    if (!mark_cells(*discretization, geometry, parameters.refinement, error.cell_indicators))
+    // Two aims: the stress everywhere, on which contact forces and sizes depend, and the pressure itself.
+    const bool bulk    = mark_cells(*discretization, geometry, parameters.refinement, error.cell_indicators);
+    const bool contact = bulk && parameters.refinement.strategy == "adaptive" &&
+                         mark_cells(*discretization, geometry, parameters.refinement, error.contact_indicators);
+    if (!bulk && !contact)
       {
         terminal.note("no further refinement: the limit of 'Maximum DoFs' is reached");
         return false;

@@ -214,7 +214,7 @@ def scenes():
     change("negative refinements", "= 3, 2", "= 3, 2\n  set Refinements = -1", "found '-1'", part="Refinements")
     change("zero thickness", "= 2, 1", "= 2, 0", "larger coordinates", ranks=3)
     change("grading", "= 3, 2", "= 3, 2\n  set Grading = 0, 1", "positive", part="Grading")
-    change("grading without cells", "= 3, 2", "= 300, 2\n  set Grading = 1e300, 1", "without length", part="Body upper")
+    change("grading without cells", "= 3, 2", "= 300, 2\n  set Grading = 1e300, 1", "too thin", part="Body upper")
     change("unknown shape", "set Lower corner  = 0, 0", "set Mesh = blok\n  set Lower corner  = 0, 0", "did you mean 'block'", part="blok")
     change("radius of a block", "set Lower corner  = 0, 0", "set Radius = 3\n  set Lower corner  = 0, 0", "no meaning", part="Radius")
     change("thin ring", "  set Lower corner  = 0, 0\n  set Upper corner  = 2, 1\n  set Cells         = 3, 2\n",
@@ -324,7 +324,7 @@ def scenes():
                               ("flank", "  set Surface = cone\n  set Flank angle = 90", "between 0 and 90"),
                               ("free component with a force", "  set Displacement = 0; 0\n  set Force = 0; -1", "'free'"),
                               ("motion", "  set Displacement = 0", "1 component"), ("expression", "  set Displacement = 0; -q", "cannot be read"),
-                              ("no number", "  set Normal = 0, -1\n  set Displacement = 0; log(-t)", "not a number"),
+                              ("no number", "  set Normal = 0, -1\n  set Displacement = 0; log(-t)", "not a number|infinite"),
                               ("force that is no number", "  set Normal = 0, -1\n  set Force = 0; log(-t)", "not a number"),
                               ("moment without free rotation", "  set Normal = 0, -1\n  set Rotation = 0\n  set Moment = 1", "free")]:
         case("obstacle: " + name, OBSTACLE % text, r"^scene\.prm:\d+: .*" + words, ranks=2 if "number" in name else 1)

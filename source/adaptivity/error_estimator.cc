@@ -67,7 +67,7 @@ namespace Amontons
                 QGauss<1>(discretization.fe.degree + 1).get_points())),
             on_face(discretization.fe.degree + 2),
             values(discretization.mapping, discretization.fe, gauss, elasticity.needed_flags()),
-            squares(discretization.geometry.triangulation.n_active_cells())
+            squares(discretization.geometry.triangulation.n_active_cells()), contact_squares(squares.size())
       {
         prepare_faces();
       }
@@ -107,13 +107,15 @@ namespace Amontons
         for (const auto &row : interface.coupling.rows)
           has_row[row.node] = true;
 
-        std::vector<double> face_squares(slave.faces.size(), 0.);
+        // By slave face: eta_F^2, then the squared error of the pressure.
+        const unsigned int  n = slave.faces.size();
+        std::vector<double> face_squares(2 * n, 0.);
         for (unsigned int f = 0; f < slave.faces.size(); ++f)
           if (slave.faces[f].rank == my_rank() &&
               std::any_of(slave.faces[f].nodes.begin(),
                           slave.faces[f].nodes.end(),
                           [&](const unsigned int i) { return has_row[i]; }))
-            face_squares[f] = add_slave_face(interface, fields, f);
+            std::tie(face_squares[f], face_squares[n + f]) = add_slave_face(interface, fields, f);
         Utilities::MPI::sum(make_array_view(std::as_const(face_squares)),
                             discretization.geometry.communicator,
                             make_array_view(face_squares));
@@ -132,8 +134,12 @@ namespace Amontons
         };
         ErrorEstimate<dim> estimate;
         estimate.cell_indicators.reinit(squares.size());
+        estimate.contact_indicators.reinit(squares.size());
         for (unsigned int c = 0; c < squares.size(); ++c)
-          estimate.cell_indicators[c] = std::sqrt(squares[c]);
+          {
+            estimate.cell_indicators[c]    = std::sqrt(squares[c]);
+            estimate.contact_indicators[c] = std::sqrt(contact_squares[c]);
+          }
         estimate.bulk    = relative(total(bulk_error), total(bulk_energy));
         estimate.contact = relative(total(pressure_error), total(pressure_square));
         return estimate;
@@ -189,8 +195,8 @@ namespace Amontons
         return result;
       }
 
-      // eta_F^2 of an owned slave face.
-      double
+      // eta_F^2 of an owned slave face, and its part of the squared L2 error of the pressure.
+      std::pair<double, double>
       add_slave_face(const ContactInterface<dim> &interface,
                      const SurfaceFields<dim>    &fields,
                      const unsigned int           face)
@@ -198,12 +204,12 @@ namespace Amontons
         const ContactSurface<dim> &slave = *interface.slave;
         const auto &[cell, f]            = slave.owned[slave.faces[face].owned_index];
         if (!discretization.is_deformable(cell->material_id()))
-          return 0;
+          return {0., 0.};
         recovered_on_face[f]->reinit(recovery_cell(cell));
         const auto sigma  = stress_on_face(cell, f);
         const auto smooth = recovery.values_at(*recovered_on_face[f]);
 
-        double square = 0;
+        double square = 0, pressure_part = 0;
         for (unsigned int q = 0; q < on_face.size(); ++q)
           {
             const Point<dim - 1> &xi = on_face.point(q);
@@ -222,12 +228,14 @@ namespace Amontons
               square += weight * (t - (n * t) * n).norm_square();
 
             const double p_star = -(n * traction<dim>(smooth[q], n));
-            pressure_error += weight * (p_star - p) * (p_star - p);
+            pressure_part += weight * (p_star - p) * (p_star - p);
             pressure_square += weight * p * p;
           }
         square *= slave.faces[face].size / discretization.scene.bodies[cell->material_id()].material.young;
         squares[cell->active_cell_index()] += square;
-        return square;
+        contact_squares[cell->active_cell_index()] += pressure_part;
+        pressure_error += pressure_part;
+        return {square, pressure_part};
       }
 
       // Each slave face's eta_F^2 is shared out by area between the master faces opposite.
@@ -235,7 +243,8 @@ namespace Amontons
       add_masters(const ContactInterface<dim> &interface, const std::vector<double> &face_squares)
       {
         const ContactSurface<dim> &master = *interface.master_surface;
-        std::vector<double>        areas(face_squares.size(), 0.);
+        const unsigned int         n      = interface.slave->faces.size();
+        std::vector<double>        areas(n, 0.);
         for (const auto &point : interface.coupling.points)
           areas[point.slave_face] += point.weight;
         for (const auto &point : interface.coupling.points)
@@ -243,9 +252,11 @@ namespace Amontons
               master.faces[point.master_face].rank == my_rank())
             {
               const auto &cell = master.owned[master.faces[point.master_face].owned_index].first;
-              if (discretization.is_deformable(cell->material_id()))
-                squares[cell->active_cell_index()] +=
-                    face_squares[point.slave_face] * point.weight / areas[point.slave_face];
+              if (!discretization.is_deformable(cell->material_id()))
+                continue;
+              const double share = point.weight / areas[point.slave_face];
+              squares[cell->active_cell_index()] += share * face_squares[point.slave_face];
+              contact_squares[cell->active_cell_index()] += share * face_squares[n + point.slave_face];
             }
       }
 
@@ -260,7 +271,7 @@ namespace Amontons
       FEValues<dim>                       values;
       std::vector<FullMatrix<double>>     continuation;
       std::vector<std::unique_ptr<FEValues<dim>>> recovered_on_face;
-      std::vector<double>                         squares;                             // by active cell
+      std::vector<double>                         squares, contact_squares;            // by active cell
       double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0; // of this rank
     };
   } // namespace

@@ -172,7 +172,7 @@ namespace Amontons
           "Point", "", anything, "At this point 'x, y[, z]' of the reference configuration, or ...");
       prm.declare_entry("From", "", anything, "... along the line from here ...");
       prm.declare_entry("To", "", anything, "... to here ...");
-      prm.declare_entry("Points", "11", Patterns::Integer(2), "... in this number of points.");
+      prm.declare_entry("Points", "11", Patterns::Integer(2, 100000), "... in this number of points.");
     }
   } // namespace
 

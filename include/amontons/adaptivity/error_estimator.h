@@ -12,6 +12,7 @@ namespace Amontons
   struct ErrorEstimate
   {
     Vector<float> cell_indicators; // by active cell of this rank's triangulation (0 on cells of others and of rigid bodies): energy norm
+    Vector<float> contact_indicators; // the same for the L2 error of the contact pressure alone
     double        bulk    = 0; // sqrt(sum eta_K^2) / energy norm of the recovered stress: relative
     double        contact = 0; // relative L2 error of the contact pressure, estimated: see estimate_error; 0 without contact
   };

@@ -36,6 +36,7 @@ namespace Amontons
     terminal.scene(scene, Utilities::MPI::n_mpi_processes(communicator));
     if (scene.reference)
       reference = make_reference_solution(scene.reference->solution, scene);
+    state.t = scene.end_time / scene.n_increments;
     make_mesh();
     rebuild();
     refine_where_bodies_are_close();

@@ -20,11 +20,11 @@ namespace Amontons
             return !scene.bodies[first.body].rigid;
           if (pair.slave != PairData::Slave::automatic)
             return pair.slave == PairData::Slave::first;
-          const double h1 = ContactSurface<dim>(discretization, pair.first).mean_size;
-          const double h2 = ContactSurface<dim>(discretization, *pair.second).mean_size;
-          if (h1 * 1.5 < h2 || h2 * 1.5 < h1)
-            return h1 < h2;
-          return scene.bodies[first.body].material.young <= scene.bodies[second.body].material.young;
+          const auto measure = [&](const BoundaryName &name, const Boundary &boundary) {
+            return ContactSurface<dim>(discretization, name).mean_size *
+                   scene.bodies[boundary.body].material.young;
+          };
+          return measure(pair.first, first) <= 1.001 * measure(*pair.second, second);
         };
         first_is_slave.push_back(decide());
       }

@@ -163,6 +163,7 @@ namespace Amontons
     struct Sums
     {
       double                          area = 0;
+      double                          smallest_gap = std::numeric_limits<double>::max(), face_size = 0;
       Tensor<1, dim>                  normal, gap; // gap: int psi g n
       std::map<unsigned int, double>  traces;
       std::map<NodeDofs<dim>, double> master;
@@ -231,6 +232,8 @@ namespace Amontons
                   const double weight = basis.psi(i, q - begin) * points[q].weight;
                   row.area += weight;
                   row.gap += weight * points[q].gap * points[q].normal;
+                  row.smallest_gap = std::min(row.smallest_gap, points[q].gap);
+                  row.face_size    = std::max(row.face_size, slave.faces[points[q].slave_face].size);
                   row.normal += weight * points[q].normal;
                   for (const auto &[dofs, N] : columns)
                     row.master[dofs] += weight * N;
@@ -245,6 +248,9 @@ namespace Amontons
         result.area   = row.area;
         result.normal = row.normal / row.area;
         result.gap    = result.normal * row.gap / row.area;
+        // psi changes sign, and where the surface turns away from the other body gaps grow without bound: what is open all around stays open.
+        if (row.smallest_gap > 0.1 * row.face_size)
+          result.gap = std::max(result.gap, row.smallest_gap);
         std::map<unsigned int, double> slave_weights;
         for (const auto &[j, trace] : row.traces)
           {

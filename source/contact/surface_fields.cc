@@ -219,6 +219,8 @@ namespace Amontons
           for (unsigned int i = 0; i < n; ++i)
             fields.traction[i][c] = values[i];
         }
+    if (discretization.scene.kind == Kind::axisymmetric) // radial forces cancel over the full turn
+      fields.normal_force[0] = fields.tangential_force[0] = 0;
     add_resultants(discretization, interface, fields);
     return fields;
   }

@@ -259,6 +259,10 @@ namespace Amontons
           field = make_displacement_field(*condition.field, scene.bodies[boundary.body].material);
         for_each_node_on(*this, boundary.id, [&](const auto &node, const auto &X, const auto &) {
           const Point<3> p = as_3d(X);
+          if (field && !std::isfinite(field(p).norm()))
+            throw InputError(condition.field->where,
+                             "the field is not finite at (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ")",
+                             "a field that is regular on the boundary");
           for (unsigned int c = 0; c < dim; ++c)
             if ((field || condition.displacement[c]) && !constraints.is_constrained(node[c]))
               {

@@ -103,6 +103,8 @@ namespace Amontons
         double area = 1;
         if (condition.type == Type::total_force)
           area = total_area(condition);
+        if (!(area > 0))
+          throw InputError(condition.where, "a total force on a boundary without area", "a boundary off the axis");
         for (const auto &name : condition.boundaries)
           {
             const auto id = discretization.geometry.boundary(name, discretization.scene).id;

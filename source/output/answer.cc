@@ -71,13 +71,32 @@ namespace Amontons
       if (norm(pair.tangential_force) > 1e-12 * norm(pair.normal_force))
         lines.emplace_back("  tangential force", vector_text(pair.tangential_force) + full_turn);
       lines.emplace_back("  peak pressure", short_number(pair.peak_pressure));
-      lines.emplace_back(kind == Kind::three_dimensional || kind == Kind::axisymmetric
-                             ? "  contact radius"
-                             : "  contact half-width",
-                         short_number(pair.contact_size) + "   (of the Hertz pressure with the same spread)");
+      if (pair.n_open > 0)
+        lines.emplace_back(kind == Kind::three_dimensional || kind == Kind::axisymmetric
+                               ? "  contact radius"
+                               : "  contact half-width",
+                           short_number(pair.contact_size) + "   (Hertz-equivalent)");
       lines.emplace_back("  nodes",
                          std::to_string(pair.n_open) + " open, " + std::to_string(pair.n_stick) + " stick, " +
                              std::to_string(pair.n_slip) + " slip");
+    }
+
+    // A line per point; the report and summary.json have those of long probes.
+    void
+    add_probe(Lines &lines, const ProbeSummary &probe)
+    {
+      if (probe.points.size() > 4)
+        return;
+      std::string label = "probe " + probe.name;
+      for (const ProbePoint &point : probe.points)
+        {
+          lines.emplace_back(label,
+                             "at " + vector_text(point.point) + ": displacement " +
+                                 (point.displacement.empty() ? "-" : vector_text(point.displacement)) +
+                                 "; von Mises " +
+                                 short_number(point.von_mises));
+          label.clear();
+        }
     }
 
     void
@@ -136,6 +155,8 @@ namespace Amontons
       lines.emplace_back("estimated error of the stress", percent(summary.error_estimate.bulk));
     if (!std::isnan(summary.energy))
       lines.emplace_back("strain energy", short_number(summary.energy));
+    for (const ProbeSummary &probe : summary.probes)
+      add_probe(lines, probe);
     if (summary.reference)
       add_reference(lines, *summary.reference);
     lines.emplace_back("finest mesh",

@@ -58,13 +58,16 @@ namespace Amontons
       PressureCurve curve;
       curve.pair   = pair.name;
       curve.radial = dim == 3;
-      if (std::isfinite(pair.contact_size) && pair.contact_size > 0)
-        curve.shown = 1.6 * pair.contact_size;
       Point<3> centre;
       for (std::size_t d = 0; d < pair.centre.size(); ++d)
         centre[d] = pair.centre[d];
       if (!nodes.empty())
         fill_computed(curve, nodes, centre);
+      // Less than three faces: the contact is closed or curved, so that its size says nothing.
+      if (std::count_if(curve.s.begin(), curve.s.end(), [&](const double s) {
+            return std::abs(s) <= pair.contact_size;
+          }) > 3)
+        curve.shown = 1.6 * pair.contact_size;
       return curve;
     }
 
@@ -74,7 +77,7 @@ namespace Amontons
                     const std::vector<double> &x,
                     const std::vector<double> &y)
     {
-      if (std::any_of(y.begin(), y.end(), [](const double v) { return v > 0; }))
+      if (x.size() > 1 && std::any_of(y.begin(), y.end(), [](const double v) { return v > 1e-10; }))
         chart.curves.push_back({name, x, y, true, true});
     }
   } // namespace
@@ -130,15 +133,19 @@ namespace Amontons
     Chart chart;
     chart.title   = "Convergence of the iteration";
     chart.x_label = "iteration";
-    chart.y_label = "relative residual";
-    chart.log_y   = true;
+    chart.y_label = "nodes that change their state";
+    chart.whole_numbers = true;
     for (const NewtonSummary &newton : summary.newton)
       if (newton.increment == summary.newton.back().increment)
         {
-          Curve curve{"mesh " + std::to_string(newton.mesh), {}, newton.residuals, true, true};
-          for (std::size_t i = 0; i < newton.residuals.size(); ++i)
-            curve.x.push_back(i);
-          chart.curves.push_back(curve);
+          Curve curve{"mesh " + std::to_string(newton.mesh), {}, {}, true, true};
+          for (const unsigned int changes : newton.active_set_changes)
+            {
+              curve.x.push_back(curve.x.size() + 1);
+              curve.y.push_back(changes);
+            }
+          if (curve.x.size() > 1)
+            chart.curves.push_back(curve);
         }
     if (chart.curves.size() > 8)
       chart.curves.erase(chart.curves.begin(), chart.curves.end() - 8);

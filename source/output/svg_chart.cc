@@ -11,7 +11,7 @@ namespace Amontons
     const std::array<const char *, 8> colours = {
         {"#1f6fb4", "#d9541e", "#2a9d5c", "#8e4fb0", "#c2901a", "#1aa3a8", "#c23b6b", "#5b6470"}};
 
-    constexpr int left = 74, right = 16, top = 34, bottom = 48;
+    constexpr int left = 74, right = 16, bottom = 48, title_height = 34, legend_line = 16;
 
     // One axis: from values to [0, 1].
     struct Axis
@@ -39,9 +39,9 @@ namespace Amontons
         upper = std::max(upper, v);
       }
 
-      // A little room around the values; zero stays at the edge.
+      // A little room around the values; zero stays at the edge. Rounding errors are no range.
       void
-      finish(const unsigned int n_ticks, const double room)
+      finish(const unsigned int n_ticks, const double room, const bool whole_numbers)
       {
         if (lower > upper)
           lower = log ? 0.1 : 0, upper = 1;
@@ -53,11 +53,17 @@ namespace Amontons
           }
         else
           {
-            const double width = upper > lower ? upper - lower : std::max(std::abs(upper), 1.);
-            lower -= (lower == 0 ? 0 : room) * width;
+            const double size  = std::max(std::abs(lower), std::abs(upper));
+            const double width = upper - lower > 1e-6 * size ? upper - lower : (size > 0 ? size : 1);
+            lower -= (std::abs(lower) <= 1e-6 * width ? 0 : room) * width;
             upper += room * width;
           }
         ticks = nice_ticks(lower, upper, n_ticks, log);
+        if (whole_numbers)
+          ticks.erase(std::remove_if(ticks.begin(),
+                                     ticks.end(),
+                                     [](const double v) { return std::abs(v - std::round(v)) > 1e-9; }),
+                      ticks.end());
       }
     };
 
@@ -65,6 +71,8 @@ namespace Amontons
     {
       const Chart &chart;
       Axis         x, y;
+      unsigned int legend_columns = 1, legend_rows = 0;
+      double       legend_width = 0, top = title_height, height = 0;
 
       explicit Frame(const Chart &chart) : chart(chart)
       {
@@ -77,8 +85,23 @@ namespace Amontons
                 x.include(curve.x[i]);
                 y.include(curve.y[i]);
               }
-        x.finish(8, 0.02);
-        y.finish(6, 0.06);
+        if (!y.log)
+          y.include(0);
+        x.finish(8, 0.02, chart.whole_numbers);
+        y.finish(6, 0.06, chart.whole_numbers);
+
+        unsigned int n_names = 0;
+        std::size_t  longest = 0;
+        for (const Curve &curve : chart.curves)
+          {
+            n_names += !curve.name.empty();
+            longest = std::max(longest, curve.name.size());
+          }
+        legend_width   = 40 + 6.8 * longest;
+        legend_columns = std::max(1, static_cast<int>((chart.width - left - right) / legend_width));
+        legend_rows    = (n_names + legend_columns - 1) / legend_columns;
+        top += legend_rows * legend_line;
+        height = chart.height + legend_rows * legend_line;
       }
 
       bool
@@ -96,7 +119,7 @@ namespace Amontons
       double
       py(const double v) const
       {
-        return chart.height - bottom - y.fraction(v) * (chart.height - top - bottom);
+        return height - bottom - y.fraction(v) * (height - top - bottom);
       }
     };
 
@@ -119,7 +142,7 @@ namespace Amontons
     axes(const Frame &frame)
     {
       const Chart &chart = frame.chart;
-      const double x0 = left, x1 = chart.width - right, y0 = chart.height - bottom, y1 = top;
+      const double x0 = left, x1 = chart.width - right, y0 = frame.height - bottom, y1 = frame.top;
       std::string  svg;
       for (const double tick : frame.x.ticks)
         svg += line_between(frame.px(tick), y0, frame.px(tick), y1, "#e4e7ea") +
@@ -128,10 +151,12 @@ namespace Amontons
         svg += line_between(x0, frame.py(tick), x1, frame.py(tick), "#e4e7ea") +
                text_at(x0 - 6, frame.py(tick) + 4, short_number(tick), "text-anchor=\"end\"");
       svg += line_between(x0, y0, x1, y0, "#444") + line_between(x0, y0, x0, y1, "#444");
+      if (!chart.log_y && frame.y.lower < 0 && frame.y.upper > 0)
+        svg += line_between(x0, frame.py(0), x1, frame.py(0), "#999");
       const std::string middle = pixels((y0 + y1) / 2);
       svg += text_at(
           chart.width / 2, 20, chart.title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"600\"");
-      svg += text_at((x0 + x1) / 2, chart.height - 12, chart.x_label, "text-anchor=\"middle\"");
+      svg += text_at((x0 + x1) / 2, frame.height - 12, chart.x_label, "text-anchor=\"middle\"");
       svg += text_at(16,
                      (y0 + y1) / 2,
                      chart.y_label,
@@ -158,31 +183,27 @@ namespace Amontons
       return svg;
     }
 
-    // In the upper right corner, on a white ground.
+    // In lines between the title and the curves.
     std::string
-    legend(const Chart &chart)
+    legend(const Frame &frame)
     {
       std::string  svg;
-      std::size_t  longest = 0;
-      unsigned int n       = 0;
-      for (const Curve &curve : chart.curves)
-        longest = std::max(longest, curve.name.size());
-      const double x = chart.width - right - 34 - 6.6 * longest;
-      for (std::size_t c = 0; c < chart.curves.size(); ++c)
-        if (!chart.curves[c].name.empty())
+      unsigned int n = 0;
+      for (std::size_t c = 0; c < frame.chart.curves.size(); ++c)
+        if (const Curve &curve = frame.chart.curves[c]; !curve.name.empty())
           {
-            const double      y      = top + 14 + 16 * n++;
+            const double      x      = left + frame.legend_width * (n % frame.legend_columns);
+            const double      y      = title_height + 10 + legend_line * (n / frame.legend_columns);
             const std::string colour = colours[c % colours.size()];
-            svg += chart.curves[c].line ? line_between(x, y - 4, x + 20, y - 4, colour)
-                                        : "<circle cx=\"" + pixels(x + 10) + "\" cy=\"" + pixels(y - 4) +
-                                              "\" r=\"2.4\" fill=\"" + colour + "\"/>\n";
-            svg += text_at(x + 26, y, chart.curves[c].name, "");
+            if (curve.line)
+              svg += line_between(x, y - 4, x + 20, y - 4, colour);
+            if (curve.markers)
+              svg += "<circle cx=\"" + pixels(x + 10) + "\" cy=\"" + pixels(y - 4) + "\" r=\"2.4\" fill=\"" +
+                     colour + "\"/>\n";
+            svg += text_at(x + 26, y, curve.name, "");
+            ++n;
           }
-      if (n == 0)
-        return "";
-      return "<rect x=\"" + pixels(x - 6) + "\" y=\"" + pixels(top) + "\" width=\"" +
-             pixels(chart.width - right - x + 6) + "\" height=\"" + pixels(16 * n + 6) +
-             "\" fill=\"#fff\" fill-opacity=\"0.85\"/>\n" + svg;
+      return svg;
     }
   } // namespace
 
@@ -190,12 +211,13 @@ namespace Amontons
   svg_chart(const Chart &chart)
   {
     const Frame       frame(chart);
-    const std::string width = std::to_string(chart.width), height = std::to_string(chart.height);
+    const std::string width = std::to_string(chart.width), height = pixels(frame.height);
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
                       "\" viewBox=\"0 0 " + width + " " + height +
-                      "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n" + axes(frame);
+                      "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" +
+                      axes(frame);
     for (std::size_t c = 0; c < chart.curves.size(); ++c)
       svg += curve_svg(frame, chart.curves[c], colours[c % colours.size()]);
-    return svg + legend(chart) + "</svg>\n";
+    return svg + legend(frame) + "</svg>\n";
   }
 } // namespace Amontons

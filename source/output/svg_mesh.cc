@@ -28,6 +28,12 @@ namespace Amontons
           }
       }
 
+      double
+      size() const
+      {
+        return std::max(upper[0] - lower[0], upper[1] - lower[1]);
+      }
+
       bool
       overlaps(const Box &other) const
       {
@@ -50,15 +56,14 @@ namespace Amontons
     visible_box(const MeshPicture &picture, const Window &window)
     {
       Box box;
+      for (const CellPicture &cell : picture)
+        box.include(cell);
       if (window.half_width > 0)
         for (int d = 0; d < 2; ++d)
           {
-            box.lower[d] = window.centre[d] - window.half_width;
-            box.upper[d] = window.centre[d] + window.half_width;
+            box.lower[d] = std::max(box.lower[d], window.centre[d] - window.half_width);
+            box.upper[d] = std::min(box.upper[d], window.centre[d] + window.half_width);
           }
-      else
-        for (const CellPicture &cell : picture)
-          box.include(cell);
       return box;
     }
 
@@ -162,8 +167,10 @@ namespace Amontons
   std::string
   svg_mesh(const MeshPicture &picture, const Window &window, const std::string &title)
   {
-    const Box    box    = visible_box(picture, window);
-    const double scale  = largest / std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
+    const Box box = visible_box(picture, window), whole = visible_box(picture, Window());
+    if (box.size() <= 0 || (window.half_width > 0 && box.size() > 0.7 * whole.size()))
+      return "";
+    const double scale  = largest / box.size();
     const double width  = scale * (box.upper[0] - box.lower[0]);
     const double height = scale * (box.upper[1] - box.lower[1]);
 
@@ -180,12 +187,12 @@ namespace Amontons
     for (const CellPicture *cell : cells)
       painter.draw(*cell);
 
-    const std::string w  = pixels(width + 2 * margin + bar_room),
+    const std::string w  = pixels(2 * margin + std::max(width + bar_room, 8.6 * title.size())),
                       h  = pixels(std::max(height, 160.) + top + margin);
     const std::string id = window.half_width > 0 ? "zoom" : "whole";
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h +
            "\" viewBox=\"0 0 " + w + " " + h +
-           "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<clipPath id=\"" + id +
+           "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<clipPath id=\"" + id +
            "\"><rect x=\"" + pixels(margin) + "\" y=\"" + pixels(top) + "\" width=\"" + pixels(width) +
            "\" height=\"" + pixels(height) + "\"/></clipPath>\n<text x=\"" + pixels(margin) +
            "\" y=\"20\" font-size=\"14\" font-weight=\"600\">" + escaped(title) +

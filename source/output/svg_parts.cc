@@ -28,7 +28,7 @@ namespace Amontons
     log_ticks(const double lower, const double upper, const unsigned int n)
     {
       const int           first = std::floor(std::log10(lower)), last = std::ceil(std::log10(upper));
-      const bool          short_axis = upper < 100 * lower;
+      const bool          short_axis = upper < 1000 * lower;
       const int           stride     = std::max<int>(1, std::lround(std::ceil(double(last - first) / n)));
       std::vector<double> ticks;
       for (int k = first; k <= last; ++k)
@@ -39,7 +39,7 @@ namespace Amontons
             if (wanted && tick >= lower && tick <= upper)
               ticks.push_back(tick);
           }
-      return ticks;
+      return ticks.size() < 3 ? linear_ticks(lower, upper, 4) : ticks;
     }
   } // namespace
 

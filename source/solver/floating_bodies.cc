@@ -298,6 +298,19 @@ namespace Amontons
   }
 
   template <int dim>
+  Where
+  FloatingBodies<dim>::place_of(const std::vector<double> &q) const
+  {
+    unsigned int largest = 0;
+    for (unsigned int i = 0; i < n_modes; ++i)
+      if (std::abs(q[i]) > std::abs(q[largest]) + 1e-6)
+        largest = i;
+    const unsigned int owner = largest / modes_per_body, n_bodies = discretization.scene.bodies.size();
+    return owner < n_bodies ? discretization.scene.bodies[owner].where :
+                              discretization.geometry.carriers[owner - n_bodies].motion.where;
+  }
+
+  template <int dim>
   bool
   FloatingBodies<dim>::is_driven(const std::vector<double> &q) const
   {
@@ -348,7 +361,7 @@ namespace Amontons
           q[i] = unheld(i, k);
         if (is_driven(q))
           throw InputError(
-              {discretization.scene.file, 0, ""},
+              place_of(q),
               "nothing holds the rigid " + describe(q) + ", and the loads drive it",
               "hold it by a displacement, a symmetry plane, a platen or a contact pair that resists it");
         note += (note.empty() ? "" : "; ") + describe(q);

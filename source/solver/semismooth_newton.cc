@@ -36,6 +36,383 @@ namespace Amontons
   {
   }
 
+  namespace
+  {
+    // The DoFs that constraints own have no equation of their own.
+    void
+    zero_constrained(const Constraints &constraints, const IndexSet &owned, LA::Vector &vector)
+    {
+      for (const auto dof : owned)
+        if (constraints.is_constrained(dof))
+          vector(dof) = 0;
+    }
+
+    // One solve on one mesh: everything that lives as long as its iteration.
+    template <int dim>
+    class Iteration
+    {
+    public:
+      Iteration(const NewtonParameters                   &parameters,
+                const LinearSolverParameters             &solver_parameters,
+                const Discretization<dim>                &discretization,
+                const ElasticityOperator<dim>            &elasticity,
+                const std::vector<ContactInterface<dim>> &interfaces,
+                const Constraints                        &supports,
+                const LA::Vector                         &loads,
+                SolutionState                            &state,
+                TimerOutput                              &timer)
+          : parameters(parameters), solver_parameters(solver_parameters), discretization(discretization),
+            elasticity(elasticity), interfaces(interfaces), supports(supports), loads(loads), state(state),
+            timer(timer), communicator(discretization.geometry.communicator),
+            nodes(collect_contact_nodes(discretization, interfaces, parameters.scaling)),
+            floating(discretization, supports, interfaces),
+            system(discretization.locally_owned, discretization.relevant, communicator),
+            solver(solver_parameters, dim), pressure(nodes.size(), 0.), gap(nodes.size(), 0.)
+      {
+        u.reinit(discretization.locally_owned, communicator);
+        du.reinit(discretization.locally_owned, communicator);
+      }
+
+      NewtonReport
+      run(const typename SemismoothNewton<dim>::Observer &observer)
+      {
+        prepare();
+        bool set_changed = true;
+        while (report.iterations.size() < parameters.max_iterations)
+          {
+            NewtonReport::Iteration step{};
+            if (set_changed)
+              constrain_closed_nodes();
+            if (!solve_increment(step))
+              break;
+            recover_contact(step);
+            step.residual = relative_residual();
+            set_changed   = update_set(step);
+            report.iterations.push_back(step);
+            observer(step);
+            if (!std::isfinite(step.residual))
+              report.message =
+                  "the solution is not a number: a load or prescribed displacement may not be one, "
+                  "or the stiffness is singular";
+            else if (!set_changed && step.residual <= parameters.tolerance)
+              report.converged = true;
+            else if (!set_changed && moves_apart())
+              report.message =
+                  "the loads drive the rigid " + unheld +
+                  ", and no node that is closed holds it: the bodies move apart or slide off each "
+                  "other; reverse the load, move the bodies together, or hold this motion by a support";
+            if (report.converged || !report.message.empty())
+              break;
+            choose_forcing(step, set_changed);
+          }
+        finish();
+        return report;
+      }
+
+    private:
+      // Motions without supports, the first guess of the closed nodes, the pattern and the bulk of the
+      // matrix.
+      void
+      prepare()
+      {
+        std::vector<const LinearEquation *> all;
+        for (const auto &node : nodes)
+          for (const auto &e : node.equations)
+            all.push_back(&e.equation);
+        floating.set_loads(loads);
+        report.note = floating.check_loads(all);
+        floating.choose_pins(all);
+
+        u = state.displacement;
+        supports.distribute(u);
+        state.displacement = u;
+        guess_closed_nodes();
+        make_proximal_terms();
+        if (!solver.is_direct(discretization.dof_handler.n_dofs()))
+          solver.set_near_null_space(rigid_body_modes(discretization));
+
+        TimerOutput::Scope          scope(timer, "sparsity and bulk matrix");
+        std::vector<LinearEquation> candidates;
+        for (const auto *equation : all)
+          {
+            candidates.push_back(*equation);
+            substitute(candidates.back(), supports);
+          }
+        system.setup(cells(), supports, candidates);
+      }
+
+      CellMatrices
+      cells() const
+      {
+        CellMatrices result;
+        result.n      = elasticity.n_cells();
+        result.dofs   = [this](const unsigned int c) -> const auto   &{ return elasticity.dofs(c); };
+        result.matrix = [this](const unsigned int c) -> const auto & { return elasticity.matrix(c); };
+        return result;
+      }
+
+      void
+      guess_closed_nodes()
+      {
+        bool known = state.states.size() == interfaces.size();
+        for (unsigned int i = 0; known && i < interfaces.size(); ++i)
+          known = state.states[i].size() == interfaces[i].coupling.rows.size();
+        if (!known)
+          closed = first_guess_of_closed_nodes(nodes, interfaces, floating, state.displacement);
+        else
+          for (const auto &node : nodes)
+            closed.push_back(node.tied || state.states[node.interface][node.row] != ContactState::open);
+      }
+
+      // Diagonal terms on the increment only, which vanish at convergence: pins for motions that contact can
+      // never hold, and weak springs for those that no closed node holds yet.
+      void
+      make_proximal_terms()
+      {
+        if (!floating.any())
+          return;
+        const double weak = 1e-8;
+        springs           = discretization.make_owned_vector();
+        pins              = discretization.make_owned_vector();
+        double largest    = 0;
+        for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
+          for (unsigned int i = 0; i < elasticity.dofs(c).size(); ++i)
+            {
+              largest = std::max(largest, elasticity.matrix(c)(i, i));
+              if (floating.floats()[elasticity.body(c)])
+                springs(elasticity.dofs(c)[i]) += weak * elasticity.matrix(c)(i, i);
+            }
+        springs.compress(VectorOperation::add);
+        largest = Utilities::MPI::max(largest, communicator);
+        for (const auto &carrier : discretization.carrier_dofs)
+          for (const auto &corner : carrier)
+            for (const auto dof : corner)
+              if (discretization.locally_owned.is_element(dof))
+                springs(dof) = weak * largest;
+        for (const auto dof : floating.pins())
+          if (discretization.locally_owned.is_element(dof))
+            pins(dof) = largest;
+        springs.compress(VectorOperation::insert);
+        pins.compress(VectorOperation::insert);
+        springs += pins;
+      }
+
+      void
+      constrain_closed_nodes()
+      {
+        TimerOutput::Scope                  scope(timer, "assemble condensed system");
+        std::vector<ContactEquation>        active;
+        std::vector<const LinearEquation *> holding;
+        first_equation.assign(nodes.size(), numbers::invalid_unsigned_int);
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          if (closed[k])
+            {
+              first_equation[k] = active.size();
+              for (const auto &equation : nodes[k].equations)
+                {
+                  active.push_back(equation);
+                  holding.push_back(&equation.equation);
+                }
+            }
+        constraints = std::make_unique<ContactConstraints>(supports, active);
+        unheld      = floating.unheld_by(holding);
+        system.assemble(cells(),
+                        constraints->all(),
+                        !unheld.empty()            ? &springs
+                        : !floating.pins().empty() ? &pins
+                                                   : nullptr);
+        solver.matrix_changed(system.matrix(), report.iterations.empty());
+      }
+
+      // Moves on to the constraints, then solves for the homogeneous increment.
+      bool
+      solve_increment(NewtonReport::Iteration &step)
+      {
+        constraints->all().distribute(u);
+        state.displacement  = u;
+        LA::Vector residual = loads;
+        residual -= elasticity.apply(state.displacement);
+        LA::Vector rhs(discretization.locally_owned, communicator);
+        rhs = condense(residual, constraints->all(), loads);
+        zero_constrained(constraints->all(), discretization.locally_owned, rhs);
+
+        TimerOutput::Scope scope(timer, "linear solve");
+        const auto         result = solver.solve(system.matrix(), du, rhs, forcing);
+        step.krylov               = result.iterations;
+        if (!result.success)
+          {
+            report.message =
+                "the linear solver failed after " + std::to_string(result.iterations) + " iterations";
+            return false;
+          }
+        if (report.iterations.empty())
+          report.one_linear_solve_seconds = clock.wall_time();
+        u += du;
+        constraints->all().distribute(u);
+        state.displacement = u;
+        return true;
+      }
+
+      // Contact forces from the unconstrained residual; gaps of the open nodes.
+      void
+      recover_contact(NewtonReport::Iteration &step)
+      {
+        internal = elasticity.apply(state.displacement);
+        raw      = internal;
+        raw -= loads;
+        const LA::Vector    on_supports = condense(raw, supports, loads);
+        std::vector<double> at_pivots(constraints->pivots().size(), 0.);
+        for (unsigned int e = 0; e < at_pivots.size(); ++e)
+          if (const auto pivot = constraints->pivots()[e];
+              pivot && discretization.locally_owned.is_element(*pivot))
+            at_pivots[e] = on_supports(*pivot);
+        Utilities::MPI::sum(at_pivots, communicator, at_pivots);
+        multipliers = constraints->recover_multipliers(at_pivots);
+
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          {
+            const auto &equation = nodes[k].equations[0].equation;
+            const bool  carries  = closed[k] && constraints->pivots()[first_equation[k]];
+            pressure[k]          = carries ? multipliers[first_equation[k]] / nodes[k].area : 0.;
+            gap[k]               = closed[k] ? 0. : equation.value - evaluate(equation, state.displacement);
+            (nodes[k].tied ? step.n_stick : closed[k] ? step.n_slip : step.n_open) += 1;
+          }
+      }
+
+      // What rounding leaves of |K||u| counts as zero: scenes without stress, stiff bodies on soft ones.
+      double
+      relative_residual() const
+      {
+        LA::Vector free = condense(raw, constraints->all(), loads);
+        zero_constrained(constraints->all(), discretization.locally_owned, free);
+        const double rounding = 1e-14 * elasticity.rounding_scale(state.displacement);
+        const double scale = std::max({internal.l2_norm(), loads.l2_norm(), rounding / parameters.tolerance});
+        return scale == 0 ? 0 : free.l2_norm() / scale;
+      }
+
+      bool
+      update_set(NewtonReport::Iteration &step)
+      {
+        std::vector<double> p, g, c;
+        std::vector<bool>   next;
+        double              largest = 0;
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          if (!nodes[k].tied)
+            {
+              p.push_back(pressure[k]);
+              g.push_back(gap[k]);
+              c.push_back(nodes[k].c);
+              next.push_back(closed[k]);
+              largest = std::max(largest, std::abs(pressure[k]));
+            }
+        step.n_changes     = active_set.update(p, g, c, 1e-9 * largest, next);
+        report.safeguarded = report.safeguarded || active_set.safeguarded();
+        for (unsigned int k = 0, n = 0; k < nodes.size(); ++k)
+          if (!nodes[k].tied)
+            closed[k] = next[n++];
+        return step.n_changes > 0;
+      }
+
+      // Weak springs are all that holds a motion, and they are not coming to rest.
+      bool
+      moves_apart() const
+      {
+        const unsigned int n = report.iterations.size();
+        return n > 1 && !unheld.empty() &&
+               report.iterations[n - 1].residual > 0.5 * report.iterations[n - 2].residual;
+      }
+
+      // While many nodes still change, systems are solved as far as that is worth; the last ones for good.
+      void
+      choose_forcing(const NewtonReport::Iteration &step, const bool set_changed)
+      {
+        if (!set_changed)
+          forcing = std::min(1e-2, std::max(1e-14, 0.1 * parameters.tolerance / step.residual));
+        else
+          forcing = step.n_changes > 4 + 0.05 * step.n_slip ? 1e-4 : solver_parameters.tolerance;
+      }
+
+      // The result by interface and row.
+      void
+      finish()
+      {
+        if (report.iterations.empty() || !std::isfinite(report.iterations.back().residual))
+          {
+            state.displacement = discretization.make_relevant_vector();
+            closed.assign(nodes.size(), false);
+          }
+        else if (!unheld.empty())
+          {
+            double force = 0;
+            for (const auto dof : discretization.locally_owned)
+              force += std::abs(springs(dof) * du(dof));
+            const double load           = loads.l1_norm();
+            force                       = Utilities::MPI::sum(force, communicator);
+            report.regularisation_force = load > 0 ? force / load : force;
+          }
+        state.states.assign(interfaces.size(), {});
+        state.pressures.assign(interfaces.size(), {});
+        state.gaps.assign(interfaces.size(), {});
+        state.tied_multipliers.assign(interfaces.size(), {});
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          store(k);
+        if (!report.converged && report.message.empty())
+          report.message = "no converged contact set after " + std::to_string(report.iterations.size()) +
+                           " iterations (residual " + std::to_string(report.iterations.back().residual) +
+                           ", " + std::to_string(report.iterations.back().n_changes) +
+                           " nodes still change); try a finer mesh, smaller loads or more iterations";
+      }
+
+      void
+      store(const unsigned int k)
+      {
+        const auto  i       = nodes[k].interface;
+        const auto &row     = interfaces[i].coupling.rows[nodes[k].row];
+        const bool  carries = closed[k] && first_equation[k] != numbers::invalid_unsigned_int;
+
+        std::vector<double> tied(nodes[k].tied ? dim : 0, 0.);
+        double              p = carries && !nodes[k].tied ? pressure[k] : 0.;
+        for (unsigned int d = 0; carries && d < tied.size(); ++d)
+          {
+            tied[d] = multipliers[first_equation[k] + d] / row.area;
+            p += tied[d] * row.normal[d];
+          }
+        state.states[i].push_back(nodes[k].tied ? ContactState::stick
+                                  : closed[k]   ? ContactState::slip
+                                                : ContactState::open);
+        state.gaps[i].push_back(gap[k]);
+        state.pressures[i].push_back(p);
+        state.tied_multipliers[i].push_back(tied);
+      }
+
+      const NewtonParameters                   &parameters;
+      const LinearSolverParameters             &solver_parameters;
+      const Discretization<dim>                &discretization;
+      const ElasticityOperator<dim>            &elasticity;
+      const std::vector<ContactInterface<dim>> &interfaces;
+      const Constraints                        &supports;
+      const LA::Vector                         &loads;
+      SolutionState                            &state;
+      TimerOutput                              &timer;
+      const MPI_Comm                            communicator;
+
+      Timer                            clock;
+      const std::vector<CandidateNode> nodes;
+      FloatingBodies<dim>              floating;
+      CondensedSystem                  system;
+      LinearSolver        solver; // its factorisation refers to the matrix, which must outlive it
+      ActiveSetUpdate     active_set;
+      NewtonReport        report;
+      LA::Vector          springs, pins, u, du, internal, raw;
+      std::vector<bool>   closed;
+      std::vector<double> pressure, gap, multipliers;
+      std::unique_ptr<ContactConstraints> constraints;
+      std::vector<unsigned int>           first_equation; // of node k among those of the closed nodes
+      std::string                         unheld;         // motions that the closed nodes leave
+      double                              forcing = 1e-8; // the first solve is the one that is timed
+    };
+  } // namespace
+
   template <int dim>
   NewtonReport
   SemismoothNewton<dim>::solve(const ElasticityOperator<dim>            &elasticity,
@@ -45,271 +422,18 @@ namespace Amontons
                                SolutionState                            &state,
                                const Observer                           &observer)
   {
-    NewtonReport        report;
-    TimerOutput::Scope  scope(timer, "contact iteration");
-    const MPI_Comm      communicator = discretization.geometry.communicator;
-    const auto          nodes        = collect_contact_nodes(discretization, interfaces, parameters.scaling);
-    FloatingBodies<dim> floating(discretization, supports, interfaces);
-
-    std::vector<const LinearEquation *> all;
-    for (const auto &node : nodes)
-      for (const auto &e : node.equations)
-        all.push_back(&e.equation);
-    floating.set_loads(loads);
-    report.note = floating.check_loads(all);
-    floating.choose_pins(all);
-
-    LA::Vector u(discretization.locally_owned, communicator);
-    u = state.displacement;
-    supports.distribute(u);
-    state.displacement = u;
-
-    std::vector<bool> closed;
-    bool              have_guess = state.states.size() == interfaces.size();
-    for (unsigned int i = 0; have_guess && i < interfaces.size(); ++i)
-      have_guess = state.states[i].size() == interfaces[i].coupling.rows.size();
-    if (have_guess)
-      for (const auto &node : nodes)
-        closed.push_back(node.tied || state.states[node.interface][node.row] != ContactState::open);
-    else
-      closed = first_guess_of_closed_nodes(nodes, interfaces, floating, state.displacement);
-
-    const CellMatrices cells{
-        elasticity.n_cells(), [&](const unsigned int c) -> const auto &{return elasticity.dofs(c);
-  }
-  , [&](const unsigned int c) -> const auto & { return elasticity.matrix(c); }
-};
-std::vector<LinearEquation> candidates;
-for (const auto *equation : all)
-  {
-    candidates.push_back(*equation);
-    substitute(candidates.back(), supports);
+    TimerOutput::Scope scope(timer, "contact iteration");
+    return Iteration<dim>(parameters,
+                          solver_parameters,
+                          discretization,
+                          elasticity,
+                          interfaces,
+                          supports,
+                          loads,
+                          state,
+                          timer)
+        .run(observer);
   }
 
-// Terms on the increment only, which vanish at convergence: pins for motions that contact can never hold, and
-// a weak diagonal for those that no closed node holds yet.
-const double proximal_factor = 1e-8;
-LA::Vector   proximal        = discretization.make_owned_vector();
-LA::Vector   pins            = discretization.make_owned_vector();
-if (floating.any())
-  {
-    double largest = 0;
-    for (unsigned int c = 0; c < cells.n; ++c)
-      for (unsigned int i = 0; i < cells.dofs(c).size(); ++i)
-        {
-          largest = std::max(largest, cells.matrix(c)(i, i));
-          if (floating.floats()[elasticity.body(c)])
-            proximal(cells.dofs(c)[i]) += proximal_factor * cells.matrix(c)(i, i);
-        }
-    proximal.compress(VectorOperation::add);
-    largest = Utilities::MPI::max(largest, communicator);
-    for (unsigned int m = 0; m < discretization.carrier_dofs.size(); ++m)
-      for (const auto &corner : discretization.carrier_dofs[m])
-        for (const auto dof : corner)
-          if (discretization.locally_owned.is_element(dof))
-            proximal(dof) = proximal_factor * largest;
-    for (const auto dof : floating.pins())
-      if (discretization.locally_owned.is_element(dof))
-        pins(dof) = largest;
-    proximal.compress(VectorOperation::insert);
-    pins.compress(VectorOperation::insert);
-    proximal += pins;
-  }
-
-// The factorisation refers to the matrix, which must outlive it.
-CondensedSystem system(discretization.locally_owned, discretization.relevant, communicator);
-LinearSolver    solver(solver_parameters, dim);
-const auto      n_dofs = discretization.dof_handler.n_dofs();
-if (!solver.is_direct(n_dofs))
-  solver.set_near_null_space(rigid_body_modes(discretization));
-Timer linear_solve;
-{
-  TimerOutput::Scope scope(timer, "sparsity and bulk matrix");
-  system.setup(cells, supports, candidates);
-}
-
-ActiveSetUpdate     update;
-LA::Vector          du(discretization.locally_owned, communicator);
-std::vector<double> multipliers, pressure(nodes.size()), gap(nodes.size()), c(nodes.size());
-for (unsigned int k = 0; k < nodes.size(); ++k)
-  c[k] = nodes[k].c;
-std::unique_ptr<ContactConstraints> constraints;
-std::vector<unsigned int>           first_equation; // of closed node k
-bool                                set_changed = true;
-std::string                         unheld;         // motions that the closed nodes leave
-double                              forcing = 1e-8; // the first solve is the one that is timed
-
-for (unsigned int iteration = 0; iteration < parameters.max_iterations; ++iteration)
-  {
-    NewtonReport::Iteration step{};
-    if (set_changed)
-      {
-        TimerOutput::Scope           scope(timer, "assemble condensed system");
-        std::vector<ContactEquation> active;
-        first_equation.assign(nodes.size(), numbers::invalid_unsigned_int);
-        for (unsigned int k = 0; k < nodes.size(); ++k)
-          if (closed[k])
-            {
-              first_equation[k] = active.size();
-              active.insert(active.end(), nodes[k].equations.begin(), nodes[k].equations.end());
-            }
-        constraints = std::make_unique<ContactConstraints>(supports, active);
-        std::vector<const LinearEquation *> holding;
-        for (const auto &equation : active)
-          holding.push_back(&equation.equation);
-        unheld = floating.unheld_by(holding);
-        system.assemble(cells,
-                        constraints->all(),
-                        !unheld.empty()            ? &proximal
-                        : !floating.pins().empty() ? &pins
-                                                   : nullptr);
-        solver.matrix_changed(system.matrix(), iteration == 0);
-      }
-
-    // Move on to the constraints, then solve for the homogeneous increment.
-    constraints->all().distribute(u);
-    state.displacement  = u;
-    LA::Vector residual = loads;
-    residual -= elasticity.apply(state.displacement);
-    LA::Vector rhs = condense(residual, constraints->all(), loads);
-    for (const auto dof : discretization.locally_owned)
-      if (constraints->all().is_constrained(dof))
-        rhs(dof) = 0;
-    {
-      TimerOutput::Scope scope(timer, "linear solve");
-      LA::Vector         owned_rhs(discretization.locally_owned, communicator);
-      owned_rhs         = rhs;
-      const auto result = solver.solve(system.matrix(), du, owned_rhs, forcing);
-      step.krylov       = result.iterations;
-      if (!result.success)
-        {
-          report.message =
-              "the linear solver failed after " + std::to_string(result.iterations) + " iterations";
-          return report;
-        }
-    }
-    if (iteration == 0)
-      report.one_linear_solve_seconds = linear_solve.wall_time();
-    u += du;
-    constraints->all().distribute(u);
-    state.displacement = u;
-
-    // Contact forces from the unconstrained residual.
-    LA::Vector internal = elasticity.apply(state.displacement);
-    LA::Vector raw      = internal;
-    raw -= loads;
-    const LA::Vector    on_supports = condense(raw, supports, loads);
-    std::vector<double> at_pivots(constraints->pivots().size(), 0.);
-    for (unsigned int e = 0; e < at_pivots.size(); ++e)
-      if (const auto pivot = constraints->pivots()[e];
-          pivot && discretization.locally_owned.is_element(*pivot))
-        at_pivots[e] = on_supports(*pivot);
-    Utilities::MPI::sum(at_pivots, communicator, at_pivots);
-    multipliers = constraints->recover_multipliers(at_pivots);
-
-    double largest_pressure = 0;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      {
-        const auto &equation = nodes[k].equations[0].equation;
-        pressure[k]          = closed[k] ? multipliers[first_equation[k]] / nodes[k].area : 0.;
-        gap[k]               = closed[k] ? 0. : equation.value - evaluate(equation, state.displacement);
-        if (closed[k] && !constraints->pivots()[first_equation[k]])
-          pressure[k] = 0;
-        largest_pressure = std::max(largest_pressure, std::abs(pressure[k]));
-        (nodes[k].tied ? step.n_stick : closed[k] ? step.n_slip : step.n_open) += 1;
-      }
-
-    LA::Vector free_residual = condense(raw, constraints->all(), loads);
-    for (const auto dof : discretization.locally_owned)
-      if (constraints->all().is_constrained(dof))
-        free_residual(dof) = 0;
-    // What rounding leaves of |K||u| counts as zero: scenes without stress, stiff bodies on soft ones.
-    const double rounding = 1e-14 * elasticity.rounding_scale(state.displacement);
-    const double scale    = std::max({internal.l2_norm(), loads.l2_norm(), rounding / parameters.tolerance});
-    step.residual         = scale > 0 ? free_residual.l2_norm() / scale : 0;
-
-    std::vector<bool> next = closed;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (nodes[k].tied)
-        pressure[k] = std::numeric_limits<double>::max();
-    step.n_changes     = update.update(pressure, gap, c, 1e-9 * largest_pressure, next);
-    set_changed        = step.n_changes > 0;
-    closed             = set_changed ? next : closed;
-    report.safeguarded = report.safeguarded || update.safeguarded();
-    report.iterations.push_back(step);
-    observer(step);
-    if (!std::isfinite(step.residual))
-      {
-        report.message = "the residual is not a number";
-        return report;
-      }
-    if (!set_changed)
-      {
-        if (step.residual <= parameters.tolerance)
-          {
-            report.converged = true;
-            break;
-          }
-        if (report.iterations.size() > 1 && !unheld.empty() &&
-            step.residual > 0.5 * report.iterations[report.iterations.size() - 2].residual)
-          {
-            report.message =
-                "the loads drive the rigid " + unheld +
-                ", and no node that is closed holds it: the bodies move apart or slide off each other; "
-                "reverse the load, move the bodies together, or hold this motion by a support";
-            break;
-          }
-        forcing = std::min(1e-2, std::max(1e-14, 0.1 * parameters.tolerance / step.residual));
-      }
-    else
-      // While many nodes still change, systems are solved as far as that is worth; the last ones for good.
-      forcing = step.n_changes > 4 + 0.05 * step.n_slip ? 1e-4 : solver_parameters.tolerance;
-  }
-
-// The result by interface and row.
-state.states.assign(interfaces.size(), {});
-state.pressures.assign(interfaces.size(), {});
-state.gaps.assign(interfaces.size(), {});
-state.tied_multipliers.assign(interfaces.size(), {});
-for (unsigned int k = 0; k < nodes.size(); ++k)
-  {
-    const auto i = nodes[k].interface;
-    state.states[i].push_back(nodes[k].tied ? ContactState::stick
-                              : closed[k]   ? ContactState::slip
-                                            : ContactState::open);
-    state.gaps[i].push_back(gap[k]);
-    std::vector<double> tied(nodes[k].tied ? dim : 0, 0.);
-    double              p = 0;
-    if (closed[k] && !report.iterations.empty() && first_equation[k] != numbers::invalid_unsigned_int)
-      {
-        if (nodes[k].tied)
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              tied[d] = multipliers[first_equation[k] + d] / nodes[k].area;
-              p += tied[d] * interfaces[i].coupling.rows[nodes[k].row].normal[d];
-            }
-        else
-          p = pressure[k];
-      }
-    state.pressures[i].push_back(p);
-    state.tied_multipliers[i].push_back(tied);
-  }
-if (!unheld.empty())
-  {
-    double force = 0;
-    for (const auto dof : discretization.locally_owned)
-      force += std::abs(proximal(dof) * du(dof));
-    const double load           = loads.l1_norm();
-    force                       = Utilities::MPI::sum(force, communicator);
-    report.regularisation_force = load > 0 ? force / load : force;
-  }
-if (!report.converged && report.message.empty())
-  report.message = "no converged contact set after " + std::to_string(report.iterations.size()) +
-                   " iterations (residual " + std::to_string(report.iterations.back().residual) + ", " +
-                   std::to_string(report.iterations.back().n_changes) +
-                   " nodes still change); try a finer mesh, smaller loads or more iterations";
-return report;
-}
-
-template class SemismoothNewton<2>;
+  template class SemismoothNewton<2>;
 } // namespace Amontons

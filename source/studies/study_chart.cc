@@ -78,9 +78,7 @@ namespace Amontons
           const double x_end = std::min(x.upper, x.lower * std::pow(start / y.lower, 1 / slope));
           const double y_end = start * std::pow(x_end / x.lower, -slope);
           out << "set arrow from first " << x.lower << ", first " << start << " to first " << x_end
-              << ", first " << y_end << " nohead back lw 1 dt (6, 4) lc rgb '#a0a0a0'\n"
-              << "set label 'h^" << order << "' at first " << x_end << ", first " << y_end
-              << " offset 0.3, 0.5 textcolor rgb '#808080'\n";
+              << ", first " << y_end << " nohead back lw 1 dt (6, 4) lc rgb '#a0a0a0'\n";
         }
     }
 
@@ -109,7 +107,13 @@ namespace Amontons
         }
     }
 
-    // "plot" with one curve for each series and quantity; for the legend, without data.
+    std::string
+    label_of(const Study &study, const StudySeries &series, const unsigned int quantity)
+    {
+      return study.quantities[quantity].label + (series.label.empty() ? "" : ", " + series.label);
+    }
+
+    // "plot" with one curve for each series and quantity; for the legend (column < 0), without data.
     void
     write_curves(const Study                    &study,
                  const std::vector<StudySeries> &all_series,
@@ -123,8 +127,6 @@ namespace Amontons
       for (unsigned int s = 0; s < all_series.size(); ++s)
         for (unsigned int q = 0; q < study.quantities.size(); ++q)
           {
-            const std::string label =
-                study.quantities[q].label + (all_series[s].label.empty() ? "" : ", " + all_series[s].label);
             out << separator;
             if (column < 0)
               out << "NaN";
@@ -132,9 +134,11 @@ namespace Amontons
               out << "$series_" << s << " using " << column + 1 << ":" << study.columns.size() + q + 1;
             out << " with linespoints lw 1.8 ps 0.7 dt " << q + 1 << " pt " << marks[q % marks.size()]
                 << " lc rgb '" << colours[s % colours.size()] << "' "
-                << (column < 0 ? "title " + quoted(label) : "notitle");
+                << (column < 0 ? "title " + quoted(label_of(study, all_series[s], q)) : "notitle");
             separator = ", \\\n     ";
           }
+      if (column < 0)
+        out << separator << "NaN with lines lw 1 dt (6, 4) lc rgb '#a0a0a0' title 'orders 1 and 2 in h'";
       out << "\n";
     }
 
@@ -179,18 +183,24 @@ namespace Amontons
                        std::ostream                   &out)
   {
     const std::vector<Panel> panels = panels_of(study);
-    const unsigned int n_curves     = std::max<unsigned int>(1, all_series.size() * study.quantities.size());
-    const unsigned int n_rows       = (n_curves + 2) / 3;
+    const double       canvas = 420 * panels.size();
+    std::size_t        longest = 20; // of the guides
+    for (const StudySeries &series : all_series)
+      for (unsigned int q = 0; q < study.quantities.size(); ++q)
+        longest = std::max(longest, label_of(study, series, q).size());
+    const unsigned int n_labels  = all_series.size() * study.quantities.size() + 1;
+    const unsigned int n_columns = std::max(1., canvas / (7.5 * longest + 60));
+    const unsigned int n_rows    = (n_labels + n_columns - 1) / n_columns;
     const double       height = 400 + 24. * n_rows, legend = (24. * n_rows + 12) / height;
     const double       top = 36 / height, width = 1. / panels.size();
 
     out << std::setprecision(8) << "# Written by `amontons study " << study.file << "`; run with gnuplot.\n"
-        << "set terminal svg size " << 420 * panels.size() << ", " << height
+        << "set terminal svg size " << canvas << ", " << height
         << " font 'Helvetica, Arial, sans-serif, 13' background 'white' rounded\n"
         << "set output "
         << "'" << stem << ".svg'\n";
     write_data(study, all_series, out);
-    out << "set multiplot\nset logscale xy\nset format xy '10^{%L}'\n"
+    out << "set multiplot\nset logscale xy\nset format xy '10^{%L}'\nset mxtics 1\nset mytics 1\n"
         << "set border 3 lw 1 lc rgb '#606060'\nset tics nomirror textcolor rgb '#303030'\n"
         << "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\n";
     bool first = true;

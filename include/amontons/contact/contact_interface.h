@@ -20,8 +20,8 @@ namespace Amontons
   };
 
   // Which side of each pair is the slave, decided once on the first mesh: true = first. Automatic: rigid
-  // bodies and obstacles are masters; else the clearly finer side (factor 1.5 in mean face size), else the
-  // softer body, else the first.
+  // bodies and obstacles are masters; else the finer, softer side: the smaller product of mean face size and
+  // Young modulus; the first if they are equal.
   template <int dim>
   std::vector<bool>
   choose_slaves(const Discretization<dim> &discretization);

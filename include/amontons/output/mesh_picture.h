@@ -38,7 +38,7 @@ namespace Amontons
   };
 
   // Cells coloured by von Mises stress, with a colour bar. Cells of less than a pixel are drawn as pixels,
-  // each once.
+  // each once. Empty where a window shows next to everything.
   std::string
   svg_mesh(const MeshPicture &picture, const Window &window, const std::string &title);
 } // namespace Amontons

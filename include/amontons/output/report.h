@@ -31,7 +31,8 @@ namespace Amontons
                   const ReferenceSolution        *exact      = nullptr,
                   const std::string              &exact_pair = "");
 
-  // Residuals by iteration, a curve per mesh of the last increment; errors and estimates by DoFs.
+  // Changes by iteration, a curve per mesh of the last increment that took several; errors and estimates by
+  // DoFs, without rounding errors.
   Chart
   iteration_chart(const RunSummary &summary);
   Chart

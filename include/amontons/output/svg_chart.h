@@ -17,16 +17,17 @@ namespace Amontons
   struct Chart
   {
     std::string        title, x_label, y_label;
-    bool               log_x = false, log_y = false;
+    bool               log_x = false, log_y = false; // a y axis that is not logarithmic includes 0
+    bool               whole_numbers = false;        // ticks
     std::vector<Curve> curves;
-    int                width = 560, height = 360;
+    int                width = 560, height = 360; // without the legend, which stands above the curves
   };
 
   std::string
   svg_chart(const Chart &chart);
 
   // Round numbers between lower and upper, about n of them (log: powers of ten, thinned out; 2 and 5 times
-  // these on short axes).
+  // these on short axes; round multiples on very short ones).
   std::vector<double>
   nice_ticks(const double lower, const double upper, const unsigned int n, const bool log);
 

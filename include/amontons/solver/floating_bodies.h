@@ -76,6 +76,8 @@ namespace Amontons
     with_equations(const std::vector<const LinearEquation *> &equations) const;
     std::string
     describe(const std::vector<double> &q) const;
+    Where
+    place_of(const std::vector<double> &q) const; // of the body or motion that moves most
 
     struct DofPlace
     {

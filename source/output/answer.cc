@@ -93,8 +93,7 @@ namespace Amontons
           lines.emplace_back(label,
                              "at " + vector_text(point.point) + ": displacement " +
                                  (point.displacement.empty() ? "-" : vector_text(point.displacement)) +
-                                 "; von Mises " +
-                                 short_number(point.von_mises));
+                                 "; von Mises " + short_number(point.von_mises));
           label.clear();
         }
     }

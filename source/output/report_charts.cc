@@ -131,9 +131,9 @@ namespace Amontons
   iteration_chart(const RunSummary &summary)
   {
     Chart chart;
-    chart.title   = "Convergence of the iteration";
-    chart.x_label = "iteration";
-    chart.y_label = "nodes that change their state";
+    chart.title         = "Convergence of the iteration";
+    chart.x_label       = "iteration";
+    chart.y_label       = "nodes that change their state";
     chart.whole_numbers = true;
     for (const NewtonSummary &newton : summary.newton)
       if (newton.increment == summary.newton.back().increment)

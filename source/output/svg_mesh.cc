@@ -192,8 +192,9 @@ namespace Amontons
     const std::string id = window.half_width > 0 ? "zoom" : "whole";
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h +
            "\" viewBox=\"0 0 " + w + " " + h +
-           "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<clipPath id=\"" + id +
-           "\"><rect x=\"" + pixels(margin) + "\" y=\"" + pixels(top) + "\" width=\"" + pixels(width) +
+           "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<rect width=\"100%\" "
+           "height=\"100%\" fill=\"#fff\"/>\n<clipPath id=\"" +
+           id + "\"><rect x=\"" + pixels(margin) + "\" y=\"" + pixels(top) + "\" width=\"" + pixels(width) +
            "\" height=\"" + pixels(height) + "\"/></clipPath>\n<text x=\"" + pixels(margin) +
            "\" y=\"20\" font-size=\"14\" font-weight=\"600\">" + escaped(title) +
            "</text>\n<g clip-path=\"url(#" + id + ")\">\n" + painter.svg() + "</g>\n" +

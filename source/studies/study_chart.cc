@@ -182,9 +182,9 @@ namespace Amontons
                        const std::string              &stem,
                        std::ostream                   &out)
   {
-    const std::vector<Panel> panels = panels_of(study);
-    const double       canvas = 420 * panels.size();
-    std::size_t        longest = 20; // of the guides
+    const std::vector<Panel> panels  = panels_of(study);
+    const double             canvas  = 420 * panels.size();
+    std::size_t              longest = 20; // of the guides
     for (const StudySeries &series : all_series)
       for (unsigned int q = 0; q < study.quantities.size(); ++q)
         longest = std::max(longest, label_of(study, series, q).size());

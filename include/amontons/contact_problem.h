@@ -16,7 +16,8 @@ namespace Amontons
     bool vtu    = true;
     bool report = true;
 
-    void declare(ParameterHandler &prm) override;
+    void
+    declare(ParameterHandler &prm) override;
   };
 
   // All sections of the .prm file that are not the scene itself.
@@ -28,43 +29,69 @@ namespace Amontons
     RefinementParameters     refinement;
     OutputParameters         output;
 
-    ParameterGroups groups() { return {&discretization, &newton, &linear_solver, &refinement, &output}; }
+    ParameterGroups
+    groups()
+    {
+      return {&discretization, &newton, &linear_solver, &refinement, &output};
+    }
   };
 
   template <int dim>
   class ContactProblem
   {
   public:
-    ContactProblem(const Scene &scene, const Parameters &parameters, const std::string &output_folder, const bool quiet);
+    ContactProblem(const Scene       &scene,
+                   const Parameters  &parameters,
+                   const std::string &output_folder,
+                   const bool         quiet);
 
     // Throws InputError; a failed iteration is reported in the summary's status.
-    RunSummary run();
+    RunSummary
+    run();
 
   private:
-    void make_mesh();
-    void rebuild();
-    void refine_where_bodies_are_close();
-    void set_load_factor(const double t);
-    bool solve_increment(const unsigned int increment);
-    bool solve_on_mesh(const unsigned int increment);
-    bool refine();
-    void estimate();
-    void carry_active_set();
-    void collect_fields();
-    void summarise_mesh(const unsigned int increment, const NewtonReport &report, const double seconds);
-    void add_notes(const NewtonReport &report);
-    void write_increment();
-    void finish();
-    Answer<dim> answer() const;
-    std::vector<CoveredPoint<dim>> covered_points() const;
+    void
+    make_mesh();
+    void
+    rebuild();
+    void
+    refine_where_bodies_are_close();
+    void
+    set_load_factor(const double t);
+    bool
+    solve_increment(const unsigned int increment);
+    bool
+    solve_on_mesh(const unsigned int increment);
+    double
+    estimated_error() const;
+    bool
+    refine();
+    void
+    estimate();
+    void
+    carry_active_set();
+    void
+    collect_fields();
+    void
+    summarise_mesh(const unsigned int increment, const NewtonReport &report, const double seconds);
+    void
+    add_notes(const NewtonReport &report);
+    void
+    write_increment();
+    void
+    finish();
+    Answer<dim>
+    answer() const;
+    std::vector<CoveredPoint<dim>>
+    covered_points() const;
 
-    const Scene             scene;
-    const Parameters       &parameters;
-    const std::string       folder;
-    const MPI_Comm          communicator;
-    Terminal                terminal;
-    Timer                   wall;
-    mutable TimerOutput     timer;
+    const Scene         scene;
+    const Parameters   &parameters;
+    const std::string   folder;
+    const MPI_Comm      communicator;
+    Terminal            terminal;
+    Timer               wall;
+    mutable TimerOutput timer;
 
     Geometry<dim>                            geometry;
     std::unique_ptr<Discretization<dim>>     discretization;

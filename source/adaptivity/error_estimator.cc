@@ -1,3 +1,4 @@
+#include <amontons/base/points.h>
 #include <amontons/adaptivity/error_estimator.h>
 #include <amontons/contact/face_basis.h>
 
@@ -36,19 +37,6 @@ namespace Amontons
         for (unsigned int j = i + 1; j < dim; ++j, ++k)
           tensor[i][j] = tensor[j][i] = sigma[k];
       return tensor * n;
-    }
-
-    // Point xi of face f of the unit cell, the face's coordinates being the cell's remaining ones in their
-    // order.
-    template <int dim>
-    Point<dim>
-    on_unit_cell(const unsigned int f, const Point<dim - 1> &xi)
-    {
-      Point<dim>   p;
-      unsigned int k = 0;
-      for (unsigned int d = 0; d < dim; ++d)
-        p[d] = d == f / 2 ? f % 2 : xi[k++];
-      return p;
     }
 
     template <int dim>

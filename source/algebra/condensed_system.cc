@@ -33,19 +33,37 @@ namespace Amontons
   }
 
   void
-  CondensedSystem::setup(const CellMatrices                &cells,
-                         const Constraints                 &supports,
-                         const std::vector<LinearEquation> &candidates)
+  CondensedSystem::setup(const CellMatrices                 &cells,
+                         const Constraints                  &supports,
+                         const std::vector<ContactEquation> &candidates)
   {
-    // The DoFs that a DoF of a possible slave node may be replaced by.
-    std::map<types::global_dof_index, std::set<types::global_dof_index>> partners;
-    for (const auto &equation : candidates)
-      for (const auto &a : equation.coefficients)
-        for (const auto &b : equation.coefficients)
-          partners[a.first].insert(b.first);
-    // Slave nodes of one pair may be masters of another: two steps reach what a chain of pairs connects.
-    std::vector<bool> is_surface(cells.n, false);
+    // What a DoF that may be eliminated can be replaced by, through any chain of pairs; DoFs that never are
+    // (masters, carriers) end a chain.
+    std::map<types::global_dof_index, std::vector<const LinearEquation *>> eliminating;
+    for (const auto &candidate : candidates)
+      for (const auto dof : candidate.candidates)
+        eliminating[dof].push_back(&candidate.equation);
+    const auto add_replacements = [&](const types::global_dof_index      first,
+                                      std::set<types::global_dof_index> &found) {
+      std::vector<types::global_dof_index> open = {first};
+      std::set<types::global_dof_index>    seen = {first};
+      while (!open.empty())
+        {
+          const auto equations = eliminating.find(open.back());
+          open.pop_back();
+          if (equations == eliminating.end())
+            continue;
+          for (const LinearEquation *equation : equations->second)
+            for (const auto &entry : equation->coefficients)
+              if (seen.insert(entry.first).second)
+                {
+                  found.insert(entry.first);
+                  open.push_back(entry.first);
+                }
+        }
+    };
 
+    std::vector<bool>                    is_surface(cells.n, false);
     DynamicSparsityPattern               dsp(relevant);
     std::vector<types::global_dof_index> dofs;
     surface_cells.clear();
@@ -53,25 +71,19 @@ namespace Amontons
       {
         dofs = cells.dofs(c);
         std::set<types::global_dof_index> more;
+        const auto                        consider = [&](const types::global_dof_index dof) {
+          if (eliminating.count(dof) > 0)
+            {
+              is_surface[c] = true;
+              add_replacements(dof, more);
+            }
+        };
         for (const auto dof : cells.dofs(c))
           {
-            const auto add_partners_of = [&](const types::global_dof_index d) {
-              if (const auto found = partners.find(d); found != partners.end())
-                {
-                  is_surface[c] = true;
-                  for (const auto partner : found->second)
-                    {
-                      more.insert(partner);
-                      if (const auto next = partners.find(partner);
-                          next != partners.end() && candidates.size() < 4000)
-                        more.insert(next->second.begin(), next->second.end());
-                    }
-                }
-            };
-            add_partners_of(dof);
+            consider(dof);
             if (supports.is_constrained(dof))
               for (const auto &entry : *supports.get_constraint_entries(dof))
-                add_partners_of(entry.first);
+                consider(entry.first);
           }
         if (is_surface[c])
           {

@@ -15,7 +15,9 @@ namespace Amontons
       {
         substitute(contact_equations[i].equation, supports);
         LinearEquation equation = contact_equations[i].equation;
-        substitute(equation, constraints, &contact_equations[i].candidates);
+        // Everything that is eliminated already is replaced, so that no line refers to an older one: lines
+        // never form a cycle, whatever the order of the pairs (close() would not end on one).
+        substitute(equation, constraints);
         pivot_dofs[i] = choose_pivot(equation, constraints, contact_equations[i].candidates);
         if (pivot_dofs[i])
           eliminate(equation, *pivot_dofs[i], constraints);

@@ -114,27 +114,89 @@ namespace Amontons
     }
   } // namespace
 
+  namespace
+  {
+    template <int dim>
+    void
+    integrate(const Discretization<dim>     &discretization,
+              std::vector<OverlapPoint<dim>> points,
+              const std::vector<bool>       &carries,
+              ContactInterface<dim>         &interface)
+    {
+      const bool faces_something     = !points.empty();
+      interface.n_without_multiplier = std::count(carries.begin(), carries.end(), false);
+      interface.coupling =
+          integrate_coupling(discretization, *interface.slave, interface.master, std::move(points), carries);
+      if (faces_something && interface.coupling.rows.empty())
+        throw InputError(
+            interface.pair->where,
+            "supports hold every node of the slave side, so that it cannot carry a contact pressure",
+            "the other side as slave ('Slave = first' or 'second')");
+    }
+
+    // A node on two slave surfaces with the same normal can stop only one of them there: it stays with the
+    // pair that is closer, and leaves its share in the other to its neighbours. Returns, by interface,
+    // whether it must be integrated again.
+    template <int dim>
+    std::vector<bool>
+    settle_shared_nodes(const std::vector<ContactInterface<dim>> &interfaces,
+                        std::vector<std::vector<bool>>           &carries)
+    {
+      struct Claim
+      {
+        unsigned int   interface, node;
+        double         gap;
+        Tensor<1, dim> normal;
+      };
+      std::vector<bool>                                     again(interfaces.size(), false);
+      std::map<types::global_dof_index, std::vector<Claim>> claims;
+      for (unsigned int i = 0; i < interfaces.size(); ++i)
+        for (const auto &row : interfaces[i].coupling.rows)
+          {
+            auto       &others = claims[interfaces[i].slave->nodes[row.node].dofs[0]];
+            const Claim claim{i, row.node, row.gap, row.normal / row.normal.norm()};
+            bool        wins = true;
+            for (auto &other : others)
+              if (claim.normal * other.normal > 0.99)
+                {
+                  const bool   loses_to = other.gap <= claim.gap + 1e-12 * interfaces[i].slave->mean_size;
+                  const Claim &loser    = loses_to ? claim : other;
+                  carries[loser.interface][loser.node] = false;
+                  again[loser.interface]               = true;
+                  if (!loses_to)
+                    other = claim;
+                  wins = false;
+                }
+            if (wins)
+              others.push_back(claim);
+          }
+      return again;
+    }
+  } // namespace
+
   template <int dim>
   void
   integrate_couplings(const Discretization<dim>          &discretization,
                       const Constraints                  &supports,
                       std::vector<ContactInterface<dim>> &interfaces)
   {
+    std::vector<std::vector<bool>> carries;
     for (auto &interface : interfaces)
       {
-        const auto carries = find_carrying_nodes(*interface.slave, supports, interface.pair->tied);
-        interface.n_without_multiplier = std::count(carries.begin(), carries.end(), false);
-        interface.coupling =
-            integrate_coupling(discretization,
-                               *interface.slave,
-                               interface.master,
-                               find_overlaps(*interface.pair,
-                                             *interface.slave,
-                                             interface.master,
-                                             search_distance(interface),
-                                             discretization.scene.kind == Kind::axisymmetric),
-                               carries);
+        carries.push_back(find_carrying_nodes(*interface.slave, supports, interface.pair->tied));
+        integrate(discretization,
+                  find_overlaps(*interface.pair,
+                                *interface.slave,
+                                interface.master,
+                                search_distance(interface),
+                                discretization.scene.kind == Kind::axisymmetric),
+                  carries.back(),
+                  interface);
       }
+    const auto again = settle_shared_nodes(interfaces, carries);
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      if (again[i])
+        integrate(discretization, interfaces[i].coupling.points, carries[i], interfaces[i]);
   }
 
   template std::vector<bool>

@@ -1,3 +1,4 @@
+#include <amontons/base/points.h>
 #include <amontons/contact/dual_basis.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/contact/face_overlap.h>
@@ -13,22 +14,17 @@ namespace Amontons
 {
   namespace
   {
-    template <int dim>
-    Point<3>
-    as_3d(const Point<dim> &p)
-    {
-      Point<3> q;
-      for (unsigned int d = 0; d < dim; ++d)
-        q[d] = p[d];
-      return q;
-    }
-
+    // What the lines along the normals meet within `reach`.
     template <int dim>
     BoundingBox<dim>
-    bounding_box(const SurfaceFace<dim> &face, const double margin)
+    swept_box(const ContactSurface<dim> &slave, const unsigned int face, const double reach)
     {
-      BoundingBox<dim> box(face.geometry);
-      box.extend(margin);
+      std::vector<Point<dim>> points;
+      for (const unsigned int node : slave.faces[face].nodes)
+        for (const double sign : {-1., 1.})
+          points.push_back(slave.nodes[node].X + sign * reach * slave.nodes[node].normal);
+      BoundingBox<dim> box(points);
+      box.extend(0.1 * slave.faces[face].size); // curvature between the nodes
       return box;
     }
 
@@ -79,7 +75,7 @@ namespace Amontons
     std::vector<std::pair<BoundingBox<dim>, unsigned int>> boxes;
     if (master.surface != nullptr)
       for (unsigned int m = 0; m < master.surface->faces.size(); ++m)
-        boxes.emplace_back(bounding_box(master.surface->faces[m], 0), m);
+        boxes.emplace_back(BoundingBox<dim>(master.surface->faces[m].geometry), m);
     const auto tree = pack_rtree(boxes);
 
     for (unsigned int s = 0; s < slave.faces.size(); ++s)
@@ -90,7 +86,7 @@ namespace Amontons
         else
           {
             std::vector<unsigned int> candidates;
-            const auto                box = bounding_box(slave.faces[s], reach);
+            const auto                box = swept_box(slave, s, reach);
             for (auto it = tree.qbegin(boost::geometry::index::intersects(box)); it != tree.qend(); ++it)
               candidates.push_back(it->second);
             std::sort(candidates.begin(), candidates.end());
@@ -162,7 +158,7 @@ namespace Amontons
   {
     struct Sums
     {
-      double                          area = 0;
+      double                          area         = 0;
       double                          smallest_gap = std::numeric_limits<double>::max(), face_size = 0;
       Tensor<1, dim>                  normal, gap; // gap: int psi g n
       std::map<unsigned int, double>  traces;
@@ -241,6 +237,9 @@ namespace Amontons
           }
       }
 
+    double closest = std::numeric_limits<double>::max();
+    for (const auto &p : points)
+      closest = std::min(closest, p.gap);
     for (const auto &[node, row] : sums)
       {
         CouplingRow<dim> result;
@@ -248,8 +247,9 @@ namespace Amontons
         result.area   = row.area;
         result.normal = row.normal / row.area;
         result.gap    = result.normal * row.gap / row.area;
-        // psi changes sign, and where the surface turns away from the other body gaps grow without bound: what is open all around stays open.
-        if (row.smallest_gap > 0.1 * row.face_size)
+        // psi changes sign, and where the surface turns away from the other body gaps grow without bound:
+        // what is open all around stays open.
+        if (row.smallest_gap - closest > 0.1 * row.face_size)
           result.gap = std::max(result.gap, row.smallest_gap);
         std::map<unsigned int, double> slave_weights;
         for (const auto &[j, trace] : row.traces)

@@ -9,8 +9,8 @@ namespace Amontons
 {
   namespace
   {
-    // Control values c of the projection: sum_j int B_i B_j c_j = sum_rows int psi_row B_i value_row over the overlap. Nodes of which
-    // next to nothing is covered take the mean of the others of their face.
+    // Control values c of the projection: sum_j int B_i B_j c_j = sum_rows int psi_row B_i value_row over the
+    // overlap. Nodes of which next to nothing is covered take the mean of the others of their face.
     template <int dim>
     std::vector<double>
     project(const ContactInterface<dim> &interface, const std::vector<double> &row_values)

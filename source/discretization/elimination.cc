@@ -5,18 +5,13 @@
 namespace Amontons
 {
   void
-  substitute(LinearEquation                             &equation,
-             const Constraints                          &constraints,
-             const std::vector<types::global_dof_index> *only)
+  substitute(LinearEquation &equation, const Constraints &constraints)
   {
-    const auto selected = [&](const types::global_dof_index dof) {
-      return only == nullptr || std::find(only->begin(), only->end(), dof) != only->end();
-    };
     for (bool changed = true; changed;)
       {
         changed = false;
         for (const auto &[dof, coefficient] : equation.coefficients)
-          if (selected(dof) && constraints.is_constrained(dof))
+          if (constraints.is_constrained(dof))
             {
               const auto  d       = dof;
               const auto  factor  = coefficient;

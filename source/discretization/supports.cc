@@ -1,4 +1,5 @@
 // What the scene prescribes about displacements, as affine constraints.
+#include <amontons/base/points.h>
 #include <amontons/discretization/discretization.h>
 #include <amontons/discretization/elimination.h>
 #include <amontons/scene/reference_solution.h>
@@ -10,16 +11,6 @@ namespace Amontons
 {
   namespace
   {
-    template <int dim>
-    Point<3>
-    as_3d(const Point<dim> &p)
-    {
-      Point<3> q;
-      for (unsigned int d = 0; d < dim; ++d)
-        q[d] = p[d];
-      return q;
-    }
-
     // Calls action(dofs of the node by component, position, unit normal of the face there) for every node of
     // every face of `boundary`.
     template <int dim, typename Action>
@@ -95,9 +86,19 @@ namespace Amontons
                     }
                 }
       }
-    constraints.make_consistent_in_parallel(locally_owned, relevant, geometry.communicator);
-    constraints.close();
-    return constraints;
+    // Ranks that see only part of a node's faces may have chosen another DoF to eliminate; the owner of a DoF
+    // sees all of them.
+    Constraints own(relevant);
+    for (const auto &line : constraints.get_lines())
+      if (locally_owned.is_element(line.index))
+        {
+          own.add_line(line.index);
+          own.add_entries(line.index, line.entries);
+          own.set_inhomogeneity(line.index, line.inhomogeneity);
+        }
+    own.make_consistent_in_parallel(locally_owned, relevant, geometry.communicator);
+    own.close();
+    return own;
   }
 
   // With A the corner at the reference point, B, C, D at distance s along x, y, z:
@@ -261,7 +262,8 @@ namespace Amontons
           const Point<3> p = as_3d(X);
           if (field && !std::isfinite(field(p).norm()))
             throw InputError(condition.field->where,
-                             "the field is not finite at (" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ")",
+                             "the field is not finite at (" + std::to_string(p[0]) + ", " +
+                                 std::to_string(p[1]) + ")",
                              "a field that is regular on the boundary");
           for (unsigned int c = 0; c < dim; ++c)
             if ((field || condition.displacement[c]) && !constraints.is_constrained(node[c]))

@@ -1,3 +1,4 @@
+#include <amontons/base/points.h>
 #include <amontons/elasticity/kinematics.h>
 #include <amontons/elasticity/loads.h>
 
@@ -7,16 +8,6 @@ namespace Amontons
 {
   namespace
   {
-    template <int dim>
-    Point<3>
-    as_3d(const Point<dim> &p)
-    {
-      Point<3> q;
-      for (unsigned int d = 0; d < dim; ++d)
-        q[d] = p[d];
-      return q;
-    }
-
     template <int dim, typename Action>
     void
     for_each_face(const Discretization<dim> &discretization,

@@ -208,6 +208,7 @@ namespace Amontons
         const auto mesh = make_body<dim>(scene.bodies[b], scene.kind, geometry.communicator);
         const auto box  = BoundingBox<dim>(mesh.vertices).get_boundary_points();
         geometry.body_sizes.push_back(box.first.distance(box.second));
+        geometry.body_centres.push_back(box.first + 0.5 * (box.second - box.first));
         largest = std::max(largest, geometry.body_sizes.back());
         polar_centres.push_back(mesh.polar_centre);
         add_body(mesh, b, geometry.boundaries, assembly);

@@ -14,15 +14,6 @@ namespace Amontons
       return std::to_string(n) + " " + (n == 1 ? one : many);
     }
 
-    std::string
-    vector_text(const std::vector<double> &v)
-    {
-      std::string text;
-      for (const double x : v)
-        text += (text.empty() ? "" : ", ") + short_number(x);
-      return "(" + text + ")";
-    }
-
     double
     norm(const std::vector<double> &v)
     {
@@ -30,6 +21,16 @@ namespace Amontons
       for (const double x : v)
         sum += x * x;
       return std::sqrt(sum);
+    }
+
+    // Rounding errors are shown as 0.
+    std::string
+    vector_text(const std::vector<double> &v)
+    {
+      std::string text;
+      for (const double x : v)
+        text += (text.empty() ? "" : ", ") + short_number(std::abs(x) > 1e-12 * norm(v) ? x : 0);
+      return "(" + text + ")";
     }
 
     std::string

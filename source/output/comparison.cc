@@ -1,4 +1,5 @@
 // Errors against closed forms.
+#include <amontons/base/points.h>
 #include <amontons/contact/surface_fields.h>
 #include <amontons/output/quantities.h>
 
@@ -46,16 +47,6 @@ namespace Amontons
             norm += weight * exact * exact;
           }
       return norm > 0 ? std::sqrt(difference / norm) : unknown;
-    }
-
-    template <int dim>
-    Point<3>
-    as_3d(const Point<dim> &p)
-    {
-      Point<3> q;
-      for (unsigned int d = 0; d < dim; ++d)
-        q[d] = p[d];
-      return q;
     }
 
     // Norms of the displacement error (rigid motions included) and, if the stress is known, of the stress

@@ -11,7 +11,7 @@ namespace Amontons
 {
   namespace
   {
-    constexpr double margin = 12, top = 34, largest = 460, bar_room = 90;
+    constexpr double margin = 12, top = 34, largest = 420, bar_room = 90;
     constexpr int    n_colours = 24;
 
     struct Box

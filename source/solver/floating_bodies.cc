@@ -21,7 +21,10 @@ namespace Amontons
     centres.resize(n_owners);
     sizes.assign(n_owners, 1.);
     for (unsigned int b = 0; b < n_bodies; ++b)
-      sizes[b] = discretization.geometry.body_sizes[b];
+      {
+        sizes[b]   = discretization.geometry.body_sizes[b];
+        centres[b] = discretization.geometry.body_centres[b];
+      }
 
     // Where each relevant DoF is and whom it belongs to.
     const auto                          &fe   = discretization.fe;
@@ -81,11 +84,14 @@ namespace Amontons
               for (unsigned int j = 0; j < n_modes; ++j)
                 supports_matrix(i, j) += e[i] * e[j];
         }
-    FullMatrix<double> sum(n_modes, n_modes);
+    std::vector<double> entries(n_modes * n_modes);
     for (unsigned int i = 0; i < n_modes; ++i)
       for (unsigned int j = 0; j < n_modes; ++j)
-        sum(i, j) = Utilities::MPI::sum(supports_matrix(i, j), discretization.geometry.communicator);
-    supports_matrix = sum;
+        entries[i * n_modes + j] = supports_matrix(i, j);
+    Utilities::MPI::sum(entries, discretization.geometry.communicator, entries);
+    for (unsigned int i = 0; i < n_modes; ++i)
+      for (unsigned int j = 0; j < n_modes; ++j)
+        supports_matrix(i, j) = entries[i * n_modes + j];
 
     const auto free = null_space(supports_matrix, 1e-12);
     n_free          = free.m() == 0 ? 0 : free.n();
@@ -306,8 +312,8 @@ namespace Amontons
       if (std::abs(q[i]) > std::abs(q[largest]) + 1e-6)
         largest = i;
     const unsigned int owner = largest / modes_per_body, n_bodies = discretization.scene.bodies.size();
-    return owner < n_bodies ? discretization.scene.bodies[owner].where :
-                              discretization.geometry.carriers[owner - n_bodies].motion.where;
+    return owner < n_bodies ? discretization.scene.bodies[owner].where
+                            : discretization.geometry.carriers[owner - n_bodies].motion.where;
   }
 
   template <int dim>

@@ -131,13 +131,14 @@ namespace Amontons
         if (!solver.is_direct(discretization.dof_handler.n_dofs()))
           solver.set_near_null_space(rigid_body_modes(discretization));
 
-        TimerOutput::Scope          scope(timer, "sparsity and bulk matrix");
-        std::vector<LinearEquation> candidates;
-        for (const auto *equation : all)
-          {
-            candidates.push_back(*equation);
-            substitute(candidates.back(), supports);
-          }
+        TimerOutput::Scope           scope(timer, "sparsity and bulk matrix");
+        std::vector<ContactEquation> candidates;
+        for (const auto &node : nodes)
+          for (const auto &equation : node.equations)
+            {
+              candidates.push_back(equation);
+              substitute(candidates.back().equation, supports);
+            }
         system.setup(cells(), supports, candidates);
       }
 
@@ -241,6 +242,7 @@ namespace Amontons
         step.krylov               = result.iterations;
         if (!result.success)
           {
+            first_equation.assign(nodes.size(), numbers::invalid_unsigned_int); // the multipliers are older
             report.message =
                 "the linear solver failed after " + std::to_string(result.iterations) + " iterations";
             return false;
@@ -274,7 +276,7 @@ namespace Amontons
             const auto &equation = nodes[k].equations[0].equation;
             const bool  carries  = closed[k] && constraints->pivots()[first_equation[k]];
             pressure[k]          = carries ? multipliers[first_equation[k]] / nodes[k].area : 0.;
-            gap[k]               = closed[k] ? 0. : equation.value - evaluate(equation, state.displacement);
+            gap[k]               = carries ? 0. : equation.value - evaluate(equation, state.displacement);
             (nodes[k].tied ? step.n_stick : closed[k] ? step.n_slip : step.n_open) += 1;
           }
       }
@@ -305,7 +307,9 @@ namespace Amontons
               next.push_back(closed[k]);
               largest = std::max(largest, std::abs(pressure[k]));
             }
-        step.n_changes     = active_set.update(p, g, c, 1e-9 * largest, next);
+        const double rounding =
+            1e-13 * (c.empty() ? 0. : *std::max_element(c.begin(), c.end())) * u.linfty_norm();
+        step.n_changes     = active_set.update(p, g, c, std::max(1e-9 * largest, rounding), next);
         report.safeguarded = report.safeguarded || active_set.safeguarded();
         for (unsigned int k = 0, n = 0; k < nodes.size(); ++k)
           if (!nodes[k].tied)

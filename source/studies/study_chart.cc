@@ -189,7 +189,7 @@ namespace Amontons
       for (unsigned int q = 0; q < study.quantities.size(); ++q)
         longest = std::max(longest, label_of(study, series, q).size());
     const unsigned int n_labels  = all_series.size() * study.quantities.size() + 1;
-    const unsigned int n_columns = std::max(1., canvas / (7.5 * longest + 60));
+    const unsigned int n_columns = std::max(1., canvas / (7 * longest + 90));
     const unsigned int n_rows    = (n_labels + n_columns - 1) / n_columns;
     const double       height = 400 + 24. * n_rows, legend = (24. * n_rows + 12) / height;
     const double       top = 36 / height, width = 1. / panels.size();
@@ -201,8 +201,7 @@ namespace Amontons
         << "'" << stem << ".svg'\n";
     write_data(study, all_series, out);
     out << "set multiplot\nset logscale xy\nset format xy '10^{%L}'\nset mxtics 1\nset mytics 1\n"
-        << "set border 3 lw 1 lc rgb '#606060'\nset tics nomirror textcolor rgb '#303030'\n"
-        << "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\n";
+        << "set border 3 lw 1 lc rgb '#606060'\nset tics nomirror textcolor rgb '#303030'\n";
     bool first = true;
     for (const Panel &panel : panels)
       {
@@ -214,9 +213,10 @@ namespace Amontons
       }
     out << "\nunset arrow\nunset label\nset label 1 " << quoted(study.title) << " at screen 0.5, screen "
         << 1 - top / 2 << " center noenhanced font ', 16'\nset size 1, " << legend
-        << "\nset origin 0, 0\nunset border\nunset tics\nunset grid\nunset xlabel\nunset ylabel\n"
+        << "\nset origin 0, 0\nunset border\nunset tics\nunset xlabel\nunset ylabel\n"
         << "set lmargin 0\nset rmargin 0\nset tmargin 0\nset bmargin 0\n"
-        << "set key center center Left reverse noenhanced maxrows " << n_rows << " samplen 3 width 1\n"
+        << "set key center center Left reverse noenhanced maxrows " << n_rows << " samplen 3 width "
+        << -0.2 * longest << "\n"
         << "set xrange [1:10]\nset yrange [1:10]\n";
     write_curves(study, all_series, -1, out);
     out << "unset multiplot\n";

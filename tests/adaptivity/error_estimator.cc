@@ -308,8 +308,7 @@ test_contact_terms()
   problem.set(Field<2>([&](const Point<2> &X) { return Tensor<1, 2>({0.2 * nu * X[0], -0.2 * X[1]}); }));
 
   const auto surface = [&](const std::string &body, const std::string &boundary) {
-    return std::make_unique<ContactSurface<2>>(*problem.discretization,
-                                               problem.geometry.boundary({body, boundary, {}}, scene));
+    return std::make_unique<ContactSurface<2>>(*problem.discretization, BoundaryName{body, boundary, {}, {}});
   };
   const PairData                   pair;
   std::vector<ContactInterface<2>> interfaces(1);

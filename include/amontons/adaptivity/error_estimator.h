@@ -11,23 +11,27 @@ namespace Amontons
   template <int dim>
   struct ErrorEstimate
   {
-    Vector<float> cell_indicators; // by active cell of this rank's triangulation (0 on cells of others and of rigid bodies): energy norm
+    Vector<float> cell_indicators; // by active cell of this rank's triangulation (0 on cells of others and of
+                                   // rigid bodies): energy norm
     Vector<float> contact_indicators; // the same for the L2 error of the contact pressure alone
-    double        bulk    = 0; // sqrt(sum eta_K^2) / energy norm of the recovered stress: relative
-    double        contact = 0; // relative L2 error of the contact pressure, estimated: see estimate_error; 0 without contact
+    double        bulk = 0;           // sqrt(sum eta_K^2) / energy norm of the recovered stress: relative
+    double        contact =
+        0; // relative L2 error of the contact pressure, estimated: see estimate_error; 0 without contact
   };
 
-  // Bulk: eta_K^2 = int_K (sigma* - sigma_h) : C^-1 : (sigma* - sigma_h)   (Zienkiewicz and Zhu 1987), with sigma* the recovered stress.
-  // Contact: eta_F^2 = h_F / E int_F (p + n . sigma_h n)^2 + |tangential part of sigma_h n|^2 on the slave faces of the coupling, the
-  // second term for frictionless pairs only (not for tied ones); added to the slave's cell and, in proportion to the overlaps, to the
-  // masters' cells: cell_indicators = sqrt(eta_K^2 + sum eta_F^2). `contact` = sqrt(sum_pairs int (p* - p)^2 / int p^2) over the slave faces,
-  // where p* = -n . sigma* . n is the recovered normal stress of the slave body. n is the normal of the true surface.
-  // fields: by interface. Collective.
+  // Bulk: eta_K^2 = int_K (sigma* - sigma_h) : C^-1 : (sigma* - sigma_h)   (Zienkiewicz and Zhu 1987), with
+  // sigma* the recovered stress. Contact: eta_F^2 = h_F / E int_F (p + n . sigma_h n)^2 + |tangential part of
+  // sigma_h n|^2 on the slave faces of the coupling, the second term for frictionless pairs only (not for
+  // tied ones); added to the slave's cell and, in proportion to the overlaps, to the masters' cells:
+  // cell_indicators = sqrt(eta_K^2 + sum eta_F^2). `contact` = sqrt(sum_pairs int (p* - p)^2 / int p^2) over
+  // the slave faces, where p* = -n . sigma* . n is the recovered normal stress of the slave body. n is the
+  // normal of the true surface. fields: by interface. Collective.
   template <int dim>
-  ErrorEstimate<dim> estimate_error(const Discretization<dim>                &discretization,
-                                    const ElasticityOperator<dim>            &elasticity,
-                                    const StressRecovery<dim>                &recovery,
-                                    const std::vector<ContactInterface<dim>> &interfaces,
-                                    const std::vector<SurfaceFields<dim>>    &fields,
-                                    const LA::Vector                         &displacement);
+  ErrorEstimate<dim>
+  estimate_error(const Discretization<dim>                &discretization,
+                 const ElasticityOperator<dim>            &elasticity,
+                 const StressRecovery<dim>                &recovery,
+                 const std::vector<ContactInterface<dim>> &interfaces,
+                 const std::vector<SurfaceFields<dim>>    &fields,
+                 const LA::Vector                         &displacement);
 } // namespace Amontons

@@ -11,41 +11,48 @@ namespace Amontons
 {
   struct RefinementParameters : ParameterGroup
   {
-    unsigned int cycles       = 0;          // refinements after the first solve
-    unsigned int max_dofs     = 1000000;    // no mesh with more than about this many DoFs
-    double       target_error = 0;          // stop once the estimated relative error of the contact pressure is below; 0: off
-    double       fraction     = 0.5;        // bulk (Doerfler) fraction of the squared error to be refined
-    std::string  strategy     = "adaptive"; // adaptive | uniform
-    // Before the first solve: refine faces that are close to the other surface until about this many faces see a contact.
+    unsigned int cycles   = 0;       // refinements after the first solve
+    unsigned int max_dofs = 1000000; // no mesh with more than about this many DoFs
+    double       target_error =
+        0; // stop once the estimated relative error of the contact pressure is below; 0: off
+    double      fraction = 0.5;        // bulk (Doerfler) fraction of the squared error to be refined
+    std::string strategy = "adaptive"; // adaptive | uniform
+    // Before the first solve: refine faces that are close to the other surface until about this many faces
+    // see a contact.
     unsigned int initial_refinements = 3;
 
-    void declare(ParameterHandler &prm) override;
+    void
+    declare(ParameterHandler &prm) override;
   };
 
-  // Marks the cells of deformable bodies with the largest indicators until their squares make `fraction` of the sum; uniform: all
-  // of them. Fewer where the mesh would get more than about max_dofs DoFs (uniform: none). Returns whether anything is marked, on any
-  // rank. Collective.
+  // Marks the cells of deformable bodies with the largest indicators until their squares make `fraction` of
+  // the sum; uniform: all of them. Fewer where the mesh would get more than about max_dofs DoFs (uniform:
+  // none). Returns whether anything is marked, on any rank. Collective.
   template <int dim>
-  bool mark_cells(const Discretization<dim>  &discretization,
-                  Geometry<dim>              &geometry,
-                  const RefinementParameters &parameters,
-                  const Vector<float>        &indicators);
+  bool
+  mark_cells(const Discretization<dim>  &discretization,
+             Geometry<dim>              &geometry,
+             const RefinementParameters &parameters,
+             const Vector<float>        &indicators);
 
-  // Marks the cells of deformable bodies behind slave and master faces that may touch first: faces with overlap points whose gap
-  // exceeds the smallest of the pair by at most `distance` times the face's size. Pairs with
-  // enough (8) close faces, or all of whose faces are close (conforming surfaces), are left alone. Returns how many it marked, on all
-  // ranks. Collective.
+  // Marks the cells of deformable bodies behind slave and master faces that may touch first: faces with
+  // overlap points whose gap exceeds the smallest of the pair by at most `distance` times the face's size.
+  // Pairs with enough (8) close faces, or all of whose faces are close (conforming surfaces), are left alone.
+  // Returns how many it marked, on all ranks. Collective.
   template <int dim>
-  unsigned int mark_close_cells(const Discretization<dim>                &discretization,
-                                const std::vector<ContactInterface<dim>> &interfaces,
-                                const double                              distance);
+  unsigned int
+  mark_close_cells(const Discretization<dim>                &discretization,
+                   const std::vector<ContactInterface<dim>> &interfaces,
+                   const double                              distance);
 
-  // Refines marked cells (never coarsens); displacement and traction are interpolated to the new mesh (a traction that is not of the
-  // mesh's size stays as it is). `rebuild` is called between refinement and interpolation: it must distribute the DoFs of the new
-  // mesh and leave discretization ready to make vectors. The caller then distributes constraints. Collective.
+  // Refines marked cells (never coarsens); displacement and traction are interpolated to the new mesh (a
+  // traction that is not of the mesh's size stays as it is). `rebuild` is called between refinement and
+  // interpolation: it must distribute the DoFs of the new mesh and leave discretization ready to make
+  // vectors. The caller then distributes constraints. Collective.
   template <int dim>
-  void refine_and_transfer(Discretization<dim>         &discretization,
-                           Geometry<dim>               &geometry,
-                           SolutionState               &state,
-                           const std::function<void()> &rebuild);
+  void
+  refine_and_transfer(Discretization<dim>         &discretization,
+                      Geometry<dim>               &geometry,
+                      SolutionState               &state,
+                      const std::function<void()> &rebuild);
 } // namespace Amontons

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <amontons/base/linear_algebra.h>
-#include <amontons/discretization/elimination.h>
+#include <amontons/algebra/contact_constraints.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -33,11 +33,11 @@ namespace Amontons
   public:
     CondensedSystem(const IndexSet &locally_owned, const IndexSet &relevant, MPI_Comm communicator);
 
-    // candidates: equations of all nodes that may close on this mesh.
+    // candidates: equations of all nodes that may close on this mesh, after substitution of the supports.
     void
-    setup(const CellMatrices                &cells,
-          const Constraints                 &supports,
-          const std::vector<LinearEquation> &candidates);
+    setup(const CellMatrices                 &cells,
+          const Constraints                  &supports,
+          const std::vector<ContactEquation> &candidates);
 
     // diagonal (may be null): added to the diagonal entry of each DoF before condensation.
     void
@@ -61,7 +61,6 @@ namespace Amontons
     const IndexSet            locally_owned, relevant;
     const MPI_Comm            communicator;
     std::vector<unsigned int> surface_cells;
-    std::vector<bool>         in_cells; // by owned DoF: some cell (of any rank) contributes to its row
     LA::SparseMatrix          bulk, system;
     double                    diagonal_scale = 1;
   };

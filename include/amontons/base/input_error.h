@@ -22,6 +22,8 @@ namespace Amontons
     InputError(const Where &where, const std::string &found, const std::string &allowed = "");
   };
 
-  // The `candidates` entry nearest to `word` by edit distance, as " (did you mean 'X'?)", or "" if none is near.
-  std::string suggestion(const std::string &word, const std::vector<std::string> &candidates);
+  // The `candidates` entry nearest to `word` by edit distance, as " (did you mean 'X'?)", or "" if none is
+  // near.
+  std::string
+  suggestion(const std::string &word, const std::vector<std::string> &candidates);
 } // namespace Amontons

@@ -1,4 +1,5 @@
-// All that changes only with the mesh: finite element, mapping, degrees of freedom, index sets, hanging nodes.
+// All that changes only with the mesh: finite element, mapping, degrees of freedom, index sets, hanging
+// nodes.
 #pragma once
 
 #include <amontons/base/linear_algebra.h>
@@ -15,11 +16,12 @@ namespace Amontons
 {
   struct DiscretizationParameters : ParameterGroup
   {
-    // Quadratic by default: at equal error in contact force and half-width it needs about a tenth of the unknowns
-    // of linear elements (doc/results: half-plane box).
+    // Quadratic by default: at equal error in contact force and half-width it needs about a tenth of the
+    // unknowns of linear elements (doc/results: half-plane box).
     unsigned int degree = 2;
 
-    void declare(ParameterHandler &prm) override;
+    void
+    declare(ParameterHandler &prm) override;
   };
 
   // Global DoF indices of the corners A, B, C(, D) of a carrier cell (see geometry.h), by component.
@@ -33,18 +35,24 @@ namespace Amontons
     Discretization(const Scene &scene, const Geometry<dim> &geometry, const unsigned int degree);
 
     // To be called after every change of the mesh.
-    void distribute_dofs();
+    void
+    distribute_dofs();
 
     // Makes further DoFs (of replicated contact surfaces) known on this rank.
-    void add_relevant(const IndexSet &dofs);
+    void
+    add_relevant(const IndexSet &dofs);
 
-    // Hanging nodes alone; and hanging nodes with everything that the scene prescribes at time t: displacements, symmetry
-    // planes, platens, rigid bodies and carriers. Consistent between ranks on all relevant DoFs; closed.
-    Constraints make_hanging_node_constraints() const;
-    Constraints make_supports(const double t) const;
+    // Hanging nodes alone; and hanging nodes with everything that the scene prescribes at time t:
+    // displacements, symmetry planes, platens, rigid bodies and carriers. Consistent between ranks on all
+    // relevant DoFs; closed.
+    Constraints
+    make_hanging_node_constraints() const;
+    Constraints
+    make_supports(const double t) const;
 
     // Corner weights N_k(X) of carrier m: u(X) = sum_k N_k(X) u_k.
-    std::array<double, dim + 1> carrier_weights(const unsigned int m, const Point<dim> &X) const;
+    std::array<double, dim + 1>
+    carrier_weights(const unsigned int m, const Point<dim> &X) const;
 
     const Scene         &scene;
     const Geometry<dim> &geometry;
@@ -52,27 +60,38 @@ namespace Amontons
     MappingQ<dim>        mapping;
     DoFHandler<dim>      dof_handler;
 
-    IndexSet locally_owned;
-    IndexSet relevant; // owned, ghosted, and whatever is replicated
+    IndexSet                      locally_owned;
+    IndexSet                      relevant;     // owned, ghosted, and whatever is replicated
     std::vector<CarrierDofs<dim>> carrier_dofs; // on every rank
     // Per rigid body: index of its carrier; numbers::invalid_unsigned_int for deformable bodies.
     std::vector<unsigned int> carrier_of_body;
 
-    bool is_deformable(const types::material_id id) const;
+    bool
+    is_deformable(const types::material_id id) const;
 
-    LA::Vector make_owned_vector() const;   // writable also at relevant DoFs of other ranks, compress(add) sums them
-    LA::Vector make_relevant_vector() const; // readable at all relevant DoFs
+    LA::Vector
+    make_owned_vector() const; // writable also at relevant DoFs of other ranks, compress(add) sums them
+    LA::Vector
+    make_relevant_vector() const; // readable at all relevant DoFs
 
   private:
-    void find_carrier_dofs();
-    void constrain_carriers(Constraints &constraints, const double t) const;
-    void constrain_rigid_bodies(Constraints &constraints) const;
-    void constrain_platen(Constraints &constraints, const ConditionData &condition) const;
-    void constrain_displacement(Constraints &constraints, const ConditionData &condition, const double t) const;
-    void constrain_symmetry(Constraints &constraints, const ConditionData &condition) const;
+    void
+    find_carrier_dofs();
+    void
+    constrain_carriers(Constraints &constraints, const double t) const;
+    void
+    constrain_rigid_bodies(Constraints &constraints) const;
+    void
+    constrain_platen(Constraints &constraints, const ConditionData &condition) const;
+    void
+    constrain_displacement(Constraints &constraints, const ConditionData &condition, const double t) const;
+    void
+    constrain_symmetry(Constraints &constraints, const ConditionData &condition) const;
   };
 
-  // Local indices, in the base element, of the nodes on face f, in lexicographic order of the face's coordinates.
+  // Local indices, in the base element, of the nodes on face f, in lexicographic order of the face's
+  // coordinates.
   template <int dim>
-  std::vector<unsigned int> nodes_on_face(const FiniteElement<dim> &base_element, const unsigned int f);
+  std::vector<unsigned int>
+  nodes_on_face(const FiniteElement<dim> &base_element, const unsigned int f);
 } // namespace Amontons

@@ -15,19 +15,20 @@ namespace Amontons
     double                                    value = 0;
   };
 
-  // Replaces every DoF of the equation that `constraints` already eliminates (directly or through others) by what it
-  // depends on; if `only` is given, only those of its DoFs.
-  void substitute(LinearEquation                               &equation,
-                  const Constraints                            &constraints,
-                  const std::vector<types::global_dof_index> *only = nullptr);
+  // Replaces every DoF of the equation that `constraints` already eliminates (directly or through others) by
+  // what it depends on.
+  void
+  substitute(LinearEquation &equation, const Constraints &constraints);
 
-  // The DoF among `candidates` to be eliminated: unconstrained and with the largest coefficient. Empty if none
-  // exceeds `threshold` (others own the node); equations are scaled by unit normals, so that 1 is large.
-  std::optional<types::global_dof_index> choose_pivot(const LinearEquation                               &equation,
-                                                      const Constraints                                  &constraints,
-                                                      const std::vector<types::global_dof_index> &candidates,
-                                                      const double                                        threshold = 1e-6);
+  // The DoF among `candidates` to be eliminated: unconstrained and with the largest coefficient. Empty if
+  // none exceeds `threshold` (others own the node); equations are scaled by unit normals, so that 1 is large.
+  std::optional<types::global_dof_index>
+  choose_pivot(const LinearEquation                       &equation,
+               const Constraints                          &constraints,
+               const std::vector<types::global_dof_index> &candidates,
+               const double                                threshold = 1e-6);
 
   // Adds the line u_pivot = (value - sum of the others) / coefficient_pivot.
-  void eliminate(const LinearEquation &equation, const types::global_dof_index pivot, Constraints &constraints);
+  void
+  eliminate(const LinearEquation &equation, const types::global_dof_index pivot, Constraints &constraints);
 } // namespace Amontons

@@ -13,26 +13,55 @@ namespace Amontons
     explicit ElasticityOperator(const Discretization<dim> &discretization);
 
     // K_e = int B^T C B over every owned cell of a deformable body.
-    void assemble();
+    void
+    assemble();
 
-    unsigned int                          n_cells() const { return cells.size(); }
-    const FullMatrix<double>             &matrix(const unsigned int c) const { return cells[c].matrix; }
-    const std::vector<types::global_dof_index> &dofs(const unsigned int c) const { return cells[c].dofs; }
-    types::material_id                    body(const unsigned int c) const { return cells[c].body; }
+    // After a change of the mesh, until the next assemble().
+    void
+    clear()
+    {
+      cells.clear();
+    }
 
-    // K u on unconstrained degrees of freedom (hanging nodes as if they were free); u readable at relevant DoFs.
-    LA::Vector apply(const LA::Vector &u) const;
+    unsigned int
+    n_cells() const
+    {
+      return cells.size();
+    }
+    const FullMatrix<double> &
+    matrix(const unsigned int c) const
+    {
+      return cells[c].matrix;
+    }
+    const std::vector<types::global_dof_index> &
+    dofs(const unsigned int c) const
+    {
+      return cells[c].dofs;
+    }
+    types::material_id
+    body(const unsigned int c) const
+    {
+      return cells[c].body;
+    }
+
+    // K u on unconstrained degrees of freedom (hanging nodes as if they were free); u readable at relevant
+    // DoFs.
+    LA::Vector
+    apply(const LA::Vector &u) const;
 
     // Norm of diag(K) u: what rounding is measured against.
-    double rounding_scale(const LA::Vector &u) const;
+    double
+    rounding_scale(const LA::Vector &u) const;
 
-    // Stress at the points of `values` (reinited on the cell; update flags as StrainOperator needs), from the same projected
-    // strain as the stiffness.
-    std::vector<Voigt<dim>> stresses(const FEValues<dim>                                         &values,
-                                     const typename DoFHandler<dim>::active_cell_iterator &cell,
-                                     const LA::Vector                                            &u) const;
+    // Stress at the points of `values` (reinited on the cell; update flags as StrainOperator needs), from the
+    // same projected strain as the stiffness.
+    std::vector<Voigt<dim>>
+    stresses(const FEValues<dim>                                  &values,
+             const typename DoFHandler<dim>::active_cell_iterator &cell,
+             const LA::Vector                                     &u) const;
 
-    static UpdateFlags needed_flags();
+    static UpdateFlags
+    needed_flags();
 
   private:
     struct CellStiffness
@@ -42,8 +71,8 @@ namespace Amontons
       types::material_id                   body;
     };
 
-    const Discretization<dim>       &discretization;
-    std::vector<LinearElastic<dim>>  materials; // per body
-    std::vector<CellStiffness>       cells;
+    const Discretization<dim>      &discretization;
+    std::vector<LinearElastic<dim>> materials; // per body
+    std::vector<CellStiffness>      cells;
   };
 } // namespace Amontons

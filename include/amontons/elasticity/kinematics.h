@@ -10,7 +10,8 @@ namespace Amontons
 {
   using namespace dealii;
 
-  // Components: 2D kinds xx, yy, zz, xy (axisymmetric: rr, zz, hoop, rz); 3D xx, yy, zz, xy, xz, yz. Shears are engineering strains.
+  // Components: 2D kinds xx, yy, zz, xy (axisymmetric: rr, zz, hoop, rz); 3D xx, yy, zz, xy, xz, yz. Shears
+  // are engineering strains.
   template <int dim>
   constexpr unsigned int n_voigt = dim == 2 ? 4 : 6;
 
@@ -25,26 +26,40 @@ namespace Amontons
     return kind == Kind::axisymmetric ? 2 * numbers::PI * X[0] : 1.;
   }
 
-  // Strain operator of one cell at all quadrature points: B[q][i] = strain of shape function i of the vector-valued element.
+  // Strain operator of one cell at all quadrature points: B[q][i] = strain of shape function i of the
+  // vector-valued element.
   //
   // Mean dilatation: div v is replaced by its projection on to the polynomials that the pressure can carry,
-  // constants for Q1 and span{1, x, y(, z)} for Q2 (inf-sup stable pairs Q1/P0 in practice, Q2/P1disc), in the weight of the kind:
+  // constants for Q1 and span{1, x, y(, z)} for Q2 (inf-sup stable pairs Q1/P0 in practice, Q2/P1disc), in
+  // the weight of the kind:
   //   B_bar = B + 1/3 (P div - div) (1, 1, 1, 0, ...).
-  // For nu = 0.3 it changes results by less than the discretisation error (doc/results), so it is always on; plane stress needs none.
+  // For nu = 0.3 it changes results by less than the discretisation error (doc/results), so it is always on;
+  // plane stress needs none.
   template <int dim>
   class StrainOperator
   {
   public:
     StrainOperator(const FiniteElement<dim> &fe, const Kind kind);
 
-    // values: update_values | update_gradients | update_quadrature_points | update_JxW_values, reinited on the cell.
-    void reinit(const FEValues<dim> &values);
+    // values: update_values | update_gradients | update_quadrature_points | update_JxW_values, reinited on
+    // the cell.
+    void
+    reinit(const FEValues<dim> &values);
 
-    const Voigt<dim> &strain(const unsigned int i, const unsigned int q) const { return B[q * n_dofs + i]; }
-    double            weight(const unsigned int q) const { return weights[q]; } // JxW times measure
+    const Voigt<dim> &
+    strain(const unsigned int i, const unsigned int q) const
+    {
+      return B[q * n_dofs + i];
+    }
+    double
+    weight(const unsigned int q) const
+    {
+      return weights[q];
+    } // JxW times measure
 
   private:
-    void project_dilatation(const FEValues<dim> &values);
+    void
+    project_dilatation(const FEValues<dim> &values);
 
     const FiniteElement<dim> &fe;
     const Kind                kind;

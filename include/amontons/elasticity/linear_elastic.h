@@ -5,14 +5,15 @@
 
 namespace Amontons
 {
-  // sigma = lambda tr(eps) I + 2 mu eps. Plane stress: lambda is replaced by 2 lambda mu / (lambda + 2 mu) and sigma_zz = 0;
-  // eps_zz of the argument is ignored.
+  // sigma = lambda tr(eps) I + 2 mu eps. Plane stress: lambda is replaced by 2 lambda mu / (lambda + 2 mu)
+  // and sigma_zz = 0; eps_zz of the argument is ignored.
   template <int dim>
   struct LinearElastic
   {
     LinearElastic(const MaterialData &material, const Kind kind);
 
-    Voigt<dim> stress(const Voigt<dim> &strain) const;
+    Voigt<dim>
+    stress(const Voigt<dim> &strain) const;
 
     double lambda, mu;
     bool   plane_stress;
@@ -20,8 +21,10 @@ namespace Amontons
   };
 
   // Bulk stiffness scale of the material: the plane-strain modulus E / (1 - nu^2).
-  double contact_modulus(const MaterialData &material);
+  double
+  contact_modulus(const MaterialData &material);
 
   template <int dim>
-  double von_mises(const Voigt<dim> &stress);
+  double
+  von_mises(const Voigt<dim> &stress);
 } // namespace Amontons

@@ -5,20 +5,23 @@
 
 namespace Amontons
 {
-  // A quadrature point of a boundary face of an owned cell where another body lies on it: pressure does not act there.
+  // A quadrature point of a boundary face of an owned cell where another body lies on it: pressure does not
+  // act there.
   template <int dim>
   struct CoveredPoint
   {
     typename DoFHandler<dim>::active_cell_iterator cell;
     unsigned int                                   face;
     Point<dim>                                     unit_point; // of the cell
-    double                                         weight;     // area, of the full turn in axisymmetric scenes
+    double                                         weight; // area, of the full turn in axisymmetric scenes
   };
 
-  // Body forces, tractions, pressures (on the exposed part of a face: its integral minus that over the covered points), total forces (as
-  // uniform tractions) and the forces and moments on rigid motions, on unconstrained degrees of freedom.
+  // Body forces, tractions, pressures (on the exposed part of a face: its integral minus that over the
+  // covered points), total forces (as uniform tractions) and the forces and moments on rigid motions, on
+  // unconstrained degrees of freedom.
   template <int dim>
-  LA::Vector assemble_loads(const Discretization<dim>            &discretization,
-                            const double                          t,
-                            const std::vector<CoveredPoint<dim>> &covered);
+  LA::Vector
+  assemble_loads(const Discretization<dim>            &discretization,
+                 const double                          t,
+                 const std::vector<CoveredPoint<dim>> &covered);
 } // namespace Amontons

@@ -5,15 +5,16 @@
 
 namespace Amontons
 {
-  // Nodal stresses sigma* by superconvergent patch recovery (Zienkiewicz and Zhu 1992): around every vertex inside a body, a polynomial
-  // of total degree p is fitted to sigma_h at the p^dim Gauss points of the cells that meet there; a node takes the value of the
-  // patches of its cell's vertices, weighted by their hat functions. Nodes on the surface of a body (and beside hanging nodes) take
-  // the polynomials of the inner vertices of their cells, so that sigma* is as accurate on the surface as inside. Cells without
-  // any inner vertex (bodies one cell thick) extrapolate from their own Gauss points. Averages over a node's cells make sigma*
-  // unique; hanging nodes follow their parents. Stresses that are polynomials of degree p on patches are reproduced.
-  // (Averages of extrapolated Gauss values would not do: for quadratic elements they reproduce the error of sigma_h, and the
-  // estimate falls below the error by one order.)
-  // To be made anew with every mesh. Zero on carriers and rigid bodies.
+  // Nodal stresses sigma* by superconvergent patch recovery (Zienkiewicz and Zhu 1992): around every vertex
+  // inside a body, a polynomial of total degree p is fitted to sigma_h at the p^dim Gauss points of the cells
+  // that meet there; a node takes the value of the patches of its cell's vertices, weighted by their hat
+  // functions. Nodes on the surface of a body (and beside hanging nodes) take the polynomials of the inner
+  // vertices of their cells, so that sigma* is as accurate on the surface as inside. Cells without any inner
+  // vertex (bodies one cell thick) extrapolate from their own Gauss points. Averages over a node's cells make
+  // sigma* unique; hanging nodes follow their parents. Stresses that are polynomials of degree p on patches
+  // are reproduced. (Averages of extrapolated Gauss values would not do: for quadratic elements they
+  // reproduce the error of sigma_h, and the estimate falls below the error by one order.) To be made anew
+  // with every mesh. Zero on carriers and rigid bodies.
   template <int dim>
   class StressRecovery
   {
@@ -21,13 +22,24 @@ namespace Amontons
     StressRecovery(const Discretization<dim> &discretization, const ElasticityOperator<dim> &elasticity);
 
     // Collective; displacement readable at relevant DoFs.
-    void recover(const LA::Vector &displacement);
+    void
+    recover(const LA::Vector &displacement);
 
-    const DoFHandler<dim>         &dof_handler() const { return scalar_dofs; } // scalar, same degree as the displacement
-    const std::vector<LA::Vector> &stress() const { return components; }       // n_voigt, readable at relevant DoFs
+    const DoFHandler<dim> &
+    dof_handler() const
+    {
+      return scalar_dofs;
+    } // scalar, same degree as the displacement
+    const std::vector<LA::Vector> &
+    stress() const
+    {
+      return components;
+    } // n_voigt, readable at relevant DoFs
 
-    // sigma* at the quadrature points of `values`, which must be reinited on a cell of dof_handler() (FE is that of dof_handler()).
-    std::vector<Voigt<dim>> values_at(const FEValuesBase<dim> &values) const;
+    // sigma* at the quadrature points of `values`, which must be reinited on a cell of dof_handler() (FE is
+    // that of dof_handler()).
+    std::vector<Voigt<dim>>
+    values_at(const FEValuesBase<dim> &values) const;
 
   private:
     const Discretization<dim>     &discretization;

@@ -44,7 +44,8 @@ namespace Amontons
                 const std::string                             &name,
                 const std::function<bool(const Point<dim> &)> &inside);
 
-  // Throws InputError for more cells than any machine holds, before they are made. Every rank holds the coarse mesh.
+  // Throws InputError for more cells than any machine holds, before they are made. Every rank holds the
+  // coarse mesh.
   template <int dim>
   void
   check_cell_count(const BodyData &body, const double n_coarse_cells);

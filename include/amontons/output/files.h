@@ -13,8 +13,9 @@ namespace Amontons
   void
   make_output_folder(const std::string &folder, const MPI_Comm communicator);
 
-  // After a run that failed: removes the folder, and the parents, that the last make_output_folder made. A folder that
-  // was there before stays. Not collective. After success, keep_output_folder: the folder is now the user's.
+  // After a run that failed: removes the folder, and the parents, that the last make_output_folder made. A
+  // folder that was there before stays. Not collective. After success, keep_output_folder: the folder is now
+  // the user's.
   void
   remove_new_output_folder();
   void

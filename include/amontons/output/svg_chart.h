@@ -20,7 +20,7 @@ namespace Amontons
     bool               log_x = false, log_y = false; // a y axis that is not logarithmic includes 0
     bool               whole_numbers = false;        // ticks
     std::vector<Curve> curves;
-    int                width = 560, height = 360; // without the legend, which stands above the curves
+    int                width = 530, height = 340; // without the legend, which stands above the curves
   };
 
   std::string

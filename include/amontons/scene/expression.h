@@ -1,4 +1,5 @@
-// A value written by the user: an expression of x, y, z, t (muParser through deal.II) or with tables of (t, value).
+// A value written by the user: an expression of x, y, z, t (muParser through deal.II) or with tables of (t,
+// value).
 #pragma once
 
 #include <amontons/base/input_error.h>
@@ -11,8 +12,8 @@
 namespace Amontons
 {
   // Copyable; copies share the parser (not thread safe, as muParser is not).
-  // "table(0: 0, 1: 5, 2: 3)" anywhere in the text stands for the piecewise linear function of t through these points
-  // (constant outside). Constants: pi. In axisymmetric scenes r may be written for x.
+  // "table(0: 0, 1: 5, 2: 3)" anywhere in the text stands for the piecewise linear function of t through
+  // these points (constant outside). Constants: pi. In axisymmetric scenes r may be written for x.
   class Expression
   {
   public:
@@ -21,16 +22,20 @@ namespace Amontons
     // Throws InputError at `where` if the text cannot be parsed.
     Expression(const std::string &text, const Where &where);
 
-    double             value(const dealii::Point<3> &p, const double t) const;
-    const std::string &text() const;
-    bool               is_zero() const; // the text is the constant zero
-    bool               is_constant() const; // does not depend on x, y, z, t
+    double
+    value(const dealii::Point<3> &p, const double t) const;
+    const std::string &
+    text() const;
+    bool
+    is_zero() const; // the text is the constant zero
+    bool
+    is_constant() const; // does not depend on x, y, z, t
 
   private:
     struct Parser;
     std::shared_ptr<Parser> parser;
-    std::string             source = "0";
+    std::string             source         = "0";
     double                  constant_value = 0;
-    bool                    constant = true;
+    bool                    constant       = true;
   };
 } // namespace Amontons

@@ -1,4 +1,5 @@
-// Closed-form solutions that the program is verified against; some also give displacements to impose on a boundary.
+// Closed-form solutions that the program is verified against; some also give displacements to impose on a
+// boundary.
 #pragma once
 
 #include <amontons/scene/scene.h>
@@ -20,23 +21,28 @@ namespace Amontons
     std::optional<double> approach;
     // a^2 / <r^2> of the pressure, <r^2> = int p r^2 / int p: 4 for Hertz lines, 2.5 for Hertz points
     std::optional<double> size_factor;
-    // pressure at distance r from the centre of the contact, and the interval of r over which L2 errors are taken
-    std::function<double(double)>   pressure;
-    double                          pressure_range = 0;
+    // pressure at distance r from the centre of the contact, and the interval of r over which L2 errors are
+    // taken
+    std::function<double(double)> pressure;
+    double                        pressure_range = 0;
     // position of the contact centre (reference configuration); r is measured from it
     dealii::Point<3> centre;
     // displacement and stress of one body (by name) where the field is known
-    std::function<dealii::Tensor<1, 3>(const std::string &body, const dealii::Point<3> &)>          displacement;
+    std::function<dealii::Tensor<1, 3>(const std::string &body, const dealii::Point<3> &)> displacement;
     std::function<dealii::SymmetricTensor<2, 3>(const std::string &body, const dealii::Point<3> &)> stress;
   };
 
-  // Builds the closed form `data.name`; throws InputError at data.where for an unknown name or a missing parameter.
-  ReferenceSolution make_reference_solution(const FieldData &data, const Scene &scene);
+  // Builds the closed form `data.name`; throws InputError at data.where for an unknown name or a missing
+  // parameter.
+  ReferenceSolution
+  make_reference_solution(const FieldData &data, const Scene &scene);
 
-  // Displacement field `data` for a body of the given material (plane problems), to be imposed as boundary values.
-  std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &)> make_displacement_field(const FieldData    &data,
-                                                                                      const MaterialData &material);
+  // Displacement field `data` for a body of the given material (plane problems), to be imposed as boundary
+  // values.
+  std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &)>
+  make_displacement_field(const FieldData &data, const MaterialData &material);
 
   // Names of all closed forms with their parameters and meanings, for --parameters and messages.
-  std::vector<std::pair<std::string, std::string>> reference_solution_names();
+  std::vector<std::pair<std::string, std::string>>
+  reference_solution_names();
 } // namespace Amontons

@@ -27,7 +27,11 @@ namespace Amontons
     three_dimensional
   };
 
-  inline int dimension_of(const Kind kind) { return kind == Kind::three_dimensional ? 3 : 2; }
+  inline int
+  dimension_of(const Kind kind)
+  {
+    return kind == Kind::three_dimensional ? 3 : 2;
+  }
 
   struct MaterialData
   {
@@ -49,9 +53,9 @@ namespace Amontons
   };
 
   // Rigid motion of an obstacle, a platen or a rigid body, about `reference`:
-  // u(X) = U + theta x (X - reference). Component i is prescribed where displacement[i] is set, else it is free and
-  // driven by force[i]; likewise rotations and moments (2D: only index 2, about z; axisymmetric: none).
-  // Forces of axisymmetric scenes are for the full turn; of plane scenes per unit thickness.
+  // u(X) = U + theta x (X - reference). Component i is prescribed where displacement[i] is set, else it is
+  // free and driven by force[i]; likewise rotations and moments (2D: only index 2, about z; axisymmetric:
+  // none). Forces of axisymmetric scenes are for the full turn; of plane scenes per unit thickness.
   struct MotionData
   {
     std::string                              name;
@@ -69,19 +73,20 @@ namespace Amontons
     Where       where;
 
     // shape: "block", "disk", "half disk", "quarter disk", "ring", "half ring", "quarter ring" or "file".
-    // Reference directions, before placement: half disk: the lower half y <= 0, boundaries "arc" (curved) and "cut" (y = 0);
-    // quarter disk: x >= 0, y <= 0, boundaries "arc", "cut" (y = 0), "axis" (x = 0);
-    // disk: "arc"; ring: "inner", "outer"; half ring y >= 0 and quarter ring x, y >= 0: also "cut x" (on y = 0), "cut y" (on x = 0).
-    // block: "left", "right" (x), "bottom", "top" (y in 2D, z in 3D), in 3D also "front", "back" (y).
+    // Reference directions, before placement: half disk: the lower half y <= 0, boundaries "arc" (curved) and
+    // "cut" (y = 0); quarter disk: x >= 0, y <= 0, boundaries "arc", "cut" (y = 0), "axis" (x = 0); disk:
+    // "arc"; ring: "inner", "outer"; half ring y >= 0 and quarter ring x, y >= 0: also "cut x" (on y = 0),
+    // "cut y" (on x = 0). block: "left", "right" (x), "bottom", "top" (y in 2D, z in 3D), in 3D also "front",
+    // "back" (y).
     std::string                 shape = "block";
-    std::string                 mesh_file; // absolute
-    Point<3>                    lower, upper;             // block
-    std::array<unsigned int, 3> cells       = {{1, 1, 1}}; // block: cells per direction of the coarse mesh
-    std::array<double, 3>       grading     = {{1, 1, 1}}; // block: ratio of last to first cell, per direction
-    Point<3>                    centre;                   // disks, rings
-    double                      radius       = 1;          // disks: radius; rings: outer radius
-    double                      inner_radius = 0.5;        // rings
-    unsigned int                refinements  = 0;          // uniform, before the first solve
+    std::string                 mesh_file;             // absolute
+    Point<3>                    lower, upper;          // block
+    std::array<unsigned int, 3> cells   = {{1, 1, 1}}; // block: cells per direction of the coarse mesh
+    std::array<double, 3>       grading = {{1, 1, 1}}; // block: ratio of last to first cell, per direction
+    Point<3>                    centre;                // disks, rings
+    double                      radius       = 1;      // disks: radius; rings: outer radius
+    double                      inner_radius = 0.5;    // rings
+    unsigned int                refinements  = 0;      // uniform, before the first solve
     // Placement: first rotate (degrees, about `rotation_axis` through `rotation_centre`), then shift.
     double       rotation_angle = 0;
     Tensor<1, 3> rotation_axis  = Tensor<1, 3>({0, 0, 1});
@@ -91,8 +96,9 @@ namespace Amontons
     MaterialData              material;
     std::array<Expression, 3> body_force; // per volume
 
-    std::map<std::string, TrueGeometry> true_geometry; // boundary name -> curved geometry, for meshes from files
-    std::optional<MotionData>           rigid;         // a rigid body (a meshed obstacle): all of it follows this motion
+    std::map<std::string, TrueGeometry>
+                              true_geometry; // boundary name -> curved geometry, for meshes from files
+    std::optional<MotionData> rigid; // a rigid body (a meshed obstacle): all of it follows this motion
   };
 
   struct BoundaryName
@@ -141,35 +147,38 @@ namespace Amontons
       sphere,     // 2D: circle; with `radius` about `centre`; `hollow`: the body is inside
       cylinder,   // 3D: about `axis` through `centre` (2D: a circle)
       paraboloid, // apex `centre`, apex normal `normal`: height = -r^2/(2 radius) along the normal
-      cone        // apex `centre`, apex normal `normal`, `flank` = angle (degrees) between the surface and the plane
+      cone // apex `centre`, apex normal `normal`, `flank` = angle (degrees) between the surface and the plane
     } type = Type::plane;
     Point<3>     centre;
     Tensor<1, 3> normal = Tensor<1, 3>({0, 1, 0});
     Tensor<1, 3> axis   = Tensor<1, 3>({0, 0, 1});
     double       radius = 1;
     double       flank  = 5;
-    double       size   = 0; // half-extent of the surface from `centre` normal to `normal` (sharp punch); 0: unbounded
-    bool         hollow = false;
-    MotionData   motion;
+    double       size =
+        0; // half-extent of the surface from `centre` normal to `normal` (sharp punch); 0: unbounded
+    bool       hollow = false;
+    MotionData motion;
   };
 
   struct PairData
   {
     std::string                 name;
     Where                       where;
-    BoundaryName                first;  // always a boundary of a body
-    std::optional<BoundaryName> second; // a boundary of another body, or
+    BoundaryName                first;    // always a boundary of a body
+    std::optional<BoundaryName> second;   // a boundary of another body, or
     std::string                 obstacle; // the name of an obstacle
-    // Which of the two carries the multiplier; automatic: the finer, softer side. Obstacles and rigid bodies are masters.
+    // Which of the two carries the multiplier; automatic: the finer, softer side. Obstacles and rigid bodies
+    // are masters.
     enum class Slave
     {
       automatic,
       first,
       second
     } slave = Slave::automatic;
-    std::optional<Expression> initial_gap; // replaces the geometric gap; function of the slave's reference position
-    double                    adjust = 0;  // geometric gaps of at most this size (either sign) count as zero
-    bool                      tied   = false;
+    std::optional<Expression>
+           initial_gap; // replaces the geometric gap; function of the slave's reference position
+    double adjust = 0;  // geometric gaps of at most this size (either sign) count as zero
+    bool   tied   = false;
   };
 
   // Values at a point, or at n points of a line, of a body.
@@ -193,7 +202,7 @@ namespace Amontons
   {
     std::string                  title;
     std::string                  file; // path as given
-    Kind                         kind = Kind::plane_strain;
+    Kind                         kind         = Kind::plane_strain;
     double                       end_time     = 1;
     unsigned int                 n_increments = 1;
     std::vector<BodyData>        bodies;

@@ -8,10 +8,14 @@
 
 namespace Amontons
 {
-  // Reads `file`, applies `overrides` ("Section/Name = value"), fills the groups, and checks all that can be checked
-  // without a mesh. Throws InputError.
-  Scene read_scene(const std::string &file, const std::vector<std::string> &overrides, const ParameterGroups &groups);
+  // Reads `file`, applies `overrides` ("Section/Name = value"), fills the groups, and checks all that can be
+  // checked without a mesh. Throws InputError.
+  Scene
+  read_scene(const std::string              &file,
+             const std::vector<std::string> &overrides,
+             const ParameterGroups          &groups);
 
   // Every parameter, its default and its meaning, as a .prm text that can be edited into a scene.
-  void print_parameters(std::ostream &out, const ParameterGroups &groups);
+  void
+  print_parameters(std::ostream &out, const ParameterGroups &groups);
 } // namespace Amontons

@@ -171,7 +171,7 @@ namespace Amontons
     terminal.mesh(increment,
                   scene.n_increments,
                   mesh_number,
-                  geometry.triangulation.n_global_active_cells(),
+                  geometry.triangulation.n_global_active_cells() - geometry.carriers.size(),
                   discretization->dof_handler.n_dofs());
     if (state.displacement.size() != discretization->dof_handler.n_dofs())
       state.displacement = discretization->make_relevant_vector();
@@ -279,7 +279,8 @@ namespace Amontons
               force += fields[i].area[n] * fields[i].multiplier[n];
               area += fields[i].area[n];
             }
-        const double threshold = area > 0 ? 0.06 * force / area : 0;
+        const double rounding  = 1e-12 * scene.bodies[interfaces[i].slave->body].material.young;
+        const double threshold = std::max(area > 0 ? 0.06 * force / area : 0., rounding);
         for (const auto &row : interfaces[i].coupling.rows)
           {
             const auto &node = interfaces[i].slave->nodes[row.node];

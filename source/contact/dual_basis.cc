@@ -94,6 +94,20 @@ namespace Amontons
           }
       }
 
+    // A single node takes all: psi = 1, whatever the covered part (slivers cannot be inverted).
+    if (std::count(carries_multiplier.begin(), carries_multiplier.end(), true) == 1)
+      {
+        const unsigned int i = std::find(carries_multiplier.begin(), carries_multiplier.end(), true) -
+                               carries_multiplier.begin();
+        result.psi.reinit(n, n_q);
+        result.traces.reinit(n, n);
+        for (unsigned int q = 0; q < n_q; ++q)
+          result.psi(i, q) = 1;
+        for (unsigned int f = 0; f < n; ++f)
+          result.traces(i, f) = D[f];
+        return result;
+      }
+
     // psi = D R^-T G^-1 L
     FullMatrix<double> G_inverse(n, n), R_inverse(n, n), RG(n, n);
     G_inverse.invert(G);

@@ -110,7 +110,7 @@ namespace Amontons
     double b = project_to_slave(slave, slave_face, master.position(master_face, Point<1>(1)));
     if (a > b)
       std::swap(a, b);
-    if (b - a < 1e-8)
+    if (b - a < 1e-12)
       return;
     integrate_segment(
         slave,
@@ -168,7 +168,7 @@ namespace Amontons
       ends.push_back(1);
 
     for (unsigned int i = 0; i + 1 < ends.size(); i += 2)
-      if (ends[i + 1] - ends[i] > 1e-8)
+      if (ends[i + 1] - ends[i] > 1e-12)
         integrate_segment(
             slave,
             slave_face,

@@ -57,7 +57,7 @@ namespace Amontons
           {
             const auto &row  = interfaces[i].coupling.rows[r];
             const bool  tied = interfaces[i].pair->tied;
-            nodes.push_back({i, r, tied, row.area, c, equations_of(row, slave.nodes[row.node], tied)});
+            nodes.push_back({i, r, tied, 1e-14 * contact_modulus(material), row.area, c, equations_of(row, slave.nodes[row.node], tied)});
           }
       }
     return nodes;

@@ -297,7 +297,7 @@ namespace Amontons
       {
         std::vector<double> p, g, c;
         std::vector<bool>   next;
-        double              largest = 0;
+        double              largest = 0, rounding = 0;
         for (unsigned int k = 0; k < nodes.size(); ++k)
           if (!nodes[k].tied)
             {
@@ -305,10 +305,10 @@ namespace Amontons
               g.push_back(gap[k]);
               c.push_back(nodes[k].c);
               next.push_back(closed[k]);
-              largest = std::max(largest, std::abs(pressure[k]));
+              largest  = std::max(largest, std::abs(pressure[k]));
+              rounding = std::max(rounding, nodes[k].rounding);
             }
-        const double rounding =
-            1e-13 * (c.empty() ? 0. : *std::max_element(c.begin(), c.end())) * u.linfty_norm();
+        rounding += 1e-13 * (c.empty() ? 0. : *std::max_element(c.begin(), c.end())) * u.linfty_norm();
         step.n_changes     = active_set.update(p, g, c, std::max(1e-9 * largest, rounding), next);
         report.safeguarded = report.safeguarded || active_set.safeguarded();
         for (unsigned int k = 0, n = 0; k < nodes.size(); ++k)

@@ -13,6 +13,7 @@ namespace Amontons
   {
     unsigned int interface, row;
     bool         tied;
+    double rounding; // a pressure that is none: 1e-14 times the modulus
     double       area, c; // c: complementarity parameter, scaling x E/(1 - nu^2) / mean face size
     std::vector<ContactEquation> equations;
   };

@@ -305,7 +305,8 @@ check_rings(const unsigned int degree, const double gap)
                           1);
         }
       for (const auto &row : problem.coupling().rows)
-        check::is_close(row.gap, gap, 1e-6, what + ": weighted gap", R);
+        // gap = normal . int psi g n / area, so that a uniform gap g gives g |normal|^2
+        check::is_close(row.gap / row.normal.norm_square(), gap, 1e-6, what + ": weighted gap", R);
     }
 }
 

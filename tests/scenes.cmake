@@ -69,12 +69,12 @@ foreach(degree 1 2)
   add_scene_test(NAME two_punches_q${degree} SCENE verification/two_punches.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
   add_scene_test(NAME three_blocks_q${degree} SCENE three_blocks.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
 endforeach()
-foreach(ratio 1e-6 1e6)
-  add_scene_test(NAME patch_stiffness_${ratio} SCENE verification/patch_pressure.prm
-                 # rounding times the ratio of the stiffnesses
-                 SET "Body upper/Young modulus=1" "Body lower/Young modulus=${ratio}"
-                 CHECK "reference.errors.pressure_l2 <= 1e-7" "reference.errors.nodal_peak_pressure <= 1e-7")
-endforeach()
+add_scene_test(NAME patch_stiffness_1e6 SCENE verification/patch_pressure.prm
+               SET "Body upper/Young modulus=1" "Body lower/Young modulus=1e6" CHECK ${EXACT})
+# The stiff body rides on the soft one: rounding of its displacement times the ratio of the stiffnesses (5.5e-9 measured).
+add_scene_test(NAME patch_stiffness_1e-6 SCENE verification/patch_pressure.prm
+               SET "Body upper/Young modulus=1" "Body lower/Young modulus=1e-6"
+               CHECK "reference.errors.pressure_l2 <= 1e-8" "reference.errors.nodal_peak_pressure <= 1e-8")
 
 # ---- Closed forms; the tolerances are the floors of the models
 

@@ -434,4 +434,5 @@ namespace Amontons
   }
 
   template class ContactProblem<2>;
+  template class ContactProblem<3>;
 } // namespace Amontons

@@ -90,11 +90,10 @@ namespace
   {
     Parameters  parameters;
     const Scene scene = read_scene(file, overrides, parameters.groups());
-    if (scene.kind == Kind::three_dimensional)
-      throw InputError(
-          {file, 0, "Kind"}, "found 3D", "allowed in this version: plane strain, plane stress, axisymmetric");
-    const RunSummary summary =
-        ContactProblem<2>(scene, parameters, output.empty() ? default_output(file) : output, quiet).run();
+    const std::string folder  = output.empty() ? default_output(file) : output;
+    const RunSummary  summary = scene.kind == Kind::three_dimensional
+                                   ? ContactProblem<3>(scene, parameters, folder, quiet).run()
+                                   : ContactProblem<2>(scene, parameters, folder, quiet).run();
     keep_output_folder();
     return summary;
   }

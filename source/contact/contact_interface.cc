@@ -1,6 +1,8 @@
 #include <amontons/contact/contact_interface.h>
 #include <amontons/discretization/elimination.h>
 
+#include <deal.II/numerics/rtree.h>
+
 namespace Amontons
 {
   template <int dim>
@@ -72,7 +74,7 @@ namespace Amontons
     // closest distance counts, and what lies within half the size of the smaller surface beyond it.
     template <int dim>
     double
-    search_distance(const ContactInterface<dim> &interface)
+    search_distance(const ContactInterface<dim> &interface, const MPI_Comm communicator)
     {
       const auto extent = [](const ContactSurface<dim> &surface) {
         std::vector<Point<dim>> points;
@@ -84,11 +86,18 @@ namespace Amontons
       double reach = extent(*interface.slave);
       if (interface.master.surface == nullptr)
         return 1e3 * reach;
-      reach          = 0.5 * std::min(reach, extent(*interface.master.surface));
-      double closest = std::numeric_limits<double>::max();
+      reach = 0.5 * std::min(reach, extent(*interface.master.surface));
+      std::vector<std::pair<Point<dim>, unsigned int>> centres;
+      for (const auto &face : interface.master.surface->faces)
+        centres.emplace_back(face.centre, centres.size());
+      const auto tree    = pack_rtree(centres);
+      double     closest = std::numeric_limits<double>::max();
       for (const auto &face : interface.slave->faces)
-        for (const auto &other : interface.master.surface->faces)
-          closest = std::min(closest, face.centre.distance(other.centre));
+        if (face.rank == Utilities::MPI::this_mpi_process(communicator))
+          closest = std::min(
+              closest,
+              tree.qbegin(boost::geometry::index::nearest(face.centre, 1))->first.distance(face.centre));
+      closest = Utilities::MPI::min(closest, communicator);
       return reach + 2 * closest;
     }
 
@@ -99,6 +108,11 @@ namespace Amontons
       std::vector<bool> carries;
       for (const auto &node : slave.nodes)
         {
+          if (!node.parents.empty()) // hanging nodes are no unknowns of their own
+            {
+              carries.push_back(false);
+              continue;
+            }
           LinearEquation equation;
           bool           any_free = false;
           for (unsigned int c = 0; c < dim; ++c)
@@ -124,7 +138,10 @@ namespace Amontons
               ContactInterface<dim>         &interface)
     {
       const bool faces_something     = !points.empty();
-      interface.n_without_multiplier = std::count(carries.begin(), carries.end(), false);
+      interface.n_without_multiplier = 0;
+      for (unsigned int i = 0; i < carries.size(); ++i)
+        if (!carries[i] && interface.slave->nodes[i].parents.empty())
+          ++interface.n_without_multiplier;
       interface.coupling =
           integrate_coupling(discretization, *interface.slave, interface.master, std::move(points), carries);
       if (faces_something && interface.coupling.rows.empty())
@@ -183,13 +200,17 @@ namespace Amontons
     std::vector<std::vector<bool>> carries;
     for (auto &interface : interfaces)
       {
+        const MPI_Comm communicator = discretization.geometry.communicator;
         carries.push_back(find_carrying_nodes(*interface.slave, supports, interface.pair->tied));
+        if (interface.reach == 0)
+          interface.reach = search_distance(interface, communicator);
         integrate(discretization,
                   find_overlaps(*interface.pair,
                                 *interface.slave,
                                 interface.master,
-                                search_distance(interface),
-                                discretization.scene.kind == Kind::axisymmetric),
+                                interface.reach,
+                                discretization.scene.kind == Kind::axisymmetric,
+                                communicator),
                   carries.back(),
                   interface);
       }
@@ -205,4 +226,10 @@ namespace Amontons
   make_interfaces(const Discretization<2> &, const std::vector<bool> &);
   template void
   integrate_couplings(const Discretization<2> &, const Constraints &, std::vector<ContactInterface<2>> &);
+  template std::vector<bool>
+  choose_slaves(const Discretization<3> &);
+  template std::vector<ContactInterface<3>>
+  make_interfaces(const Discretization<3> &, const std::vector<bool> &);
+  template void
+  integrate_couplings(const Discretization<3> &, const Constraints &, std::vector<ContactInterface<3>> &);
 } // namespace Amontons

@@ -3,6 +3,10 @@
 #include <amontons/contact/face_basis.h>
 
 #include <deal.II/base/mpi.templates.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <set>
 
 namespace Amontons
 {
@@ -22,6 +26,69 @@ namespace Amontons
         archive &dofs &positions &signs;
       }
     };
+
+    using DofLine = std::vector<std::pair<types::global_dof_index, double>>;
+
+    // The degree + 1 Lagrange polynomials of equidistant nodes and their derivatives.
+    template <unsigned int degree>
+    struct Lagrange
+    {
+      explicit Lagrange(const double x)
+      {
+        constexpr double n = degree;
+        for (unsigned int i = 0; i <= degree; ++i)
+          {
+            values[i]      = 1;
+            derivatives[i] = 0;
+            for (unsigned int j = 0; j <= degree; ++j)
+              if (j != i)
+                {
+                  const double slope  = n / (double(i) - double(j));
+                  const double factor = slope * (x - j / n);
+                  derivatives[i]      = derivatives[i] * factor + values[i] * slope;
+                  values[i] *= factor;
+                }
+          }
+      }
+
+      std::array<double, degree + 1> values, derivatives;
+    };
+
+    // Position and tangents of the face through points[stride_d i_d], i_d <= degree.
+    template <unsigned int degree, int dim>
+    typename ContactSurface<dim>::Frame
+    interpolate(const std::vector<Point<dim>> &points, const Point<dim - 1> &xi)
+    {
+      constexpr unsigned int              g = ContactSurface<dim>::geometry_degree, step = g / degree;
+      typename ContactSurface<dim>::Frame frame;
+      const Lagrange<degree>              a(xi[0]);
+      if constexpr (dim == 2)
+        for (unsigned int i = 0; i <= degree; ++i)
+          {
+            const Point<dim> &p = points[step * i];
+            frame.X += a.values[i] * p;
+            frame.tangents[0] += a.derivatives[i] * p;
+          }
+      else
+        {
+          const Lagrange<degree> b(xi[1]);
+          for (unsigned int j = 0; j <= degree; ++j)
+            {
+              Point<dim>     row;
+              Tensor<1, dim> slope;
+              for (unsigned int i = 0; i <= degree; ++i)
+                {
+                  const Point<dim> &p = points[step * (i + (g + 1) * j)];
+                  row += a.values[i] * p;
+                  slope += a.derivatives[i] * p;
+                }
+              frame.X += b.values[j] * row;
+              frame.tangents[0] += b.values[j] * slope;
+              frame.tangents[1] += b.derivatives[j] * row;
+            }
+        }
+      return frame;
+    }
 
     template <int dim>
     void
@@ -89,6 +156,8 @@ namespace Amontons
         degree(discretization.fe.degree), n_dofs(discretization.dof_handler.n_dofs())
   {
     collect_faces(discretization, name);
+    find_parents(discretization);
+    make_controls();
     make_normals(discretization);
   }
 
@@ -104,8 +173,11 @@ namespace Amontons
     const auto                          &fe   = discretization.fe;
     const auto                          &base = fe.base_element(0);
     const MappingQ<dim>                  true_geometry(geometry_degree);
+    const FE_Nothing<dim>                nothing;
     const auto                           fine = lattice<dim - 1>(geometry_degree);
     std::vector<types::global_dof_index> cell_dofs(fe.n_dofs_per_cell());
+    // By face number: the nodes, then the lattice.
+    std::array<std::unique_ptr<FEValues<dim>>, 2 * dim> points_of;
 
     FacePackage package;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
@@ -113,17 +185,24 @@ namespace Amontons
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary() && boundaries.count(cell->face(f)->boundary_id()) > 0)
             {
-              cell->get_dof_indices(cell_dofs);
-              for (const unsigned int i : nodes_on_face(base, f))
+              const auto on_face = nodes_on_face(base, f);
+              if (points_of[f] == nullptr)
                 {
-                  append(package.positions,
-                         true_geometry.transform_unit_to_real_cell(cell, base.unit_support_point(i)));
-                  for (unsigned int c = 0; c < dim; ++c)
-                    package.dofs.push_back(cell_dofs[fe.component_to_system_index(c, i)]);
+                  std::vector<Point<dim>> points;
+                  for (const unsigned int i : on_face)
+                    points.push_back(base.unit_support_point(i));
+                  for (const auto &xi : fine)
+                    points.push_back(on_unit_cell<dim>(f, xi));
+                  points_of[f] = std::make_unique<FEValues<dim>>(
+                      true_geometry, nothing, Quadrature<dim>(points), update_quadrature_points);
                 }
-              for (const auto &xi : fine)
-                append(package.positions,
-                       true_geometry.transform_unit_to_real_cell(cell, on_unit_cell<dim>(f, xi)));
+              points_of[f]->reinit(cell);
+              for (const auto &p : points_of[f]->get_quadrature_points())
+                append(package.positions, p);
+              cell->get_dof_indices(cell_dofs);
+              for (const unsigned int i : on_face)
+                for (unsigned int c = 0; c < dim; ++c)
+                  package.dofs.push_back(cell_dofs[fe.component_to_system_index(c, i)]);
               package.signs.push_back(orientation<dim>(f));
               owned.emplace_back(cell, f);
             }
@@ -132,7 +211,6 @@ namespace Amontons
     for (unsigned int d = 0; d < dim - 1; ++d)
       middle[d] = 0.5;
     const unsigned int                              n_nodes = Utilities::fixed_power<dim - 1>(degree + 1);
-    const auto                                      T       = control_matrix(degree, dim - 1);
     std::map<types::global_dof_index, unsigned int> node_of_dof;
 
     const auto packages = Utilities::MPI::all_gather(discretization.geometry.communicator, package);
@@ -156,21 +234,145 @@ namespace Amontons
               }
             for (unsigned int k = 0; k < fine.size(); ++k)
               face.geometry.push_back(take<dim>(part.positions, position));
-            for (unsigned int k = 0; k < n_nodes; ++k)
-              if (nodes[face.nodes[k]].control.empty())
-                for (unsigned int l = 0; l < n_nodes; ++l)
-                  if (T[k][l] != 0)
-                    nodes[face.nodes[k]].control.emplace_back(face.nodes[l], T[k][l]);
             face.sign        = part.signs[i];
             face.rank        = rank;
             face.owned_index = i;
             face.size        = face.geometry.front().distance(face.geometry.back());
+            face.straight    = true;
+            for (unsigned int k = 0; k < fine.size() && face.straight; ++k)
+              face.straight = interpolate<1, dim>(face.geometry, fine[k]).X.distance(face.geometry[k]) <=
+                              1e-14 * (face.size + face.geometry[k].norm());
             faces.push_back(face);
             faces.back().centre = this->position(faces.size() - 1, middle);
             mean_size += face.size;
           }
       }
     mean_size /= std::max<std::size_t>(1, faces.size());
+  }
+
+  // Hanging nodes with their parents; a parent that is on no face (the edge of a coarser cell that only
+  // touches the surface) joins the nodes.
+  template <int dim>
+  void
+  ContactSurface<dim>::find_parents(const Discretization<dim> &discretization)
+  {
+    const auto                                     &fe   = discretization.fe;
+    const auto                                     &base = fe.base_element(0);
+    const auto                                      comm = discretization.geometry.communicator;
+    std::vector<types::global_dof_index>            dofs(fe.n_dofs_per_cell());
+    std::map<types::global_dof_index, unsigned int> node_of_dof;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      node_of_dof[nodes[i].dofs[0]] = i;
+
+    std::map<types::global_dof_index, DofLine> lines;
+    for (const auto &[cell, f] : owned)
+      {
+        cell->get_dof_indices(dofs);
+        for (const unsigned int i : nodes_on_face(base, f))
+          if (const auto dof = dofs[fe.component_to_system_index(0, i)];
+              discretization.hanging_nodes.is_constrained(dof))
+            lines[dof] = *discretization.hanging_nodes.get_constraint_entries(dof);
+      }
+    std::set<types::global_dof_index> missing;
+    for (const auto &part : Utilities::MPI::all_gather(comm, lines))
+      for (const auto &[dof, line] : part)
+        {
+          lines[dof] = line;
+          for (const auto &entry : line)
+            if (node_of_dof.count(entry.first) == 0)
+              missing.insert(entry.first);
+        }
+
+    if (!missing.empty())
+      {
+        std::vector<std::pair<std::array<types::global_dof_index, dim>, Point<dim>>> found;
+        for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+          if (!cell->is_artificial())
+            {
+              cell->get_dof_indices(dofs);
+              for (unsigned int i = 0; i < base.n_dofs_per_cell(); ++i)
+                if (missing.erase(dofs[fe.component_to_system_index(0, i)]) > 0)
+                  {
+                    found.emplace_back();
+                    for (unsigned int c = 0; c < dim; ++c)
+                      found.back().first[c] = dofs[fe.component_to_system_index(c, i)];
+                    found.back().second =
+                        discretization.mapping.transform_unit_to_real_cell(cell, base.unit_support_point(i));
+                  }
+            }
+        for (const auto &part : Utilities::MPI::all_gather(comm, found))
+          for (const auto &[node_dofs, X] : part)
+            if (node_of_dof.emplace(node_dofs[0], nodes.size()).second)
+              {
+                nodes.emplace_back();
+                nodes.back().X    = X;
+                nodes.back().dofs = node_dofs;
+              }
+      }
+    for (const auto &[dof, line] : lines)
+      for (const auto &[parent, weight] : line)
+        nodes[node_of_dof.at(dof)].parents.emplace_back(node_of_dof.at(parent), weight);
+  }
+
+  // With x = nodal values of a face, X those of its unknowns, x = H X (hanging nodes) and control values
+  // c = T x, C = S X:  c = T H S^-1 C, where S holds the rows `control` of the unknowns.
+  template <int dim>
+  void
+  ContactSurface<dim>::make_controls()
+  {
+    const auto expand = [&](const unsigned int node) {
+      return nodes[node].parents.empty() ? std::vector<std::pair<unsigned int, double>>{{node, 1.}}
+                                         : nodes[node].parents;
+    };
+    const auto         T = control_matrix(degree, dim - 1);
+    const unsigned int n = T.size();
+    for (const auto &face : faces)
+      for (unsigned int k = 0; k < n; ++k)
+        if (auto &node = nodes[face.nodes[k]]; node.parents.empty() && node.control.empty())
+          {
+            std::map<unsigned int, double> row;
+            for (unsigned int l = 0; l < n; ++l)
+              if (T[k][l] != 0)
+                for (const auto &[parent, weight] : expand(face.nodes[l]))
+                  row[parent] += T[k][l] * weight;
+            for (const auto &[parent, weight] : row)
+              if (std::abs(weight) > 1e-14)
+                node.control.emplace_back(parent, weight);
+          }
+    for (auto &node : nodes) // on no face
+      if (node.parents.empty() && node.control.empty())
+        node.control.emplace_back(&node - nodes.data(), 1.);
+
+    for (auto &face : faces)
+      {
+        face.unknowns = face.nodes;
+        if (std::none_of(face.nodes.begin(), face.nodes.end(), [&](const unsigned int i) {
+              return !nodes[i].parents.empty();
+            }))
+          continue;
+        std::map<unsigned int, unsigned int> place; // nodes that do not hang first
+        for (const unsigned int i : face.nodes)
+          if (nodes[i].parents.empty())
+            place.emplace(i, place.size());
+        for (const unsigned int i : face.nodes)
+          for (const auto &parent : nodes[i].parents)
+            place.emplace(parent.first, place.size());
+        AssertThrow(place.size() == n, ExcMessage("hanging nodes of a contact face have too many parents"));
+        FullMatrix<double> TH(n, n), S(n, n);
+        for (const auto &[i, column] : place)
+          face.unknowns[column] = i;
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            for (unsigned int l = 0; l < n; ++l)
+              for (const auto &[parent, weight] : expand(face.nodes[l]))
+                TH(k, place.at(parent)) += T[k][l] * weight;
+            for (const auto &[i, weight] : nodes[face.unknowns[k]].control)
+              S(k, place.at(i)) += weight;
+          }
+        S.gauss_jordan();
+        face.subdivision.reinit(n, n);
+        TH.mmult(face.subdivision, S);
+      }
   }
 
   // Mean of the face normals at the node, weighted by nothing (2D: two faces); then made to lie in the
@@ -183,6 +385,10 @@ namespace Amontons
     for (unsigned int f = 0; f < faces.size(); ++f)
       for (unsigned int k = 0; k < faces[f].nodes.size(); ++k)
         nodes[faces[f].nodes[k]].normal += face_normal(f, points[k]);
+    for (const auto &node : nodes)
+      for (const auto &[parent, weight] : node.parents) // on no face
+        if (nodes[parent].normal.norm() == 0)
+          nodes[parent].normal += weight * node.normal;
     for (auto &node : nodes)
       node.normal /= node.normal.norm();
 
@@ -236,33 +442,25 @@ namespace Amontons
   }
 
   template <int dim>
-  Point<dim>
-  ContactSurface<dim>::position(const unsigned int face, const Point<dim - 1> &xi) const
+  typename ContactSurface<dim>::Frame
+  ContactSurface<dim>::frame(const unsigned int face, const Point<dim - 1> &xi) const
   {
-    const auto values = lagrange_values<dim - 1>(geometry_degree, xi);
-    Point<dim> p;
-    for (unsigned int i = 0; i < values.size(); ++i)
-      p += values[i] * faces[face].geometry[i];
-    return p;
+    return faces[face].straight ? interpolate<1, dim>(faces[face].geometry, xi)
+                                : interpolate<geometry_degree, dim>(faces[face].geometry, xi);
   }
 
   template <int dim>
-  std::array<Tensor<1, dim>, dim - 1>
-  ContactSurface<dim>::tangents(const unsigned int face, const Point<dim - 1> &xi) const
+  Point<dim>
+  ContactSurface<dim>::position(const unsigned int face, const Point<dim - 1> &xi) const
   {
-    const auto                          gradients = lagrange_gradients<dim - 1>(geometry_degree, xi);
-    std::array<Tensor<1, dim>, dim - 1> t;
-    for (unsigned int i = 0; i < gradients.size(); ++i)
-      for (unsigned int k = 0; k < dim - 1; ++k)
-        t[k] += gradients[i][k] * faces[face].geometry[i];
-    return t;
+    return frame(face, xi).X;
   }
 
   template <int dim>
   Tensor<1, dim>
   ContactSurface<dim>::face_normal(const unsigned int face, const Point<dim - 1> &xi, double *jacobian) const
   {
-    const Tensor<1, dim> n    = cross(tangents(face, xi));
+    const Tensor<1, dim> n    = cross(frame(face, xi).tangents);
     const double         area = n.norm();
     if (jacobian != nullptr)
       *jacobian = area;
@@ -271,13 +469,44 @@ namespace Amontons
 
   template <int dim>
   Tensor<1, dim>
-  ContactSurface<dim>::nodal_normal(const unsigned int face, const Point<dim - 1> &xi) const
+  ContactSurface<dim>::nodal_normal(const unsigned int                   face,
+                                    const Point<dim - 1>                &xi,
+                                    std::array<Tensor<1, dim>, dim - 1> *derivatives) const
   {
-    const auto     values = lagrange_values<dim - 1>(degree, xi);
-    Tensor<1, dim> n;
-    for (unsigned int i = 0; i < values.size(); ++i)
-      n += values[i] * nodes[faces[face].nodes[i]].normal;
-    return n / n.norm();
+    std::array<std::array<double, 3>, dim - 1> values, slopes;
+    const auto                                 fill = [&](const auto &polynomials, const unsigned int d) {
+      std::copy(polynomials.values.begin(), polynomials.values.end(), values[d].begin());
+      std::copy(polynomials.derivatives.begin(), polynomials.derivatives.end(), slopes[d].begin());
+    };
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      if (degree == 1)
+        fill(Lagrange<1>(xi[d]), d);
+      else
+        fill(Lagrange<2>(xi[d]), d);
+    const auto                         &face_nodes = faces[face].nodes;
+    const unsigned int                  n_1d       = degree + 1;
+    Tensor<1, dim>                      n;
+    std::array<Tensor<1, dim>, dim - 1> dn;
+    for (unsigned int k = 0; k < face_nodes.size(); ++k)
+      {
+        const Tensor<1, dim> &normal = nodes[face_nodes[k]].normal;
+        double                value  = 1;
+        for (unsigned int d = 0, rest = k; d < dim - 1; ++d, rest /= n_1d)
+          value *= values[d][rest % n_1d];
+        n += value * normal;
+        for (unsigned int e = 0; derivatives != nullptr && e < dim - 1; ++e)
+          {
+            double slope = 1;
+            for (unsigned int d = 0, rest = k; d < dim - 1; ++d, rest /= n_1d)
+              slope *= (d == e ? slopes : values)[d][rest % n_1d];
+            dn[e] += slope * normal;
+          }
+      }
+    const double length = n.norm();
+    n /= length;
+    for (unsigned int e = 0; derivatives != nullptr && e < dim - 1; ++e)
+      (*derivatives)[e] = (dn[e] - (dn[e] * n) * n) / length;
+    return n;
   }
 
   template <int dim>

@@ -33,7 +33,8 @@ namespace Amontons
   make_dual_basis(const unsigned int              degree,
                   const std::vector<Point<fdim>> &points,
                   const std::vector<double>      &weights,
-                  const std::vector<bool>        &carries_multiplier)
+                  const std::vector<bool>        &carries_multiplier,
+                  const FullMatrix<double>       &subdivision)
   {
     const unsigned int n = Utilities::fixed_power<fdim>(degree + 1), n_q = points.size();
     Point<fdim>        lower = points[0], upper = points[0];
@@ -73,9 +74,9 @@ namespace Amontons
           }
       }
 
-    FullMatrix<double>  B(n, n_q), L(n, n_q), G(n, n);
-    std::vector<double> D(n, 0.);
-    DualBasis<fdim>     result;
+    FullMatrix<double> B(n, n_q), L(n, n_q), G(n, n);
+    Vector<double>     D(n);
+    DualBasis<fdim>    result;
     result.mass.reinit(n, n);
     for (unsigned int q = 0; q < n_q; ++q)
       {
@@ -92,6 +93,15 @@ namespace Amontons
                 result.mass(i, j) += weights[q] * b[i] * b[j];
               }
           }
+      }
+
+    if (!subdivision.empty())
+      {
+        const Vector<double> local(D);
+        subdivision.Tvmult(D, local);
+        FullMatrix<double> product(n, n);
+        subdivision.Tmmult(product, result.mass);
+        product.mmult(result.mass, subdivision);
       }
 
     // A single node takes all: psi = 1, whatever the covered part (slivers cannot be inverted).
@@ -113,6 +123,13 @@ namespace Amontons
     G_inverse.invert(G);
     R_inverse.invert(R);
     R_inverse.Tmmult(RG, G_inverse);
+    if (!subdivision.empty())
+      {
+        FullMatrix<double> A_inverse(n, n);
+        A_inverse.invert(subdivision);
+        const FullMatrix<double> product(RG);
+        A_inverse.mmult(RG, product);
+      }
     result.psi.reinit(n, n_q);
     RG.mmult(result.psi, L);
     result.traces.reinit(n, n);
@@ -145,10 +162,12 @@ namespace Amontons
   make_dual_basis(const unsigned int,
                   const std::vector<Point<1>> &,
                   const std::vector<double> &,
-                  const std::vector<bool> &);
+                  const std::vector<bool> &,
+                  const FullMatrix<double> &);
   template DualBasis<2>
   make_dual_basis(const unsigned int,
                   const std::vector<Point<2>> &,
                   const std::vector<double> &,
-                  const std::vector<bool> &);
+                  const std::vector<bool> &,
+                  const FullMatrix<double> &);
 } // namespace Amontons

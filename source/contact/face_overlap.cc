@@ -37,11 +37,12 @@ namespace Amontons
                       const unsigned int            slave_face,
                       const double                  a,
                       const double                  b,
-                      const unsigned int            n_points,
+                      const double                  reach,
                       const Opposite               &opposite,
                       std::vector<OverlapPoint<2>> &points)
     {
-      const QGauss<1>   gauss(n_points);
+      // psi x N x geometry x r: degree 2p + 1 on straight faces; curved ones get two points more.
+      const QGauss<1>   gauss(slave.degree + 3);
       const std::size_t before = points.size();
       for (unsigned int q = 0; q < gauss.size(); ++q)
         {
@@ -53,12 +54,14 @@ namespace Amontons
           double jacobian;
           slave.face_normal(slave_face, p.xi_slave, &jacobian);
           p.weight = gauss.weight(q) * (b - a) * jacobian;
-          if (!opposite(p)) // rounding at the ends of a sliver: all of it or nothing
+          // rounding at the ends of a sliver: all of it or nothing
+          const bool found = opposite(p);
+          p.gap            = p.normal * (p.x_master - p.x_slave);
+          if (!found || std::abs(p.gap) > reach)
             {
               points.resize(before);
               return;
             }
-          p.gap = p.normal * (p.x_master - p.x_slave);
           points.push_back(p);
         }
     }
@@ -96,45 +99,48 @@ namespace Amontons
   }
 
   void
-  overlap_faces(const ContactSurface<2>      &slave,
-                const unsigned int            slave_face,
-                const ContactSurface<2>      &master,
-                const unsigned int            master_face,
-                const unsigned int            n_points,
-                std::vector<OverlapPoint<2>> &points)
+  overlap_faces(const ContactSurface<2>         &slave,
+                const unsigned int               slave_face,
+                const ContactSurface<2>         &master,
+                const std::vector<unsigned int> &master_faces,
+                const double                     reach,
+                std::vector<OverlapPoint<2>>    &points)
   {
     const Tensor<1, 2> n_slave = slave.face_normal(slave_face, Point<1>(0.5));
-    if (n_slave * master.face_normal(master_face, Point<1>(0.5)) > -0.1)
-      return;
-    double a = project_to_slave(slave, slave_face, master.position(master_face, Point<1>(0)));
-    double b = project_to_slave(slave, slave_face, master.position(master_face, Point<1>(1)));
-    if (a > b)
-      std::swap(a, b);
-    if (b - a < 1e-12)
-      return;
-    integrate_segment(
-        slave,
-        slave_face,
-        a,
-        b,
-        n_points,
-        [&](OverlapPoint<2> &p) {
-          const auto eta = project_to_master(master, master_face, p.x_slave, p.normal);
-          if (!eta)
-            return false;
-          p.master_face = master_face;
-          p.xi_master   = Point<1>(*eta);
-          p.x_master    = master.position(master_face, p.xi_master);
-          return true;
-        },
-        points);
+    for (const unsigned int master_face : master_faces)
+      {
+        if (n_slave * master.face_normal(master_face, Point<1>(0.5)) > -0.1)
+          continue;
+        double a = project_to_slave(slave, slave_face, master.position(master_face, Point<1>(0)));
+        double b = project_to_slave(slave, slave_face, master.position(master_face, Point<1>(1)));
+        if (a > b)
+          std::swap(a, b);
+        if (b - a < 1e-12)
+          continue;
+        integrate_segment(
+            slave,
+            slave_face,
+            a,
+            b,
+            reach,
+            [&](OverlapPoint<2> &p) {
+              const auto eta = project_to_master(master, master_face, p.x_slave, p.normal);
+              if (!eta)
+                return false;
+              p.master_face = master_face;
+              p.xi_master   = Point<1>(*eta);
+              p.x_master    = master.position(master_face, p.xi_master);
+              return true;
+            },
+            points);
+      }
   }
 
   void
   overlap_obstacle(const ContactSurface<2>      &slave,
                    const unsigned int            slave_face,
                    const ObstacleData           &obstacle,
-                   const unsigned int            n_points,
+                   const double                  reach,
                    std::vector<OverlapPoint<2>> &points)
   {
     const auto opposite = [&](const double xi) {
@@ -174,7 +180,7 @@ namespace Amontons
             slave_face,
             ends[i],
             ends[i + 1],
-            n_points,
+            reach,
             [&](OverlapPoint<2> &p) {
               const auto x  = project_to_obstacle(obstacle, p.x_slave, p.normal);
               p.master_face = numbers::invalid_unsigned_int;

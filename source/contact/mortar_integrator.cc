@@ -4,6 +4,7 @@
 #include <amontons/contact/face_overlap.h>
 #include <amontons/contact/mortar_integrator.h>
 
+#include <deal.II/base/mpi.templates.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/rtree.h>
 
@@ -66,46 +67,45 @@ namespace Amontons
                 const ContactSurface<dim> &slave,
                 const MasterSide<dim>     &master,
                 const double               reach,
-                const bool                 axisymmetric)
+                const bool                 axisymmetric,
+                const MPI_Comm             communicator)
   {
-    // psi x N x geometry x r: degree 2p + 1 on straight faces; curved ones get two points more.
-    const unsigned int             n_points = slave.degree + 3;
     std::vector<OverlapPoint<dim>> points;
 
     std::vector<std::pair<BoundingBox<dim>, unsigned int>> boxes;
     if (master.surface != nullptr)
       for (unsigned int m = 0; m < master.surface->faces.size(); ++m)
         boxes.emplace_back(BoundingBox<dim>(master.surface->faces[m].geometry), m);
-    const auto tree = pack_rtree(boxes);
+    const auto         tree = pack_rtree(boxes);
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
 
+    std::vector<unsigned int> candidates;
     for (unsigned int s = 0; s < slave.faces.size(); ++s)
-      {
-        std::vector<OverlapPoint<dim>> found;
-        if (master.surface == nullptr)
-          overlap_obstacle(slave, s, *master.obstacle, n_points, found);
-        else
-          {
-            std::vector<unsigned int> candidates;
-            const auto                box = swept_box(slave, s, reach);
-            for (auto it = tree.qbegin(boost::geometry::index::intersects(box)); it != tree.qend(); ++it)
-              candidates.push_back(it->second);
-            std::sort(candidates.begin(), candidates.end());
-            for (const unsigned int m : candidates)
-              overlap_faces(slave, s, *master.surface, m, n_points, found);
-          }
-        // Segments count whole or not at all, so that every part keeps a full formula.
-        for (std::size_t begin = 0; begin < found.size(); begin += n_points)
-          {
-            const auto first = found.begin() + begin, last = first + n_points;
-            if (std::any_of(first, last, [&](const auto &p) { return std::abs(p.gap) > reach; }))
+      if (slave.faces[s].rank == rank)
+        {
+          if (master.surface == nullptr)
+            {
+              overlap_obstacle(slave, s, *master.obstacle, reach, points);
               continue;
-            for (auto p = first; p != last; ++p)
-              {
-                apply_declared_gap(pair, slave.faces[s].size, *p);
-                p->weight *= measure_of(axisymmetric, p->x_slave);
-                points.push_back(*p);
-              }
-          }
+            }
+          candidates.clear();
+          const auto box = swept_box(slave, s, reach);
+          for (auto it = tree.qbegin(boost::geometry::index::intersects(box)); it != tree.qend(); ++it)
+            candidates.push_back(it->second);
+          std::sort(candidates.begin(), candidates.end());
+          overlap_faces(slave, s, *master.surface, candidates, reach, points);
+        }
+    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+      {
+        const auto parts = Utilities::MPI::all_gather(communicator, points);
+        points.clear();
+        for (const auto &part : parts)
+          points.insert(points.end(), part.begin(), part.end());
+      }
+    for (auto &p : points)
+      {
+        apply_declared_gap(pair, slave.faces[p.slave_face].size, p);
+        p.weight *= measure_of(axisymmetric, p.x_slave);
       }
     return points;
   }
@@ -119,25 +119,34 @@ namespace Amontons
                    const std::vector<OverlapPoint<dim>> &points,
                    const bool                            axisymmetric)
     {
-      std::vector<double>   covered(slave.nodes.size(), 0.), whole(slave.nodes.size(), 0.);
+      std::vector<double> covered(slave.nodes.size(), 0.), whole(slave.nodes.size(), 0.);
+      const auto          add = [&](std::vector<double>    &sums,
+                           const SurfaceFace<dim> &face,
+                           const Point<dim - 1>   &xi,
+                           const double            weight) {
+        const auto B = bernstein_values<dim - 1>(slave.degree, xi);
+        for (unsigned int i = 0; i < B.size(); ++i)
+          if (face.subdivision.empty())
+            sums[face.unknowns[i]] += weight * B[i];
+          else
+            for (unsigned int j = 0; j < B.size(); ++j)
+              sums[face.unknowns[j]] += weight * B[i] * face.subdivision(i, j);
+      };
+      for (const auto &p : points)
+        add(covered, slave.faces[p.slave_face], p.xi_slave, p.weight);
       const QGauss<dim - 1> gauss(slave.degree + 2);
       for (unsigned int f = 0; f < slave.faces.size(); ++f)
-        for (unsigned int q = 0; q < gauss.size(); ++q)
-          {
-            double jacobian;
-            slave.face_normal(f, gauss.point(q), &jacobian);
-            const double weight =
-                gauss.weight(q) * jacobian * measure_of(axisymmetric, slave.position(f, gauss.point(q)));
-            const auto B = bernstein_values<dim - 1>(slave.degree, gauss.point(q));
-            for (unsigned int i = 0; i < B.size(); ++i)
-              whole[slave.faces[f].nodes[i]] += weight * B[i];
-          }
-      for (const auto &p : points)
-        {
-          const auto B = bernstein_values<dim - 1>(slave.degree, p.xi_slave);
-          for (unsigned int i = 0; i < B.size(); ++i)
-            covered[slave.faces[p.slave_face].nodes[i]] += p.weight * B[i];
-        }
+        if (std::any_of(slave.faces[f].unknowns.begin(),
+                        slave.faces[f].unknowns.end(),
+                        [&](const unsigned int i) { return covered[i] > 0; }))
+          for (unsigned int q = 0; q < gauss.size(); ++q)
+            {
+              double jacobian;
+              slave.face_normal(f, gauss.point(q), &jacobian);
+              const double weight =
+                  gauss.weight(q) * jacobian * measure_of(axisymmetric, slave.position(f, gauss.point(q)));
+              add(whole, slave.faces[f], gauss.point(q), weight);
+            }
       for (unsigned int i = 0; i < whole.size(); ++i)
         covered[i] /= std::max(whole[i], 1e-300);
       return covered;
@@ -175,7 +184,8 @@ namespace Amontons
       {
         for (end = begin; end < points.size() && points[end].slave_face == points[begin].slave_face;)
           ++end;
-        const auto                 &nodes = slave.faces[points[begin].slave_face].nodes;
+        const auto                 &face  = slave.faces[points[begin].slave_face];
+        const auto                 &nodes = face.unknowns;
         std::vector<Point<dim - 1>> xi;
         std::vector<double>         weights;
         std::vector<bool>           carries;
@@ -191,7 +201,7 @@ namespace Amontons
             for (unsigned int j = 0; j < nodes.size(); ++j)
               if (carries[j])
                 coupling.slivers[nodes[i]].push_back(nodes[j]);
-        const auto basis = make_dual_basis<dim - 1>(slave.degree, xi, weights, carries);
+        const auto basis = make_dual_basis<dim - 1>(slave.degree, xi, weights, carries, face.subdivision);
 
         for (unsigned int i = 0; i < nodes.size(); ++i)
           {
@@ -271,11 +281,29 @@ namespace Amontons
   }
 
   template std::vector<OverlapPoint<2>>
-  find_overlaps(const PairData &, const ContactSurface<2> &, const MasterSide<2> &, const double, const bool);
+  find_overlaps(const PairData &,
+                const ContactSurface<2> &,
+                const MasterSide<2> &,
+                const double,
+                const bool,
+                const MPI_Comm);
   template Coupling<2>
   integrate_coupling(const Discretization<2> &,
                      const ContactSurface<2> &,
                      const MasterSide<2> &,
                      std::vector<OverlapPoint<2>>,
+                     const std::vector<bool> &);
+  template std::vector<OverlapPoint<3>>
+  find_overlaps(const PairData &,
+                const ContactSurface<3> &,
+                const MasterSide<3> &,
+                const double,
+                const bool,
+                const MPI_Comm);
+  template Coupling<3>
+  integrate_coupling(const Discretization<3> &,
+                     const ContactSurface<3> &,
+                     const MasterSide<3> &,
+                     std::vector<OverlapPoint<3>>,
                      const std::vector<bool> &);
 } // namespace Amontons

@@ -78,8 +78,12 @@ namespace Amontons
               xi[d] = double(rest % n) / surface.degree;
             const auto B = bernstein_values<dim - 1>(surface.degree, xi);
             double     v = 0;
-            for (unsigned int j = 0; j < B.size(); ++j)
-              v += B[j] * control[face.nodes[j]];
+            for (unsigned int i = 0; i < B.size(); ++i)
+              if (face.subdivision.empty())
+                v += B[i] * control[face.unknowns[i]];
+              else
+                for (unsigned int j = 0; j < B.size(); ++j)
+                  v += B[i] * face.subdivision(i, j) * control[face.unknowns[j]];
             nodal[face.nodes[k]] = v;
           }
       return nodal;
@@ -230,6 +234,16 @@ namespace Amontons
   template SurfaceFields<2>
   make_surface_fields(const Discretization<2> &,
                       const ContactInterface<2> &,
+                      const std::vector<ContactState> &,
+                      const std::vector<double> &,
+                      const std::vector<double> &,
+                      const std::vector<std::vector<double>> &,
+                      const LA::Vector &);
+  template double
+  value_on_face(const ContactSurface<3> &, const std::vector<double> &, const unsigned int, const Point<2> &);
+  template SurfaceFields<3>
+  make_surface_fields(const Discretization<3> &,
+                      const ContactInterface<3> &,
                       const std::vector<ContactState> &,
                       const std::vector<double> &,
                       const std::vector<double> &,

@@ -45,6 +45,9 @@ namespace Amontons
     dof_handler.distribute_dofs(fe);
     locally_owned = dof_handler.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    hanging_nodes.reinit(relevant);
+    DoFTools::make_hanging_node_constraints(dof_handler, hanging_nodes);
+    hanging_nodes.close();
     find_carrier_dofs();
   }
 
@@ -96,17 +99,6 @@ namespace Amontons
         weights[0] -= weights[k + 1];
       }
     return weights;
-  }
-
-  template <int dim>
-  Constraints
-  Discretization<dim>::make_hanging_node_constraints() const
-  {
-    Constraints constraints(relevant);
-    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-    constraints.make_consistent_in_parallel(locally_owned, relevant, geometry.communicator);
-    constraints.close();
-    return constraints;
   }
 
   template <int dim>

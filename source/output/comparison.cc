@@ -1,6 +1,7 @@
 // Errors against closed forms.
 #include <amontons/base/points.h>
 #include <amontons/contact/surface_fields.h>
+#include <amontons/output/approach.h>
 #include <amontons/output/quantities.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -16,6 +17,28 @@ namespace Amontons
       summary.errors[name] = std::abs(computed - exact) / std::abs(exact);
     }
 
+    // Whether all of a face is farther from the centre than the closed form is compared: curved faces lie in
+    // the ball about the mean of their nodes, with some margin. On closed surfaces it also keeps the opposite
+    // pole out.
+    template <int dim>
+    bool
+    is_out_of_range(const ContactSurface<dim> &surface,
+                    const unsigned int         face,
+                    const ReferenceSolution   &reference)
+    {
+      const auto    &nodes = surface.faces[face].nodes;
+      Tensor<1, dim> mean, centre;
+      for (const unsigned int i : nodes)
+        mean += surface.nodes[i].X;
+      mean /= nodes.size();
+      for (unsigned int k = 0; k < dim; ++k)
+        centre[k] = reference.centre[k];
+      double radius = 0;
+      for (const unsigned int i : nodes)
+        radius = std::max(radius, (surface.nodes[i].X - mean).norm());
+      return (mean - centre).norm() > reference.pressure_range + 1.2 * radius;
+    }
+
     // sqrt(int (p - p_exact)^2 / int p_exact^2) over the slave surface within the range of the closed form.
     template <int dim>
     double
@@ -28,25 +51,71 @@ namespace Amontons
       const QIterated<dim - 1> quadrature(QGauss<1>(3), dim == 2 ? 12 : 4);
       double                   difference = 0, norm = 0;
       for (unsigned int f = 0; f < slave.faces.size(); ++f)
-        for (unsigned int q = 0; q < quadrature.size(); ++q)
-          {
-            const auto    &xi = quadrature.point(q);
-            const auto     X  = slave.position(f, xi);
-            double         jacobian;
-            const auto     n = slave.face_normal(f, xi, &jacobian);
-            Tensor<1, dim> d;
-            for (unsigned int k = 0; k < dim; ++k)
-              d[k] = X[k] - reference.centre[k];
-            const double r = (d - (d * n) * n).norm();
-            if (r > reference.pressure_range)
-              continue;
-            const double weight = quadrature.weight(q) * jacobian * measure<dim>(kind, X);
-            const double exact  = reference.pressure(r);
-            const double error  = value_on_face(slave, fields.pressure, f, xi) - exact;
-            difference += weight * error * error;
-            norm += weight * exact * exact;
-          }
+        if (!is_out_of_range(slave, f, reference))
+          for (unsigned int q = 0; q < quadrature.size(); ++q)
+            {
+              const auto  &xi = quadrature.point(q);
+              const auto   X  = slave.position(f, xi);
+              double       jacobian;
+              const auto   n     = as_3d(Point<dim>(slave.face_normal(f, xi, &jacobian)));
+              const auto   d     = as_3d(X) - reference.centre;
+              Tensor<1, 3> along = d - (d * n) * n;
+              if (dim == 2) // out of the plane nothing is compared
+                along[2] = 0;
+              if (along.norm() > reference.pressure_range)
+                continue;
+              const double weight = quadrature.weight(q) * jacobian * measure<dim>(kind, X);
+              const double exact =
+                  reference.ellipse ? reference.ellipse->pressure(along) : reference.pressure(along.norm());
+              const double error = value_on_face(slave, fields.pressure, f, xi) - exact;
+              difference += weight * error * error;
+              norm += weight * exact * exact;
+            }
       return norm > 0 ? std::sqrt(difference / norm) : unknown;
+    }
+
+    // Semi-axis along a unit vector of the half-ellipsoidal pressure with the same spread: sqrt(5 int p x^2 /
+    // int p).
+    template <int dim>
+    double
+    semi_axis(const ContactInterface<dim> &interface,
+              const SurfaceFields<dim>    &fields,
+              const Tensor<1, 3>          &axis)
+    {
+      double force = 0, moment = 0;
+      for (const auto &p : interface.coupling.points)
+        {
+          const double f =
+              value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave) * p.weight;
+          const double x = (as_3d(p.x_slave) - as_3d(fields.centre)) * axis;
+          force += f;
+          moment += f * x * x;
+        }
+      return force > 0 ? std::sqrt(std::max(0., 5 * moment / force)) : 0;
+    }
+
+    // Stress components in the order of Voigt<dim> (kinematics.h) as a tensor.
+    template <int dim>
+    SymmetricTensor<2, 3>
+    as_tensor(const Voigt<dim> &s)
+    {
+      SymmetricTensor<2, 3> t;
+      for (unsigned int i = 0; i < 3; ++i)
+        t[i][i] = s[i];
+      t[0][1] = s[3];
+      if (dim == 3)
+        {
+          t[0][2] = s[n_voigt<dim> - 2];
+          t[1][2] = s[n_voigt<dim> - 1];
+        }
+      return t;
+    }
+
+    // Twice the density of the complementary energy: (1+nu)/E s:s - nu/E tr(s)^2
+    double
+    energy(const SymmetricTensor<2, 3> &s, const MaterialData &material)
+    {
+      return ((1 + material.poisson) * (s * s) - material.poisson * trace(s) * trace(s)) / material.young;
     }
 
     // Norms of the displacement error (rigid motions included) and, if the stress is known, of the stress
@@ -75,7 +144,6 @@ namespace Amontons
             std::vector<Voigt<dim>> stress;
             if (reference.stress)
               stress = answer.elasticity.stresses(values, cell, answer.state.displacement);
-            const double E = body.material.young, nu = body.material.poisson;
             for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
               {
                 const Point<3> X      = as_3d(values.quadrature_point(q));
@@ -103,30 +171,16 @@ namespace Amontons
                   }
                 if (reference.stress)
                   {
-                    const auto s = reference.stress(body.name, X);
-                    // 2 x energy density: (1+nu)/E s:s - nu/E tr(s)^2, with the out-of-plane stress of plane
-                    // strain
-                    const auto density =
-                        [&](const double xx, const double yy, const double zz, const double xy) {
-                          const double trace = xx + yy + zz;
-                          return (1 + nu) / E * (xx * xx + yy * yy + zz * zz + 2 * xy * xy) -
-                                 nu / E * trace * trace;
-                        };
-                    if (dim == 2)
-                      {
-                        sums[4] += weight * density(stress[q][0] - s[0][0],
-                                                    stress[q][1] - s[1][1],
-                                                    stress[q][2] - s[2][2],
-                                                    stress[q][3] - s[0][1]);
-                        sums[5] += weight * density(s[0][0], s[1][1], s[2][2], s[0][1]);
-                      }
+                    const auto exact_stress = reference.stress(body.name, X);
+                    sums[4] += weight * energy(as_tensor<dim>(stress[q]) - exact_stress, body.material);
+                    sums[5] += weight * energy(exact_stress, body.material);
                   }
               }
           }
       Utilities::MPI::sum(sums, discretization.geometry.communicator, sums);
       summary.errors["displacement_l2"] = std::sqrt(sums[0] / sums[1]);
       summary.errors["displacement_h1"] = std::sqrt(sums[2] / sums[3]);
-      if (reference.stress && dim == 2)
+      if (reference.stress)
         summary.errors["energy"] = std::sqrt(sums[4] / sums[5]);
     }
   } // namespace
@@ -150,8 +204,14 @@ namespace Amontons
     const double P            = fields.symmetry_factor * force.norm();
     const bool   line         = dim == 2 && answer.discretization.scene.kind != Kind::axisymmetric;
     const double hertz_factor = line ? 4 : 2.5;
-    const double a =
-        fields.contact_size * std::sqrt(reference.size_factor.value_or(hertz_factor) / hertz_factor);
+    double a = fields.contact_size * std::sqrt(reference.size_factor.value_or(hertz_factor) / hertz_factor),
+           b = a;
+    if (reference.ellipse)
+      {
+        a = semi_axis(answer.interfaces[i], fields, reference.ellipse->axes[0]);
+        b = semi_axis(answer.interfaces[i], fields, reference.ellipse->axes[1]);
+        add_value(summary, "contact_size_2", b, reference.ellipse->second_size);
+      }
     if (reference.normal_force)
       add_value(summary, "normal_force", P, *reference.normal_force);
     if (reference.contact_size)
@@ -159,16 +219,17 @@ namespace Amontons
     if (reference.peak_pressure)
       {
         add_value(summary, "nodal_peak_pressure", fields.peak_pressure, *reference.peak_pressure);
-        // Peak from the force and size: 2P/(pi a) in the plane, 3P/(2 pi a^2) for points; the nodal peak of
+        // Peak from the force and size: 2P/(pi a) in the plane, 3P/(2 pi a b) for points; the nodal peak of
         // Q1 is only O(h).
-        if (reference.contact_size && a > 0)
-          {
-            add_value(summary,
-                      "peak_pressure",
-                      line ? 2 * P / (numbers::PI * a) : 3 * P / (2 * numbers::PI * a * a),
-                      *reference.peak_pressure);
-          }
+        if (reference.contact_size && a * b > 0)
+          add_value(summary,
+                    "peak_pressure",
+                    line ? 2 * P / (numbers::PI * a) : 3 * P / (2 * numbers::PI * a * b),
+                    *reference.peak_pressure);
       }
+    if (reference.approach)
+      if (const auto approach = compute_approach(answer, i))
+        add_value(summary, "approach", *approach, *reference.approach);
     if (reference.pressure)
       summary.errors["pressure_l2"] =
           pressure_error(answer.interfaces[i], fields, reference, answer.discretization.scene.kind);
@@ -179,4 +240,6 @@ namespace Amontons
 
   template ReferenceSummary
   compare(const Answer<2> &, const ReferenceData &, const ReferenceSolution &);
+  template ReferenceSummary
+  compare(const Answer<3> &, const ReferenceData &, const ReferenceSolution &);
 } // namespace Amontons

@@ -278,4 +278,12 @@ namespace Amontons
   compute_reactions(const Answer<2> &);
   template std::map<std::string, double>
   check_physics(const Answer<2> &);
+  template std::vector<PairSummary>
+  summarize_pairs(const Answer<3> &);
+  template double
+  stored_energy(const Answer<3> &);
+  template std::vector<ReactionSummary>
+  compute_reactions(const Answer<3> &);
+  template std::map<std::string, double>
+  check_physics(const Answer<3> &);
 } // namespace Amontons

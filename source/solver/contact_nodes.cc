@@ -97,4 +97,11 @@ namespace Amontons
                               const std::vector<ContactInterface<2>> &,
                               const FloatingBodies<2> &,
                               const LA::Vector &);
+  template std::vector<CandidateNode>
+  collect_contact_nodes(const Discretization<3> &, const std::vector<ContactInterface<3>> &, const double);
+  template std::vector<bool>
+  first_guess_of_closed_nodes(const std::vector<CandidateNode> &,
+                              const std::vector<ContactInterface<3>> &,
+                              const FloatingBodies<3> &,
+                              const LA::Vector &);
 } // namespace Amontons

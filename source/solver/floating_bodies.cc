@@ -376,4 +376,5 @@ namespace Amontons
   }
 
   template class FloatingBodies<2>;
+  template class FloatingBodies<3>;
 } // namespace Amontons

@@ -440,4 +440,5 @@ namespace Amontons
   }
 
   template class SemismoothNewton<2>;
+  template class SemismoothNewton<3>;
 } // namespace Amontons

@@ -55,7 +55,7 @@ struct Problem
   {
     LA::Vector owned(discretization->locally_owned, geometry.communicator);
     VectorTools::interpolate(discretization->mapping, discretization->dof_handler, u, owned);
-    discretization->make_hanging_node_constraints().distribute(owned);
+    discretization->hanging_nodes.distribute(owned);
     displacement = discretization->make_relevant_vector();
     displacement = owned;
     recovery->recover(displacement);

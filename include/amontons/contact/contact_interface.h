@@ -17,6 +17,8 @@ namespace Amontons
     MasterSide<dim>                      master;
     Coupling<dim> coupling; // small sliding: integrated once per mesh, in the reference configuration
     unsigned int  n_without_multiplier = 0; // slave nodes that supports own whole
+    // Gaps up to this are part of the coupling. 0: not known yet, chosen from the sizes of the surfaces.
+    double reach = 0;
   };
 
   // Which side of each pair is the slave, decided once on the first mesh: true = first. Automatic: rigid

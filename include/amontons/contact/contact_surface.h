@@ -4,6 +4,7 @@
 #include <amontons/discretization/discretization.h>
 
 #include <deal.II/base/tensor.h>
+#include <deal.II/lac/full_matrix.h>
 
 namespace Amontons
 {
@@ -13,7 +14,10 @@ namespace Amontons
     Point<dim>                               X; // reference position
     std::array<types::global_dof_index, dim> dofs;
     Tensor<1, dim> normal; // unit, outward: mean over the faces that meet here; within symmetry planes
-    // Control value of the Bernstein trace at this node: c = sum of weight x nodal value (see face_basis.h).
+    // A hanging node: its displacement is sum of weight x that of these nodes, which do not hang. Else empty.
+    std::vector<std::pair<unsigned int, double>> parents;
+    // Control value of the Bernstein trace at this node: c = sum of weight x nodal value (see face_basis.h),
+    // over nodes that do not hang. Hanging nodes have none.
     std::vector<std::pair<unsigned int, double>> control;
     std::vector<Tensor<1, dim>> symmetry_planes; // unit normals of the planes (and the axis) that it lies on
   };
@@ -23,12 +27,18 @@ namespace Amontons
   {
     std::vector<unsigned int> nodes; // (degree+1)^(dim-1), lexicographic
     std::vector<Point<dim>>
-                 geometry; // true surface: lattice of (geometry_degree+1)^(dim-1) points, lexicographic
-    double       sign;     // of the outward normal against the cross product of the tangents
-    double       size;
-    Point<dim>   centre;
-    unsigned int rank;        // owner of the cell, and
-    unsigned int owned_index; // place in `owned` there
+               geometry; // true surface: lattice of (geometry_degree+1)^(dim-1) points, lexicographic
+    double     sign;     // of the outward normal against the cross product of the tangents
+    double     size;
+    Point<dim> centre;
+    bool       straight; // geometry is the (bi)linear interpolation of the corners
+    // Nodes whose control values determine the face: `nodes`, but for hanging ones, whose place parents take;
+    // as many as `nodes`. Local control value i = sum_j subdivision(i, j) x that of unknowns[j] (weights
+    // >= 0, of sum 1); empty for the identity.
+    std::vector<unsigned int> unknowns;
+    FullMatrix<double>        subdivision;
+    unsigned int              rank;        // owner of the cell, and
+    unsigned int              owned_index; // place in `owned` there
   };
 
   template <int dim>
@@ -45,15 +55,23 @@ namespace Amontons
 
     Point<dim>
     position(const unsigned int face, const Point<dim - 1> &xi) const;
-    // Columns: tangent vectors dX/dxi_k.
-    std::array<Tensor<1, dim>, dim - 1>
-    tangents(const unsigned int face, const Point<dim - 1> &xi) const;
+    // Position and tangent vectors dX/dxi_k.
+    struct Frame
+    {
+      Point<dim>                          X;
+      std::array<Tensor<1, dim>, dim - 1> tangents;
+    };
+    Frame
+    frame(const unsigned int face, const Point<dim - 1> &xi) const;
     // Normal of the true surface, outward, unit; `jacobian` = area of the face element per d(xi).
     Tensor<1, dim>
     face_normal(const unsigned int face, const Point<dim - 1> &xi, double *jacobian = nullptr) const;
-    // Unit normal interpolated between the nodal normals: continuous over the surface.
+    // Unit normal interpolated between the nodal normals: continuous over the surface. `derivatives`: by
+    // xi_k.
     Tensor<1, dim>
-    nodal_normal(const unsigned int face, const Point<dim - 1> &xi) const;
+    nodal_normal(const unsigned int                   face,
+                 const Point<dim - 1>                &xi,
+                 std::array<Tensor<1, dim>, dim - 1> *derivatives = nullptr) const;
     IndexSet
     dofs() const;
 
@@ -68,6 +86,10 @@ namespace Amontons
   private:
     void
     collect_faces(const Discretization<dim> &discretization, const BoundaryName &name);
+    void
+    find_parents(const Discretization<dim> &discretization);
+    void
+    make_controls();
     void
                               make_normals(const Discretization<dim> &discretization);
     const IndexSet::size_type n_dofs;

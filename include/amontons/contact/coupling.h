@@ -20,6 +20,13 @@ namespace Amontons
     Tensor<1, dim> normal;            // unit, outward from the slave
     double         gap;               // initial gap along the normal (or as the scene declares it)
     double         weight;            // slave area, in axisymmetric scenes of the full turn
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &slave_face &master_face &xi_slave &xi_master &x_slave &x_master &normal &gap &weight;
+    }
   };
 
   template <int dim>
@@ -37,7 +44,8 @@ namespace Amontons
     double         gap;
     Tensor<1, dim> normal; // int psi n / area; not of unit length on curved surfaces
     std::vector<std::pair<NodeDofs<dim>, double>> slave, master;
-    std::vector<std::pair<unsigned int, double>>  traces; // int psi B_j dA, by slave node: Bernstein traces
+    std::vector<std::pair<unsigned int, double>>
+        traces; // int psi B_j dA, by slave node: traces of the control values
   };
 
   template <int dim>

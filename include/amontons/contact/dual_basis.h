@@ -15,6 +15,11 @@ namespace Amontons
   // (owned by supports) shares psi_f in equal parts among the others, so that the sum stays 1: int psi_i B_f
   // = D_f / n_others then. Small covered parts make M ill-conditioned; it is inverted in the Legendre basis
   // of the part's bounding box, which costs the square root of the condition number only.
+  //
+  // Faces with hanging nodes have the traces B' = A^T B of their unknowns (A: subdivision of the control
+  // values, see SurfaceFace). With D' = A^T D and M' = A^T M A,
+  //   psi' = D' M'^-1 B' = D' A^-1 M^-1 B,
+  // and the sum stays 1, for A 1 = 1. All results refer to the unknowns then.
   template <int fdim>
   struct DualBasis
   {
@@ -28,5 +33,6 @@ namespace Amontons
   make_dual_basis(const unsigned int                      degree,
                   const std::vector<dealii::Point<fdim>> &points,
                   const std::vector<double>              &weights,
-                  const std::vector<bool>                &carries_multiplier);
+                  const std::vector<bool>                &carries_multiplier,
+                  const dealii::FullMatrix<double>       &subdivision = {});
 } // namespace Amontons

@@ -20,14 +20,16 @@ namespace Amontons
 
   // All overlaps of the pair whose gap is at most `reach`; gaps as the pair declares them (`Initial gap`,
   // `Adjust`). Throws InputError where the bodies overlap without a declared interference. `pair` gives names
-  // for messages.
+  // for messages. Collective: each rank searches for its own slave faces, and all get all points, in the
+  // order of the slave faces.
   template <int dim>
   std::vector<OverlapPoint<dim>>
   find_overlaps(const PairData            &pair,
                 const ContactSurface<dim> &slave,
                 const MasterSide<dim>     &master,
                 const double               reach,
-                const bool                 axisymmetric);
+                const bool                 axisymmetric,
+                const MPI_Comm             communicator);
 
   // carries_multiplier: by slave node, false where supports own the node whole.
   template <int dim>

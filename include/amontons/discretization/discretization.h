@@ -42,11 +42,8 @@ namespace Amontons
     void
     add_relevant(const IndexSet &dofs);
 
-    // Hanging nodes alone; and hanging nodes with everything that the scene prescribes at time t:
-    // displacements, symmetry planes, platens, rigid bodies and carriers. Consistent between ranks on all
-    // relevant DoFs; closed.
-    Constraints
-    make_hanging_node_constraints() const;
+    // Hanging nodes with everything that the scene prescribes at time t: displacements, symmetry planes,
+    // platens, rigid bodies and carriers. Consistent between ranks on all relevant DoFs; closed.
     Constraints
     make_supports(const double t) const;
 
@@ -59,6 +56,9 @@ namespace Amontons
     FESystem<dim>        fe;
     MappingQ<dim>        mapping;
     DoFHandler<dim>      dof_handler;
+
+    // Lines of the hanging nodes of owned and ghosted cells, closed.
+    Constraints hanging_nodes;
 
     IndexSet                      locally_owned;
     IndexSet                      relevant;     // owned, ghosted, and whatever is replicated

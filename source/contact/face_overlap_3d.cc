@@ -1,0 +1,421 @@
+#include <amontons/contact/face_overlap.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    using Polygon = std::vector<Point<2>>; // counter-clockwise
+
+    double
+    cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+
+    double
+    area(const Polygon &polygon)
+    {
+      double twice = 0;
+      for (unsigned int i = 1; i + 1 < polygon.size(); ++i)
+        twice += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+      return 0.5 * twice;
+    }
+
+    // The part to the left of the line from a to b (Sutherland and Hodgman 1974).
+    Polygon
+    cut(const Polygon &polygon, const Point<2> &a, const Point<2> &b)
+    {
+      Polygon      result;
+      const auto   side = [&](const Point<2> &p) { return cross(b - a, p - a); };
+      unsigned int n    = polygon.size();
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const Point<2> &p = polygon[i], &q = polygon[(i + 1) % n];
+          const double    s = side(p), t = side(q);
+          if (s >= 0)
+            result.push_back(p);
+          if ((s > 0 && t < 0) || (s < 0 && t > 0))
+            result.push_back(p + s / (s - t) * (q - p));
+        }
+      return result;
+    }
+
+    Point<2>
+    bilinear(const std::array<Point<2>, 4> &corners, const Point<2> &xi)
+    {
+      Point<2> s;
+      for (unsigned int v = 0; v < 4; ++v)
+        s += (v % 2 == 1 ? xi[0] : 1 - xi[0]) * (v / 2 == 1 ? xi[1] : 1 - xi[1]) * corners[v];
+      return s;
+    }
+
+    // Columns ds/dxi_k.
+    std::array<Tensor<1, 2>, 2>
+    bilinear_tangents(const std::array<Point<2>, 4> &corners, const Point<2> &xi)
+    {
+      return {{(1 - xi[1]) * (corners[1] - corners[0]) + xi[1] * (corners[3] - corners[2]),
+               (1 - xi[0]) * (corners[2] - corners[0]) + xi[0] * (corners[3] - corners[1])}};
+    }
+
+    // Solves a x = b for the 3 x 3 matrix with columns a; false if it is singular.
+    bool
+    solve(const std::array<Tensor<1, 3>, 3> &a, const Tensor<1, 3> &b, Tensor<1, 3> &x)
+    {
+      const Tensor<1, 3> c   = cross_product_3d(a[1], a[2]);
+      const double       det = a[0] * c;
+      if (!(std::abs(det) > 1e-14 * a[0].norm() * a[1].norm() * a[2].norm()))
+        return false;
+      x[0] = (b * c) / det;
+      x[1] = (a[0] * cross_product_3d(b, a[2])) / det;
+      x[2] = (a[0] * cross_product_3d(a[1], b)) / det;
+      return true;
+    }
+
+    bool
+    within(const Point<2> &xi, const double margin)
+    {
+      return std::abs(xi[0] - 0.5) <= 0.5 + margin && std::abs(xi[1] - 0.5) <= 0.5 + margin;
+    }
+
+    // Deviation of the corners from a parallelogram, relative to the size.
+    double
+    distortion(const SurfaceFace<3> &face)
+    {
+      constexpr unsigned int g = ContactSurface<3>::geometry_degree;
+      const auto            &p = face.geometry;
+      return ((p.back() - p[g]) - (p[g * (g + 1)] - p[0])).norm() / face.size;
+    }
+
+    // Degree 4p, and one more for each order of the distortion until its power is rounding (9 orders at
+    // most).
+    const Quadrature<2> &
+    triangle_formula(const unsigned int degree, const double distortion)
+    {
+      static const std::vector<QWitherdenVincentSimplex<2>> formulas = [] {
+        std::vector<QWitherdenVincentSimplex<2>> list;
+        for (unsigned int n = 1; n <= 7; ++n)
+          list.emplace_back(n); // degree 2n - 1
+        return list;
+      }();
+      const double       orders = distortion < 1e-12 ? 1
+                                  : distortion > 0.1 ? 12
+                                                     : std::log(1e-12) / std::log(distortion);
+      const unsigned int n      = std::ceil(0.5 * (4 * degree + orders));
+      return formulas[std::min(n, 7u) - 1];
+    }
+
+    // The plane of a slave face in which faces are clipped.
+    class Plane
+    {
+    public:
+      Plane(const ContactSurface<3> &slave, const unsigned int face)
+          : normal(slave.face_normal(face, Point<2>(0.5, 0.5))), slave(slave), face(face),
+            origin(slave.faces[face].centre)
+      {
+        Tensor<1, 3> t = slave.frame(face, Point<2>(0.5, 0.5)).tangents[0];
+        axes[0]        = t / t.norm();
+        axes[1]        = cross_product_3d(normal, axes[0]);
+        for (unsigned int v = 0; v < 4; ++v)
+          corners[v] = project(slave.position(face, Point<2>(v % 2, v / 2)));
+        window = {corners[0], corners[1], corners[3], corners[2]};
+        if (area(window) < 0)
+          std::reverse(window.begin(), window.end());
+        flat = slave.faces[face].straight;
+        for (const unsigned int i : slave.faces[face].nodes)
+          flat = flat && (slave.nodes[i].normal - normal).norm() < 1e-12;
+      }
+
+      // Of a point opposite of the face.
+      Point<2>
+      foot(const Point<3> &y) const
+      {
+        if (!flat)
+          if (const auto xi = project_to_slave(slave, face, y))
+            return bilinear(corners, *xi);
+        return project(y);
+      }
+
+      // xi with s(xi) = s
+      Point<2>
+      pull_back(const Point<2> &s) const
+      {
+        Point<2> xi(0.5, 0.5);
+        for (unsigned int iteration = 0; iteration < 20; ++iteration)
+          {
+            const auto         t    = bilinear_tangents(corners, xi);
+            const Tensor<1, 2> rest = s - bilinear(corners, xi);
+            const double       det  = cross(t[0], t[1]);
+            const Tensor<1, 2> step({cross(rest, t[1]) / det, cross(t[0], rest) / det});
+            xi += step;
+            if (step.norm() < 1e-9) // quadratic: the next one would be 1e-18
+              break;
+          }
+        return xi;
+      }
+
+      double
+      area_ratio(const Point<2> &xi) const // |ds/dxi|
+      {
+        const auto t = bilinear_tangents(corners, xi);
+        return std::abs(cross(t[0], t[1]));
+      }
+
+      const Tensor<1, 3> normal;
+      Polygon            window; // the slave face
+
+    private:
+      Point<2>
+      project(const Point<3> &y) const
+      {
+        return {axes[0] * (y - origin), axes[1] * (y - origin)};
+      }
+
+      const ContactSurface<3>    &slave;
+      const unsigned int          face;
+      const Point<3>              origin;
+      std::array<Tensor<1, 3>, 2> axes;
+      std::array<Point<2>, 4>     corners; // lexicographic
+      bool                        flat;    // plane, with one normal
+    };
+
+    // A point of the slave face with what the formula makes of the area element, opposite still unknown.
+    OverlapPoint<3>
+    slave_point(const ContactSurface<3> &slave,
+                const unsigned int       face,
+                const Point<2>          &xi,
+                const double             weight)
+    {
+      OverlapPoint<3> p;
+      const auto      frame = slave.frame(face, xi);
+      p.slave_face          = face;
+      p.master_face         = numbers::invalid_unsigned_int;
+      p.xi_slave            = xi;
+      p.x_slave             = frame.X;
+      p.normal              = slave.nodal_normal(face, xi);
+      p.weight              = weight * cross_product_3d(frame.tangents[0], frame.tangents[1]).norm();
+      return p;
+    }
+
+    // Appends the formula on each triangle of a polygon; to_xi takes its points to (xi, area element dxi).
+    template <typename ToXi, typename Opposite>
+    void
+    integrate_polygon(const ContactSurface<3>      &slave,
+                      const unsigned int            slave_face,
+                      const Polygon                &polygon,
+                      const Quadrature<2>          &formula,
+                      const double                  reach,
+                      const ToXi                   &to_xi,
+                      const Opposite               &opposite,
+                      std::vector<OverlapPoint<3>> &points)
+    {
+      for (unsigned int i = 1; i + 1 < polygon.size(); ++i)
+        {
+          const Tensor<1, 2> a = polygon[i] - polygon[0], b = polygon[i + 1] - polygon[0];
+          const double       twice_area = cross(a, b);
+          if (twice_area == 0)
+            continue;
+          const std::size_t before = points.size();
+          for (unsigned int q = 0; q < formula.size(); ++q)
+            {
+              const auto [xi, element] =
+                  to_xi(polygon[0] + formula.point(q)[0] * a + formula.point(q)[1] * b);
+              OverlapPoint<3> p =
+                  slave_point(slave, slave_face, xi, formula.weight(q) * twice_area * element);
+              const bool found = opposite(p);
+              p.gap            = p.normal * (p.x_master - p.x_slave);
+              if (!found || std::abs(p.gap) > reach)
+                {
+                  points.resize(before);
+                  break;
+                }
+              points.push_back(p);
+            }
+        }
+    }
+  } // namespace
+
+  // Unknowns (xi, g): x(xi) + g n(xi) = y.
+  std::optional<Point<2>>
+  project_to_slave(const ContactSurface<3> &slave, const unsigned int face, const Point<3> &y)
+  {
+    Point<2>     xi(0.5, 0.5);
+    double       g      = slave.face_normal(face, xi) * (y - slave.faces[face].centre);
+    const double enough = 1e-13 * slave.faces[face].size;
+    for (unsigned int iteration = 0; iteration < 20; ++iteration)
+      {
+        std::array<Tensor<1, 3>, 2> dn;
+        const auto                  frame = slave.frame(face, xi);
+        const auto                  n     = slave.nodal_normal(face, xi, &dn);
+        Tensor<1, 3>                step;
+        if (!solve({{frame.tangents[0] + g * dn[0], frame.tangents[1] + g * dn[1], n}},
+                   y - frame.X - g * n,
+                   step))
+          return {};
+        xi[0] += step[0];
+        xi[1] += step[1];
+        g += step[2];
+        if (!within(xi, 2.))
+          return {};
+        if (std::abs(step[0]) + std::abs(step[1]) < 1e-12 && std::abs(step[2]) < enough + 1e-12 * std::abs(g))
+          return within(xi, 1.) ? std::optional<Point<2>>(xi) : std::nullopt;
+      }
+    return {};
+  }
+
+  // Unknowns (eta, g): y(eta) - g n = x.
+  std::optional<Point<2>>
+  project_to_master(const ContactSurface<3> &master,
+                    const unsigned int       face,
+                    const Point<3>          &x,
+                    const Tensor<1, 3>      &n)
+  {
+    Point<2> eta(0.5, 0.5);
+    for (unsigned int iteration = 0; iteration < 20; ++iteration)
+      {
+        const auto   frame = master.frame(face, eta);
+        Tensor<1, 3> step;
+        // g enters linearly: it is found anew in each step
+        if (!solve({{frame.tangents[0], frame.tangents[1], -n}}, x - frame.X, step))
+          return {};
+        eta[0] += step[0];
+        eta[1] += step[1];
+        if (!within(eta, 3.))
+          return {};
+        if (std::abs(step[0]) + std::abs(step[1]) < 1e-8) // quadratic: the next one would be 1e-16
+          return within(eta, 0.5) ? std::optional<Point<2>>(eta) : std::nullopt;
+      }
+    return {};
+  }
+
+  void
+  overlap_faces(const ContactSurface<3>         &slave,
+                const unsigned int               slave_face,
+                const ContactSurface<3>         &master,
+                const std::vector<unsigned int> &master_faces,
+                const double                     reach,
+                std::vector<OverlapPoint<3>>    &points)
+  {
+    if (master_faces.empty())
+      return;
+    const Plane plane(slave, slave_face);
+    for (const unsigned int m : master_faces)
+      {
+        if (plane.normal * master.face_normal(m, Point<2>(0.5, 0.5)) > -0.1)
+          continue;
+        Polygon polygon;
+        for (const unsigned int v : {0, 1, 3, 2})
+          polygon.push_back(plane.foot(master.position(m, Point<2>(v % 2, v / 2))));
+        if (area(polygon) < 0)
+          std::reverse(polygon.begin(), polygon.end());
+        for (unsigned int i = 0; i < 4 && polygon.size() > 2; ++i)
+          polygon = cut(polygon, plane.window[i], plane.window[(i + 1) % 4]);
+        if (polygon.size() < 3 || area(polygon) < 1e-24 * area(plane.window))
+          continue;
+
+        const double distorted = std::max(distortion(slave.faces[slave_face]), distortion(master.faces[m]));
+        integrate_polygon(
+            slave,
+            slave_face,
+            polygon,
+            triangle_formula(std::max(slave.degree, master.degree), distorted),
+            reach,
+            [&](const Point<2> &s) {
+              const auto xi = plane.pull_back(s);
+              return std::make_pair(xi, 1. / plane.area_ratio(xi));
+            },
+            [&](OverlapPoint<3> &p) {
+              const auto eta = project_to_master(master, m, p.x_slave, p.normal);
+              if (!eta)
+                return false;
+              p.master_face = m;
+              p.xi_master   = *eta;
+              p.x_master    = master.position(m, *eta);
+              return true;
+            },
+            points);
+      }
+  }
+
+  void
+  overlap_obstacle(const ContactSurface<3>      &slave,
+                   const unsigned int            slave_face,
+                   const ObstacleData           &obstacle,
+                   const double                  reach,
+                   std::vector<OverlapPoint<3>> &points)
+  {
+    const auto project = [&](OverlapPoint<3> &p) {
+      const auto x = project_to_obstacle(obstacle, p.x_slave, p.normal);
+      p.x_master   = x ? *x : p.x_slave;
+      return x.has_value();
+    };
+    const auto is_opposite = [&](const Point<2> &xi) {
+      return project_to_obstacle(obstacle, slave.position(slave_face, xi), slave.nodal_normal(slave_face, xi))
+          .has_value();
+    };
+    const auto as_it_is = [](const Point<2> &xi) { return std::make_pair(xi, 1.); };
+
+    const unsigned int             n = 8;
+    std::vector<std::vector<bool>> inside(n + 1, std::vector<bool>(n + 1));
+    unsigned int                   n_inside = 0;
+    for (unsigned int j = 0; j <= n; ++j)
+      for (unsigned int i = 0; i <= n; ++i)
+        {
+          inside[j][i] = is_opposite(Point<2>(double(i) / n, double(j) / n));
+          n_inside += inside[j][i];
+        }
+    if (n_inside == 0)
+      return;
+    if (n_inside == (n + 1) * (n + 1))
+      {
+        // psi x N x geometry
+        const QGauss<2>   gauss(slave.degree + 2);
+        const std::size_t before = points.size();
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          {
+            auto p = slave_point(slave, slave_face, gauss.point(q), gauss.weight(q));
+            if (!project(p) || std::abs(p.gap = p.normal * (p.x_master - p.x_slave)) > reach)
+              {
+                points.resize(before);
+                return;
+              }
+            points.push_back(p);
+          }
+        return;
+      }
+
+    const auto end_between = [&](Point<2> in, Point<2> out) {
+      for (unsigned int k = 0; k < 50; ++k)
+        {
+          const Point<2> middle            = 0.5 * (in + Tensor<1, 2>(out));
+          (is_opposite(middle) ? in : out) = middle;
+        }
+      return in;
+    };
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const std::array<unsigned int, 4> columns = {{i, i + 1, i + 1, i}}, rows = {{j, j, j + 1, j + 1}};
+          Polygon                           polygon;
+          for (unsigned int v = 0, w = 1; v < 4; ++v, w = (v + 1) % 4)
+            {
+              const bool     in = inside[rows[v]][columns[v]], next_in = inside[rows[w]][columns[w]];
+              const Point<2> p(double(columns[v]) / n, double(rows[v]) / n),
+                  q(double(columns[w]) / n, double(rows[w]) / n);
+              if (in)
+                polygon.push_back(p);
+              if (in != next_in)
+                polygon.push_back(in ? end_between(p, q) : end_between(q, p));
+            }
+          integrate_polygon(slave,
+                            slave_face,
+                            polygon,
+                            triangle_formula(slave.degree, 0),
+                            reach,
+                            as_it_is,
+                            project,
+                            points);
+        }
+  }
+} // namespace Amontons

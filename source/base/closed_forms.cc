@@ -52,6 +52,12 @@ namespace Amontons
       return {P, a, 3 * P / (2 * pi * a * a), a * a / R};
     }
 
+    Hertz
+    hertz_point_of_size(const double a, const double R, const double modulus)
+    {
+      return hertz_point(4 * modulus * a * a * a / (3 * R), R, modulus);
+    }
+
     double
     elliptic_pressure(const double r, const double a, const double p0)
     {
@@ -131,15 +137,24 @@ namespace Amontons
       return {a, b, 3 * P / (2 * pi * a * b), 3 * P * K / (2 * pi * a * modulus)};
     }
 
+    // The sum of the curvature tensors in the axes of the first surface, in its principal axes.
+    QuadraticGap
+    quadratic_gap(const double k1x, const double k1y, const double k2x, const double k2y, const double angle)
+    {
+      const double c = std::cos(angle), s = std::sin(angle);
+      const double xx = k1x + k2x * c * c + k2y * s * s, yy = k1y + k2x * s * s + k2y * c * c,
+                   xy   = (k2x - k2y) * c * s;
+      const double mean = (xx + yy) / 2, difference = std::hypot((xx - yy) / 2, xy);
+      const double direction = difference < 1e-9 * std::abs(mean) ? 0. : std::atan2(-2 * xy, yy - xx) / 2;
+      return {(mean - difference) / 2, (mean + difference) / 2, direction};
+    }
+
     EllipticContact
     crossed_cylinders(
         const double P, const double R1, const double R2, const double angle, const double modulus)
     {
-      const double k1 = 1 / R1, k2 = 1 / R2;
-      const double sum = (k1 + k2) / 2;
-      const double difference =
-          std::sqrt(std::max(0., k1 * k1 + k2 * k2 + 2 * k1 * k2 * std::cos(2 * angle))) / 2;
-      return hertz_elliptic(P, (sum - difference) / 2, (sum + difference) / 2, modulus);
+      const QuadraticGap gap = quadratic_gap(0, 1 / R1, 0, 1 / R2, angle);
+      return hertz_elliptic(P, gap.A, gap.B, modulus);
     }
 
     double

@@ -257,7 +257,7 @@ namespace Amontons
         const Boundary                               &boundary = geometry.boundary(name, scene);
         std::function<Tensor<1, 3>(const Point<3> &)> field;
         if (condition.field)
-          field = make_displacement_field(*condition.field, scene.bodies[boundary.body].material);
+          field = make_displacement_field(*condition.field, scene.bodies[boundary.body].material, scene.kind);
         for_each_node_on(*this, boundary.id, [&](const auto &node, const auto &X, const auto &) {
           const Point<3> p = as_3d(X);
           if (field && !std::isfinite(field(p).norm()))

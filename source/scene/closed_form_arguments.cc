@@ -14,11 +14,14 @@ namespace Amontons
     complaint(const std::string &parameter, const double value)
     {
       static const std::vector<std::string> any = {
-          "x", "y", "z", "x0", "y0", "Q", "side", "c", "plane_stress", "confined"};
+          "x", "y", "z", "x0", "y0", "z0", "Q", "side", "c", "plane_stress", "confined", "angle"};
+      static const std::vector<std::string> radii = {"R1x", "R1y", "R2x", "R2y"}; // negative: concave
       if (parameter.rfind("nu", 0) == 0)
         return value >= 0 && value <= 0.5 ? "" : "a Poisson ratio from 0 to 0.5";
       if (std::find(any.begin(), any.end(), parameter) != any.end() || value > 0)
         return "";
+      if (std::find(radii.begin(), radii.end(), parameter) != radii.end())
+        return value == 0 ? "a radius that is not zero (left out: a plane)" : "";
       return parameter == "ri" || parameter == "R3" ? (value == 0 ? "" : "a number that is not negative")
                                                     : "a positive number";
     }

@@ -111,6 +111,40 @@ namespace Amontons
       return hertz_solution(get, ClosedForms::hertz_point(get("P"), get("R"), contact_modulus(get, scene)));
     }
 
+    // Radii that are not given are those of planes. The ellipse's first axis is the long one.
+    ReferenceSolution
+    hertz_elliptic(const Arguments &get, const Scene &scene)
+    {
+      const auto curvature = [&](const char *const radius) {
+        return get.is_given(radius) ? 1 / get(radius) : 0.;
+      };
+      const auto gap = ClosedForms::quadratic_gap(curvature("R1x"),
+                                                  curvature("R1y"),
+                                                  curvature("R2x"),
+                                                  curvature("R2y"),
+                                                  get("angle") * dealii::numbers::PI / 180);
+      if (!(gap.A > 1e-14 * gap.B))
+        get.fail("found radii of surfaces that do not touch in a point",
+                 "R1x, R1y, R2x, R2y (left out: plane; negative: concave) with a gap that grows in all "
+                 "directions");
+      const auto        e = ClosedForms::hertz_elliptic(get("P"), gap.A, gap.B, contact_modulus(get, scene));
+      ReferenceSolution s;
+      s.normal_force       = get("P");
+      s.contact_size       = e.a;
+      s.peak_pressure      = e.peak;
+      s.approach           = e.approach;
+      s.pressure           = [e](const double r) { return ClosedForms::elliptic_pressure(r, e.a, e.peak); };
+      s.pressure_range     = 1.3 * e.a;
+      s.centre             = get.centre();
+      const double       c = std::cos(gap.direction), d = std::sin(gap.direction);
+      const Tensor<1, 3> first({c, d, 0.}), second({-d, c, 0.});
+      s.ellipse = {e.b, {{first, second}}, [=](const Tensor<1, 3> &x) {
+                     return ClosedForms::elliptic_pressure(
+                         std::hypot(x * first / e.a, x * second / e.b), 1, e.peak);
+                   }};
+      return s;
+    }
+
     ReferenceSolution
     flat_punch_line(const Arguments &get, const Scene &)
     {

@@ -1,4 +1,5 @@
 #include <amontons/scene/half_plane_field.h>
+#include <amontons/scene/half_space_field.h>
 #include <amontons/scene/reference_builders.h>
 
 #include <cmath>
@@ -32,6 +33,29 @@ namespace Amontons
             {"P", "R", "E1", "nu1"},
             {{"E2", unset}, {"nu2", unset}, {"x", 0}, {"y", 0}, {"z", 0}}},
            R::hertz_point},
+          {{"hertz_elliptic",
+            "elliptic point contact in a plane normal to z (3D); principal radii of the two bodies, those of "
+            "body 1 along x "
+            "and y, those of body 2 turned by `angle` (degrees) about z; left out: plane, negative: concave",
+            {"P", "E1", "nu1"},
+            {{"R1x", unset},
+             {"R1y", unset},
+             {"R2x", unset},
+             {"R2y", unset},
+             {"angle", 0},
+             {"E2", unset},
+             {"nu2", unset},
+             {"x", 0},
+             {"y", 0},
+             {"z", 0}}},
+           R::hertz_elliptic},
+          {{"half_space_box",
+            "hertz_point of radius a, with displacements and stresses; the lower body (E1, nu1) ends at z "
+            "(axisymmetric: y) "
+            "from below, the upper one from above",
+            {"a", "R", "E1", "nu1"},
+            {{"E2", unset}, {"nu2", unset}, {"x", 0}, {"y", 0}, {"z", 0}}},
+           R::half_space_box},
           {{"half_plane_box",
             "hertz_line of half-width a, with displacements and stresses; the lower body (E1, nu1) ends at y "
             "from below, "
@@ -101,6 +125,60 @@ namespace Amontons
       return declaration;
     }
 
+    const ClosedFormDeclaration &
+    half_space_hertz()
+    {
+      static const ClosedFormDeclaration declaration = {
+          "halfspace_hertz",
+          "boundary values: displacement of a half space under Hertz's pressure of resultant P and radius a "
+          "about "
+          "(x0, y0, z0), where it is zero; its surface is normal to z (axisymmetric: y); side = -1: body "
+          "below it, "
+          "+1: above",
+          {"P", "a"},
+          {{"x0", 0}, {"y0", 0}, {"z0", 0}, {"side", -1}}};
+      return declaration;
+    }
+
+    int
+    side(const ClosedFormArguments &get)
+    {
+      if (std::abs(get("side")) != 1)
+        get.fail("the side is neither -1 nor 1",
+                 "side = -1 (the body is below the surface) or side = 1 (above)");
+      return get("side") < 0 ? -1 : 1;
+    }
+
+    HalfPlaneField
+    half_plane_field(const ClosedFormArguments &get, const MaterialData &material)
+    {
+      HalfPlaneField field;
+      field.material     = material;
+      field.force        = get("P");
+      field.size         = get("a");
+      field.shear        = get("Q");
+      field.stick        = get("c");
+      field.centre       = Point<3>(get("x0"), get("y0"), 0);
+      field.side         = side(get);
+      field.plane_stress = get("plane_stress") != 0;
+      if (!(field.stick >= 0 && field.stick < field.size))
+        get.fail("the stick half-width c is not in [0, a)", "0 <= c < a");
+      return field;
+    }
+
+    HalfSpaceField
+    half_space_field(const ClosedFormArguments &get, const MaterialData &material, const Kind kind)
+    {
+      HalfSpaceField field;
+      field.material = material;
+      field.force    = get("P");
+      field.size     = get("a");
+      field.centre   = Point<3>(get("x0"), get("y0"), get("z0"));
+      field.side     = side(get);
+      field.axis     = normal_axis(kind);
+      return field;
+    }
+
     [[noreturn]] void
     unknown(const FieldData &data, const std::vector<std::string> &names)
     {
@@ -126,25 +204,19 @@ namespace Amontons
   }
 
   std::function<dealii::Tensor<1, 3>(const Point<3> &)>
-  make_displacement_field(const FieldData &data, const MaterialData &material)
+  make_displacement_field(const FieldData &data, const MaterialData &material, const Kind kind)
   {
-    if (data.name != half_plane_elliptic().name)
-      unknown(data, {half_plane_elliptic().name});
-    const ClosedFormArguments get(data, half_plane_elliptic());
-    HalfPlaneField            field;
-    field.material     = material;
-    field.force        = get("P");
-    field.size         = get("a");
-    field.shear        = get("Q");
-    field.stick        = get("c");
-    field.centre       = Point<3>(get("x0"), get("y0"), 0);
-    field.side         = get("side") < 0 ? -1 : 1;
-    field.plane_stress = get("plane_stress") != 0;
-    if (std::abs(get("side")) != 1)
-      get.fail("the side is neither -1 nor 1", "side = -1 (the body is below y0) or side = 1 (above)");
-    if (!(field.stick >= 0 && field.stick < field.size))
-      get.fail("the stick half-width c is not in [0, a)", "0 <= c < a");
-    return [field](const Point<3> &p) { return field.displacement(p); };
+    if (data.name == half_space_hertz().name)
+      {
+        const auto field = half_space_field({data, half_space_hertz()}, material, kind);
+        return [field](const Point<3> &p) { return field.displacement(p); };
+      }
+    if (data.name == half_plane_elliptic().name)
+      {
+        const auto field = half_plane_field({data, half_plane_elliptic()}, material);
+        return [field](const Point<3> &p) { return field.displacement(p); };
+      }
+    unknown(data, {half_plane_elliptic().name, half_space_hertz().name});
   }
 
   std::vector<std::pair<std::string, std::string>>
@@ -153,7 +225,8 @@ namespace Amontons
     std::vector<std::pair<std::string, std::string>> names;
     for (const Form &form : forms())
       names.emplace_back(form.declaration.signature(), form.declaration.meaning);
-    names.emplace_back(half_plane_elliptic().signature(), half_plane_elliptic().meaning);
+    for (const auto &field : {half_plane_elliptic(), half_space_hertz()})
+      names.emplace_back(field.signature(), field.meaning);
     return names;
   }
 } // namespace Amontons

@@ -133,6 +133,10 @@ namespace
     contains(message({"uniform", {{"p", 1}, {"widht", 1}}, where}), "did you mean 'width'");
     contains(message({"hertz_line", {{"P", 1}, {"R", -1}, {"E1", 1}, {"nu1", 0}}, where}), "R = -1");
     contains(message({"hertz_line", {{"P", 1}, {"R", 1}, {"E1", 1}, {"nu1", 0}, {"E2", 1}}, where}), "nu2");
+    contains(message({"hertz_elliptic", {{"P", 1}, {"E1", 1}, {"nu1", 0}, {"R1y", 1}}, where}),
+             "do not touch in a point");
+    contains(message({"hertz_elliptic", {{"P", 1}, {"E1", 1}, {"nu1", 0}, {"R1y", 0}}, where}), "R1y = 0");
+    contains(message({"half_space_box", {{"a", 1}, {"R", 1}, {"E1", 1}, {"nu1", 0}}, where}), "Kind = 3D");
   }
 } // namespace
 
@@ -161,6 +165,6 @@ main()
                                             {}},
                                            plane);
   check::is_close(fit.pressure(40), 11.177411, 1e-7, "shrink fit");
-  check::is_true(reference_solution_names().size() == 12, "names");
+  check::is_true(reference_solution_names().size() == 15, "names");
   return check::result();
 }

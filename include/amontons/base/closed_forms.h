@@ -40,6 +40,9 @@ namespace Amontons
     // a^3 = 3 P R / (4 E*), p0 = 3 P / (2 pi a^2), delta = a^2 / R; [J] (4.22)-(4.24)
     Hertz
     hertz_point(const double P, const double R, const double modulus);
+    // the same, of given a: P = 4 E* a^3 / (3 R)
+    Hertz
+    hertz_point_of_size(const double a, const double R, const double modulus);
     double
     elliptic_pressure(const double r, const double a, const double p0);
 
@@ -74,6 +77,16 @@ namespace Amontons
     };
     EllipticContact
     hertz_elliptic(const double P, const double A, const double B, const double modulus);
+    // The gap of two surfaces with principal curvatures k1x, k1y and k2x, k2y (plane: 0, concave: negative),
+    // the x direction of the second being at `angle` (radians) from that of the first: A x^2 + B y^2, A <= B,
+    // where this x is at `direction` from that of the first surface; [J] sec. 4.1
+    struct QuadraticGap
+    {
+      double A, B, direction;
+    };
+    QuadraticGap
+    quadratic_gap(
+        const double k1x, const double k1y, const double k2x, const double k2y, const double angle = 0);
     // Two cylinders whose axes enclose `angle` (radians); [J] sec. 4.1
     EllipticContact
     crossed_cylinders(
@@ -105,6 +118,20 @@ namespace Amontons
     HalfPlaneState
     half_plane_shear(
         const double x, const double z, const double E, const double nu, const EllipticTraction &traction);
+
+    // ---- Half space z >= 0 under Hertz's pressure of resultant P on the circle r < a.
+
+    // Stress in cylindrical axes; displacements vanish far away. [J] sec. 3.4 for surface and axis, Huber
+    // (1904) for the stresses in the inside. Points with z < 0 are taken to z = 0; all is finite but for no
+    // more than the slopes at the edge r = a of the surface.
+    struct HalfSpaceState
+    {
+      double ur, uz;
+      double rr, tt, zz, rz;
+    };
+    HalfSpaceState
+    half_space_hertz(
+        const double r, const double z, const double E, const double nu, const double P, const double a);
 
     // ---- Punches without rounded edges, and general profiles.
 

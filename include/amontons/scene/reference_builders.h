@@ -21,6 +21,12 @@ namespace Amontons
     hertz_line(const ClosedFormArguments &get, const Scene &scene);
     ReferenceSolution
     hertz_point(const ClosedFormArguments &get, const Scene &scene);
+    // Elliptic point contact of bodies with given principal radii, in a plane normal to z.
+    ReferenceSolution
+    hertz_elliptic(const ClosedFormArguments &get, const Scene &scene);
+    // Hertz point contact of the radius a, with the displacements and stresses of both half spaces.
+    ReferenceSolution
+    half_space_box(const ClosedFormArguments &get, const Scene &scene);
     // Hertz line contact of the half-width a, with the displacements and stresses of both half planes.
     ReferenceSolution
     half_plane_box(const ClosedFormArguments &get, const Scene &scene);

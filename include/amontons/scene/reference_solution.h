@@ -25,6 +25,16 @@ namespace Amontons
     // taken
     std::function<double(double)> pressure;
     double                        pressure_range = 0;
+    // Elliptic contact: contact_size is the semi-axis along axes[0], second_size that along axes[1] (unit
+    // vectors in the plane of contact), and the pressure is a function of the position relative to the
+    // centre.
+    struct Ellipse
+    {
+      double                                              second_size;
+      std::array<dealii::Tensor<1, 3>, 2>                 axes;
+      std::function<double(const dealii::Tensor<1, 3> &)> pressure;
+    };
+    std::optional<Ellipse> ellipse;
     // position of the contact centre (reference configuration); r is measured from it
     dealii::Point<3> centre;
     // displacement and stress of one body (by name) where the field is known
@@ -37,10 +47,12 @@ namespace Amontons
   ReferenceSolution
   make_reference_solution(const FieldData &data, const Scene &scene);
 
-  // Displacement field `data` for a body of the given material (plane problems), to be imposed as boundary
-  // values.
+  // Displacement field `data` for a body of the given material, to be imposed as boundary values. The kind
+  // says which axis is normal to the surface of a half space.
   std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &)>
-  make_displacement_field(const FieldData &data, const MaterialData &material);
+  make_displacement_field(const FieldData    &data,
+                          const MaterialData &material,
+                          const Kind          kind = Kind::three_dimensional);
 
   // Names of all closed forms with their parameters and meanings, for --parameters and messages.
   std::vector<std::pair<std::string, std::string>>

@@ -1,5 +1,5 @@
 #include <amontons/base/points.h>
-#include <amontons/contact/surface_fields.h>
+#include <amontons/contact/contact_edge.h>
 #include <amontons/contact_problem.h>
 #include <amontons/output/files.h>
 #include <amontons/output/history.h>
@@ -78,6 +78,9 @@ namespace Amontons
     discretization->distribute_dofs();
     elasticity->clear();
     interfaces = make_interfaces(*discretization, first_is_slave);
+    reaches.resize(interfaces.size(), 0.);
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      interfaces[i].reach = reaches[i];
     for (const auto &interface : interfaces)
       for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
         if (surface != nullptr)
@@ -144,8 +147,10 @@ namespace Amontons
     const bool last = increment == scene.n_increments;
     for (unsigned int cycle = 0;; ++cycle)
       {
-        if (!solve_on_mesh(increment))
-          return false;
+        do
+          if (!solve_on_mesh(increment))
+            return false;
+        while (widen_reach());
         if (!last || cycle >= parameters.refinement.cycles)
           return true;
         if (parameters.refinement.target_error > 0 && estimated_error() <= parameters.refinement.target_error)
@@ -153,6 +158,45 @@ namespace Amontons
         if (!refine())
           return true;
       }
+  }
+
+  // Gaps that are far larger than what displacements close never matter. Of those of the nodes that are
+  // closed and of what displacements closed elsewhere, the next meshes take twice the largest into account;
+  // if that was not enough here, the surfaces are coupled again with more (returns true).
+  template <int dim>
+  bool
+  ContactProblem<dim>::widen_reach()
+  {
+    bool too_short = false;
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        if (interfaces[i].pair->tied)
+          continue;
+        double needed     = 0;
+        bool   any_closed = false;
+        for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
+          {
+            const double initial = interfaces[i].coupling.rows[r].gap, now = state.gaps[i][r];
+            const bool   closed = state.states[i][r] != ContactState::open;
+            any_closed          = any_closed || closed;
+            needed              = std::max(needed, closed ? std::abs(initial) : initial - now);
+          }
+        if (!any_closed)
+          continue;
+        const bool short_here = reaches[i] > 0 && needed > 0.75 * reaches[i];
+        if (short_here || reaches[i] == 0 || 4 * needed < reaches[i])
+          reaches[i] = 2 * needed + 1e-3 * interfaces[i].slave->mean_size;
+        too_short = too_short || short_here;
+      }
+    if (too_short)
+      {
+        TimerOutput::Scope scope(timer, "contact surfaces");
+        for (unsigned int i = 0; i < interfaces.size(); ++i)
+          interfaces[i].reach = reaches[i];
+        integrate_couplings(*discretization, supports, interfaces);
+        state.states.clear(); // they fit the rows no more
+      }
+    return too_short;
   }
 
   // Of the contact pressure; of the stress where nothing touches.
@@ -247,11 +291,14 @@ namespace Amontons
       }
     LA::Vector traction = discretization->make_owned_vector();
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      for (unsigned int n = 0; n < interfaces[i].slave->nodes.size(); ++n)
-        for (unsigned int c = 0; c < dim; ++c)
-          if (const auto dof = interfaces[i].slave->nodes[n].dofs[c];
-              discretization->locally_owned.is_element(dof))
-            traction(dof) += fields[i].pressure[n] * fields[i].normal[n][c];
+      {
+        const auto edge = signed_pressure_square(interfaces[i], fields[i]);
+        for (unsigned int n = 0; n < interfaces[i].slave->nodes.size(); ++n)
+          for (unsigned int c = 0; c < dim; ++c)
+            if (const auto dof = interfaces[i].slave->nodes[n].dofs[c];
+                discretization->locally_owned.is_element(dof))
+              traction(dof) += edge[n] * fields[i].normal[n][c];
+      }
     traction.compress(VectorOperation::add);
     state.traction = discretization->make_relevant_vector();
     state.traction = traction;
@@ -261,37 +308,24 @@ namespace Amontons
     return true;
   }
 
-  // Nodes of the new mesh start closed where the old mesh's pressure exceeds 6 % of its mean: near its end a
-  // pressure falls like a square root, so that it is below that only in the last 0.2 % of the contact, but
-  // the interpolation spreads it over the face that holds the end. (Measured on five Hertz-like scenes: 1 to
-  // 2 iterations per mesh, 3 to 5 with every node under pressure.)
+  // Nodes of the new mesh start closed where the old mesh's pressure, continued beyond its last node, is
+  // positive.
   template <int dim>
   void
   ContactProblem<dim>::carry_active_set()
   {
     state.states.assign(interfaces.size(), {});
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      {
-        double force = 0, area = 0;
-        for (unsigned int n = 0; n < fields[i].area.size(); ++n)
-          if (fields[i].state[n] != ContactState::open)
-            {
-              force += fields[i].area[n] * fields[i].multiplier[n];
-              area += fields[i].area[n];
-            }
-        const double rounding  = 1e-12 * scene.bodies[interfaces[i].slave->body].material.young;
-        const double threshold = std::max(area > 0 ? 0.06 * force / area : 0., rounding);
-        for (const auto &row : interfaces[i].coupling.rows)
-          {
-            const auto &node = interfaces[i].slave->nodes[row.node];
-            double      p    = 0;
-            for (unsigned int c = 0; c < dim; ++c)
-              p += state.traction(node.dofs[c]) * node.normal[c];
-            state.states[i].push_back(interfaces[i].pair->tied ? ContactState::stick
-                                      : p > threshold          ? ContactState::slip
-                                                               : ContactState::open);
-          }
-      }
+      for (const auto &row : interfaces[i].coupling.rows)
+        {
+          const auto &node = interfaces[i].slave->nodes[row.node];
+          double      edge = 0;
+          for (unsigned int c = 0; c < dim; ++c)
+            edge += state.traction(node.dofs[c]) * node.normal[c];
+          state.states[i].push_back(interfaces[i].pair->tied ? ContactState::stick
+                                    : edge > 0               ? ContactState::slip
+                                                             : ContactState::open);
+        }
   }
 
   template <int dim>

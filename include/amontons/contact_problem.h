@@ -62,6 +62,8 @@ namespace Amontons
     solve_increment(const unsigned int increment);
     bool
     solve_on_mesh(const unsigned int increment);
+    bool
+    widen_reach();
     double
     estimated_error() const;
     bool
@@ -97,6 +99,7 @@ namespace Amontons
     std::unique_ptr<Discretization<dim>>     discretization;
     std::unique_ptr<ElasticityOperator<dim>> elasticity;
     std::vector<bool>                        first_is_slave;
+    std::vector<double>                      reaches; // by pair, see widen_reach; 0: not known yet
     std::vector<ContactInterface<dim>>       interfaces;
     Constraints                              supports;
     LA::Vector                               loads;

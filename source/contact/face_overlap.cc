@@ -43,8 +43,9 @@ namespace Amontons
     {
       // psi x N x geometry x r: degree 2p + 1 on straight faces; curved ones get two points more.
       const QGauss<1>   gauss(slave.degree + 3);
-      const std::size_t before = points.size();
-      for (unsigned int q = 0; q < gauss.size(); ++q)
+      const std::size_t before  = points.size();
+      double            closest = std::numeric_limits<double>::max();
+      for (unsigned int q = 0; q < gauss.size() && closest >= 0; ++q)
         {
           OverlapPoint<2> p;
           p.slave_face = slave_face;
@@ -53,17 +54,14 @@ namespace Amontons
           p.normal     = slave.nodal_normal(slave_face, p.xi_slave);
           double jacobian;
           slave.face_normal(slave_face, p.xi_slave, &jacobian);
-          p.weight = gauss.weight(q) * (b - a) * jacobian;
-          // rounding at the ends of a sliver: all of it or nothing
-          const bool found = opposite(p);
+          p.weight         = gauss.weight(q) * (b - a) * jacobian;
+          const bool found = opposite(p); // rounding at the ends of a sliver: all of it or nothing
           p.gap            = p.normal * (p.x_master - p.x_slave);
-          if (!found || std::abs(p.gap) > reach)
-            {
-              points.resize(before);
-              return;
-            }
+          closest          = found ? std::min(closest, std::abs(p.gap)) : -1;
           points.push_back(p);
         }
+      if (closest < 0 || closest > reach)
+        points.resize(before);
     }
   } // namespace
 

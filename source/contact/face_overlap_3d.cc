@@ -88,22 +88,37 @@ namespace Amontons
       return ((p.back() - p[g]) - (p[g * (g + 1)] - p[0])).norm() / face.size;
     }
 
-    // Degree 4p, and one more for each order of the distortion until its power is rounding (9 orders at
-    // most).
+    // Degree 4p for psi phi on parallelograms. On others the inverse of the bilinear map enters, which is
+    // analytic up to a distance of about 1/(sqrt(2) distortion) face sizes: on a piece, whose `distortion` is
+    // that of the face times its size over that of the face, polynomials converge like rho^-degree with rho
+    // of the Bernstein ellipse. 1e-10 of the pressure are wanted.
     const Quadrature<2> &
     triangle_formula(const unsigned int degree, const double distortion)
     {
-      static const std::vector<QWitherdenVincentSimplex<2>> formulas = [] {
-        std::vector<QWitherdenVincentSimplex<2>> list;
-        for (unsigned int n = 1; n <= 7; ++n)
-          list.emplace_back(n); // degree 2n - 1
+      constexpr unsigned int                  n_symmetric = 7, n_max = 14;
+      static const std::vector<Quadrature<2>> formulas    = [] {
+        std::vector<Quadrature<2>> list;
+        for (unsigned int n = 1; n <= n_symmetric; ++n)
+          list.push_back(QWitherdenVincentSimplex<2>(n)); // degree 2n - 1
+        for (unsigned int n = n_symmetric + 1; n <= n_max; ++n)
+          list.push_back(QDuffy(n, 1.)); // collapsed squares: degree 2n - 2
         return list;
       }();
-      const double       orders = distortion < 1e-12 ? 1
-                                  : distortion > 0.1 ? 12
-                                                     : std::log(1e-12) / std::log(distortion);
-      const unsigned int n      = std::ceil(0.5 * (4 * degree + orders));
-      return formulas[std::min(n, 7u) - 1];
+      const double       z = std::max(1.1, std::sqrt(2.) / std::max(distortion, 1e-12));
+      const double       orders = distortion < 1e-12 ? 0 : std::log(1e10) / std::log(z + std::sqrt(z * z - 1));
+      const double       wanted = 4 * degree + orders;
+      const unsigned int n      = std::ceil(0.5 * (wanted <= 2 * n_symmetric - 1 ? wanted + 1 : wanted + 2));
+      return formulas[std::min(n, n_max) - 1];
+    }
+
+    double
+    diameter(const Polygon &polygon)
+    {
+      double largest = 0;
+      for (const auto &p : polygon)
+        for (const auto &q : polygon)
+          largest = std::max(largest, p.distance(q));
+      return largest;
     }
 
     // The plane of a slave face in which faces are clipped.
@@ -216,8 +231,9 @@ namespace Amontons
           const double       twice_area = cross(a, b);
           if (twice_area == 0)
             continue;
-          const std::size_t before = points.size();
-          for (unsigned int q = 0; q < formula.size(); ++q)
+          const std::size_t before  = points.size();
+          double            closest = std::numeric_limits<double>::max();
+          for (unsigned int q = 0; q < formula.size() && closest >= 0; ++q)
             {
               const auto [xi, element] =
                   to_xi(polygon[0] + formula.point(q)[0] * a + formula.point(q)[1] * b);
@@ -225,13 +241,11 @@ namespace Amontons
                   slave_point(slave, slave_face, xi, formula.weight(q) * twice_area * element);
               const bool found = opposite(p);
               p.gap            = p.normal * (p.x_master - p.x_slave);
-              if (!found || std::abs(p.gap) > reach)
-                {
-                  points.resize(before);
-                  break;
-                }
+              closest          = found ? std::min(closest, std::abs(p.gap)) : -1;
               points.push_back(p);
             }
+          if (closest < 0 || closest > reach)
+            points.resize(before);
         }
     }
   } // namespace
@@ -314,7 +328,10 @@ namespace Amontons
         if (polygon.size() < 3 || area(polygon) < 1e-24 * area(plane.window))
           continue;
 
-        const double distorted = std::max(distortion(slave.faces[slave_face]), distortion(master.faces[m]));
+        const auto of_piece = [size = diameter(polygon)](const SurfaceFace<3> &face) {
+          return distortion(face) * size / face.size;
+        };
+        const double distorted = std::max(of_piece(slave.faces[slave_face]), of_piece(master.faces[m]));
         integrate_polygon(
             slave,
             slave_face,
@@ -371,17 +388,18 @@ namespace Amontons
       {
         // psi x N x geometry
         const QGauss<2>   gauss(slave.degree + 2);
-        const std::size_t before = points.size();
-        for (unsigned int q = 0; q < gauss.size(); ++q)
+        const std::size_t before  = points.size();
+        double            closest = std::numeric_limits<double>::max();
+        for (unsigned int q = 0; q < gauss.size() && closest >= 0; ++q)
           {
-            auto p = slave_point(slave, slave_face, gauss.point(q), gauss.weight(q));
-            if (!project(p) || std::abs(p.gap = p.normal * (p.x_master - p.x_slave)) > reach)
-              {
-                points.resize(before);
-                return;
-              }
+            auto       p     = slave_point(slave, slave_face, gauss.point(q), gauss.weight(q));
+            const bool found = project(p);
+            p.gap            = p.normal * (p.x_master - p.x_slave);
+            closest          = found ? std::min(closest, std::abs(p.gap)) : -1;
             points.push_back(p);
           }
+        if (closest < 0 || closest > reach)
+          points.resize(before);
         return;
       }
 

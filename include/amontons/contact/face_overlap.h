@@ -31,9 +31,9 @@ namespace Amontons
                     const Point<3>          &x,
                     const Tensor<1, 3>      &n);
 
-  // Appends the points of the common parts of a slave face and the master faces. Pieces with a gap above
-  // `reach` at any point count for nothing, so that every piece keeps a full formula. Faces that look away
-  // from each other have no common part. Weights are lengths and areas.
+  // Appends the points of the common parts of a slave face and the master faces. Pieces count whole or not at
+  // all, so that each keeps a full formula: they do not where all gaps are above `reach`. Faces that look
+  // away from each other have no common part. Weights are lengths and areas.
   //
   // 2D: the ends of the master face are projected on to the slave face along its continuous normal field; the
   // segment between them carries a Gauss formula.

@@ -384,6 +384,28 @@ def scenes():
     mesh(".geo that fails", "m.geo", geo.replace("Plane Surface(1) = {1};", "Plane Surface(1) = {7"), r"gmsh made no mesh of .*m\.geo", ranks=2)
     mesh("empty .geo", "m.geo", "", r"m\.geo")
     case("curved boundary of no name", {"scene.prm": ONE_BODY % "  set Mesh = m.msh\n  set Curved boundaries = side = circle(0, 0)", "m.msh": MSH2}, "boundary 'side'")
+    solid = "set Kind = 3D\n" + (ONE_BODY % "%s").replace("0; 0", "0; 0; 0")
+    curved = solid % "  set Mesh = m.msh\n  set Curved boundaries = bottom = %s"
+    for name, shape, words in [("missing CAD file", "cad(a.step)", r"no file '.*a\.step'.*STEP or IGES"), ("CAD file of an unknown kind", "cad(m.msh)", r"\.step, \.stp"),
+                               ("CAD scale", "cad(a.step, -1)", "SCALE > 0"), ("CAD scale that is no number", "cad(a.step, mm)", "SCALE > 0")]:
+        case(name, {"scene.prm": curved % shape, "m.msh": MSH2}, r"^scene\.prm:4: .*" + words, ranks=2 if "missing" in name else 1)
+    case("CAD in 2D", {"scene.prm": ONE_BODY % "  set Mesh = m.msh\n  set Curved boundaries = bottom = cad(a.step)", "m.msh": MSH2}, r"^scene\.prm:3: .*in 3D")
+    parameters = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "parameters")
+    with open(os.path.join(parameters, "step_file.msh")) as stream:
+        dome = stream.read()
+    with open(os.path.join(parameters, "step_file.step")) as stream:
+        step = stream.read()
+    on_top = (curved % "%s").replace("bottom = ", "top = ", 1)
+    case("CAD file that is none", {"scene.prm": on_top % "cad(a.step)", "m.msh": dome, "a.step": "hello\n"}, r"^scene\.prm:2: .*cannot read '.*a\.step'.*STEP", ranks=2)
+    case("empty IGES file", {"scene.prm": on_top % "cad(a.igs)", "m.msh": dome, "a.igs": ""}, r"^scene\.prm:2: .*cannot read '.*a\.igs'.*IGES")
+    case("CAD model elsewhere", {"scene.prm": on_top % "cad(a.step, 1.1)", "m.msh": dome, "a.step": step}, r"^scene\.prm:2: .*'top'.*lies on no single face.*1e-3", ranks=2)
+    case("truncated CAD file", {"scene.prm": on_top % "cad(a.step)", "m.msh": dome, "a.step": step[:len(step) // 2]}, r"^scene\.prm:2: .*a\.step")
+    case("disk in 3D", solid % "  set Mesh = half disk", r"^scene\.prm:3: .*found 'half disk', a shape of scenes in 2D; .*half sphere.*cylinder")
+    case("sphere in 2D", ONE_BODY % "  set Mesh = sphere", r"^scene\.prm:2: .*found 'sphere', a shape of scenes in 3D; .*half disk.*ring")
+    case("length of a sphere", solid % "  set Mesh = sphere\n  set Length = 2", r"^scene\.prm:4: .*no meaning.*sphere")
+    case("zero length", solid % "  set Mesh = cylinder\n  set Length = 0", r"^scene\.prm:4: .*positive")
+    case("thick hollow cylinder", solid % "  set Mesh = hollow cylinder\n  set Inner radius = 2", r"^scene\.prm:4: .*less than the outer radius")
+    case("thin hollow sphere", solid % "  set Mesh = hollow sphere\n  set Inner radius = 0.999999", r"^scene\.prm:2: .*cells")
     case("curved boundary that is not round", {"scene.prm": ONE_BODY % "  set Mesh = m.msh\n  set Curved boundaries = bottom = square(0, 0)", "m.msh": MSH2},
          r"^scene\.prm:3: .*square")
 

@@ -199,10 +199,10 @@ namespace Amontons
   void
   make_geometry(const Scene &scene, Geometry<dim> &geometry, const bool refine)
   {
-    Assembly<dim>                        assembly;
-    std::vector<std::optional<Point<3>>> polar_centres;
-    double                               largest = 0;
-    geometry.n_bodies                            = scene.bodies.size();
+    Assembly<dim>                            assembly;
+    std::vector<std::optional<TrueGeometry>> polar;
+    double                                   largest = 0;
+    geometry.n_bodies                                = scene.bodies.size();
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
         const auto mesh = make_body<dim>(scene.bodies[b], scene.kind, geometry.communicator);
@@ -210,7 +210,7 @@ namespace Amontons
         geometry.body_sizes.push_back(box.first.distance(box.second));
         geometry.body_centres.push_back(box.first + 0.5 * (box.second - box.first));
         largest = std::max(largest, geometry.body_sizes.back());
-        polar_centres.push_back(mesh.polar_centre);
+        polar.push_back(mesh.polar);
         add_body(mesh, b, geometry.boundaries, assembly);
       }
 
@@ -229,9 +229,9 @@ namespace Amontons
     triangulation.create_triangulation(assembly.vertices, assembly.cells, SubCellData());
     set_boundary_ids(assembly, triangulation);
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      if (polar_centres[b])
-        attach_polar_manifold(b, *polar_centres[b], assembly.unnamed[b], triangulation);
-    attach_manifolds(scene, geometry);
+      if (polar[b])
+        attach_polar_manifold(b, *polar[b], assembly.unnamed[b], triangulation);
+    attach_manifolds(scene, assembly.next_id, geometry);
     if (refine)
       refine_bodies(scene.bodies, triangulation);
   }

@@ -1,3 +1,4 @@
+#include <amontons/geometry/cad_manifold.h>
 #include <amontons/geometry/manifolds.h>
 
 #include <deal.II/grid/manifold_lib.h>
@@ -70,10 +71,20 @@ namespace Amontons
 
   template <int dim>
   void
-  attach_manifolds(const Scene &scene, Geometry<dim> &geometry)
+  attach_manifolds(const Scene &scene, const types::manifold_id first_free_id, Geometry<dim> &geometry)
   {
+    types::manifold_id next_id = first_free_id;
     for (const Boundary &boundary : geometry.boundaries)
-      if (boundary.geometry.type != TrueGeometry::Type::flat)
+      if (boundary.geometry.type == TrueGeometry::Type::cad)
+        {
+          if constexpr (dim == 3)
+            attach_cad_manifolds(boundary,
+                                 scene.bodies[boundary.body],
+                                 geometry.body_sizes[boundary.body],
+                                 next_id,
+                                 geometry.triangulation);
+        }
+      else if (boundary.geometry.type != TrueGeometry::Type::flat)
         {
           if (dim == 3 && boundary.geometry.type == TrueGeometry::Type::cylinder &&
               !(boundary.geometry.axis.norm() > 0))
@@ -92,28 +103,28 @@ namespace Amontons
   template <int dim>
   void
   attach_polar_manifold(const types::material_id body,
-                        const Point<3>          &centre,
+                        const TrueGeometry      &shape,
                         const types::manifold_id id,
                         Triangulation<dim>      &triangulation)
   {
-    triangulation.set_manifold(id, SphericalManifold<dim>(in_dimension<dim>(centre)));
+    triangulation.set_manifold(id, *make_manifold<dim>(shape));
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
       if (cell->material_id() == body)
         cell->set_all_manifold_ids(id);
   }
 
   template void
-  attach_manifolds<2>(const Scene &, Geometry<2> &);
+  attach_manifolds<2>(const Scene &, const types::manifold_id, Geometry<2> &);
   template void
-  attach_manifolds<3>(const Scene &, Geometry<3> &);
+  attach_manifolds<3>(const Scene &, const types::manifold_id, Geometry<3> &);
   template void
   attach_polar_manifold<2>(const types::material_id,
-                           const Point<3> &,
+                           const TrueGeometry &,
                            const types::manifold_id,
                            Triangulation<2> &);
   template void
   attach_polar_manifold<3>(const types::material_id,
-                           const Point<3> &,
+                           const TrueGeometry &,
                            const types::manifold_id,
                            Triangulation<3> &);
 } // namespace Amontons

@@ -27,6 +27,14 @@ namespace Amontons
       return body.rotation_centre + rotate(p - body.rotation_centre, body) + body.shift;
     }
 
+    TrueGeometry
+    place(TrueGeometry shape, const BodyData &body)
+    {
+      shape.centre = place(shape.centre, body);
+      shape.axis   = rotate(shape.axis, body);
+      return shape;
+    }
+
     template <int dim>
     void
     check_placement(const BodyData &body)
@@ -67,12 +75,9 @@ namespace Amontons
         }
 
     for (auto &[name, shape] : mesh.geometry)
-      {
-        shape.centre = place(shape.centre, body);
-        shape.axis   = rotate(shape.axis, body);
-      }
-    if (mesh.polar_centre)
-      mesh.polar_centre = place(*mesh.polar_centre, body);
+      shape = place(shape, body);
+    if (mesh.polar)
+      mesh.polar = place(*mesh.polar, body);
   }
 
   template void

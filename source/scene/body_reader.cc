@@ -2,6 +2,8 @@
 #include <amontons/scene/scene_declarations.h>
 #include <amontons/scene/text.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -15,13 +17,36 @@ namespace Amontons
       return std::filesystem::path(file).extension().string();
     }
 
+    // The absolute name of the file that `entry` names relative to the scene.
+    std::string
+    existing_file(const SectionInput &section,
+                  const std::string  &entry,
+                  const std::string  &name,
+                  const std::string  &what)
+    {
+      const auto folder = std::filesystem::absolute(section.scene_file()).parent_path();
+      const auto file   = (folder / name).lexically_normal();
+      if (!std::filesystem::is_regular_file(file))
+        section.fail(entry,
+                     "there is no file '" + file.string() + "'",
+                     what + ", relative to the folder of the scene");
+      return file.string();
+    }
+
+    bool
+    is_among(const std::string &shape, const std::vector<std::string> &shapes)
+    {
+      return std::find(shapes.begin(), shapes.end(), shape) != shapes.end();
+    }
+
     // A built-in shape, or "file" and the absolute name of an existing file.
     void
     read_mesh_name(const SectionInput &section, BodyData &body)
     {
       const std::string               mesh   = section.text("Mesh");
-      const std::vector<std::string> &shapes = built_in_shapes();
-      if (std::find(shapes.begin(), shapes.end(), mesh) != shapes.end())
+      const int                       dim    = section.dim();
+      const std::vector<std::string> &shapes = built_in_shapes(dim);
+      if (is_among(mesh, shapes))
         {
           body.shape = mesh;
           return;
@@ -29,16 +54,13 @@ namespace Amontons
       const std::string ending = ending_of(mesh);
       if (ending != ".msh" && ending != ".geo" && ending != ".inp")
         section.fail("Mesh",
-                     "found '" + mesh + "'" + suggestion(mesh, shapes),
+                     "found '" + mesh + "'" +
+                         (is_among(mesh, built_in_shapes(5 - dim))
+                              ? ", a shape of scenes in " + std::to_string(5 - dim) + "D"
+                              : suggestion(mesh, shapes)),
                      join(shapes, ", ") + ", or a file ending in .msh, .geo or .inp");
-      const auto folder = std::filesystem::absolute(section.scene_file()).parent_path();
-      const auto file   = (folder / mesh).lexically_normal();
-      if (!std::filesystem::is_regular_file(file))
-        section.fail("Mesh",
-                     "there is no file '" + file.string() + "'",
-                     "a mesh file, relative to the folder of the scene");
       body.shape     = "file";
-      body.mesh_file = file.string();
+      body.mesh_file = existing_file(section, "Mesh", mesh, "a mesh file");
     }
 
     void
@@ -71,20 +93,20 @@ namespace Amontons
     read_shape(const SectionInput &section, BodyData &body)
     {
       const std::string context = "for Mesh = " + section.text("Mesh");
-      const bool        ring    = body.shape.find("ring") != std::string::npos;
-      const bool        disk    = body.shape.find("disk") != std::string::npos;
+      const auto        is     = [&](const char *word) { return body.shape.find(word) != std::string::npos; };
+      const bool        hollow = is("ring") || is("hollow");
       if (body.shape == "block")
         read_block(section, body);
       else
         section.refuse({"Lower corner", "Upper corner", "Cells", "Grading"}, context);
-      if (disk || ring)
+      if (body.shape != "block" && body.shape != "file")
         {
           body.centre = section.point("Centre");
           body.radius = section.positive_number("Radius");
         }
       else
         section.refuse({"Centre", "Radius"}, context);
-      if (ring)
+      if (hollow)
         {
           body.inner_radius = section.positive_number("Inner radius");
           if (!(body.inner_radius < body.radius))
@@ -94,14 +116,41 @@ namespace Amontons
         }
       else
         section.refuse({"Inner radius"}, context);
+      if (is("cylinder"))
+        body.length = section.positive_number("Length");
+      else
+        section.refuse({"Length"}, context);
+    }
+
+    // cad(FILE[, scale])
+    TrueGeometry
+    read_cad_geometry(const SectionInput &section, const std::string &text, const Call &call)
+    {
+      const std::string allowed =
+          "cad(FILE) or cad(FILE, SCALE) with a file ending in .step, .stp, .iges or .igs, "
+          "in 3D; SCALE > 0 multiplies its lengths in mm";
+      const std::string file = call.arguments.empty() ? "" : call.arguments[0];
+      const auto        scale =
+          call.arguments.size() == 2 ? as_number(call.arguments[1]) : std::optional<double>(1.);
+      if (section.dim() != 3 || call.arguments.size() > 2 || !scale || !(*scale > 0) ||
+          !is_among(boost::algorithm::to_lower_copy(ending_of(file)), {".step", ".stp", ".iges", ".igs"}))
+        section.fail("Curved boundaries", "found '" + text + "'", allowed);
+      TrueGeometry geometry;
+      geometry.type  = TrueGeometry::Type::cad;
+      geometry.file  = existing_file(section, "Curved boundaries", file, "a STEP or IGES file");
+      geometry.scale = *scale;
+      return geometry;
     }
 
     TrueGeometry
     read_true_geometry(const SectionInput &section, const std::string &text)
     {
       const std::string allowed =
-          "circle(x, y), in 3D sphere(x, y, z) or cylinder(x, y, z, ax, ay, az), as 'BOUNDARY = SHAPE; ...'";
-      const auto          call = as_call(text);
+          "circle(x, y), in 3D sphere(x, y, z), cylinder(x, y, z, ax, ay, az) or cad(FILE), as 'BOUNDARY = "
+          "SHAPE; ...'";
+      const auto call = as_call(text);
+      if (call && call->name == "cad")
+        return read_cad_geometry(section, text, *call);
       TrueGeometry        geometry;
       std::vector<double> numbers;
       if (call)

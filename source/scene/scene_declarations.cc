@@ -44,8 +44,8 @@ namespace Amontons
           "Mesh",
           "block",
           anything,
-          "block | disk | half disk | quarter disk | ring | half ring | quarter ring, or a file .msh, .geo, "
-          ".inp beside the scene.");
+          "block; in 2D [half | quarter] disk, ring; in 3D [half | quarter | eighth] sphere, hollow sphere, "
+          "[half | quarter] cylinder, hollow cylinder; or a file .msh, .geo, .inp beside the scene.");
       prm.declare_entry("Lower corner", "0, 0, 0", coordinates, "Block: corner of smallest coordinates.");
       prm.declare_entry("Upper corner", "1, 1, 1", coordinates, "Block: corner of largest coordinates.");
       prm.declare_entry("Cells",
@@ -56,9 +56,11 @@ namespace Amontons
                         "1, 1, 1",
                         Patterns::List(Patterns::Double(0), 2, 3, ","),
                         "Block: size of the last cell over that of the first, per direction.");
-      prm.declare_entry("Centre", "0, 0, 0", coordinates, "Disks and rings: centre.");
-      prm.declare_entry("Radius", "1", Patterns::Double(0), "Disks: radius. Rings: outer radius.");
-      prm.declare_entry("Inner radius", "0.5", Patterns::Double(0), "Rings: inner radius.");
+      prm.declare_entry(
+          "Centre", "0, 0, 0", coordinates, "Round shapes: centre; cylinders: centre of the bottom.");
+      prm.declare_entry("Radius", "1", Patterns::Double(0), "Round shapes: radius, outer radius.");
+      prm.declare_entry("Inner radius", "0.5", Patterns::Double(0), "Rings and hollow shapes: inner radius.");
+      prm.declare_entry("Length", "1", Patterns::Double(0), "Cylinders: length, along z before placement.");
       prm.declare_entry(
           "Refinements", "0", Patterns::Integer(0, 20), "Uniform refinements before the first solve.");
       prm.declare_entry(
@@ -70,8 +72,8 @@ namespace Amontons
                         "",
                         anything,
                         "Mesh from a file: 'outer = circle(x, y[, z]); side = cylinder(x, y, z, ax, ay, "
-                        "az)': the true shape "
-                        "of boundaries, by centre (and axis); in 3D, circle means sphere.");
+                        "az); top = cad(FILE.step[, scale])': the true shape of boundaries, by centre (and "
+                        "axis), or a STEP or IGES file beside the scene; in 3D, circle means sphere.");
     }
 
     void
@@ -218,11 +220,26 @@ namespace Amontons
   }
 
   const std::vector<std::string> &
-  built_in_shapes()
+  built_in_shapes(const int dim)
   {
-    static const std::vector<std::string> shapes = {
+    static const std::vector<std::string> plane = {
         "block", "disk", "half disk", "quarter disk", "ring", "half ring", "quarter ring"};
-    return shapes;
+    static const std::vector<std::string> solid = {"block",
+                                                   "sphere",
+                                                   "half sphere",
+                                                   "quarter sphere",
+                                                   "eighth sphere",
+                                                   "hollow sphere",
+                                                   "half hollow sphere",
+                                                   "quarter hollow sphere",
+                                                   "eighth hollow sphere",
+                                                   "cylinder",
+                                                   "half cylinder",
+                                                   "quarter cylinder",
+                                                   "hollow cylinder",
+                                                   "half hollow cylinder",
+                                                   "quarter hollow cylinder"};
+    return dim == 2 ? plane : solid;
   }
 
   const std::vector<std::string> &

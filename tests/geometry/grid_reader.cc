@@ -237,6 +237,72 @@ check_abaqus()
                 {{"left_side", 1}, {"rest", 4}, {"PhysicalLine7", 1}});
 }
 
+// A quarter of a tube in unstructured hexahedra: the same from all formats, and fit for deal.II.
+void
+check_hexahedra()
+{
+  const std::string body =
+      "SetFactory(\"OpenCASCADE\"); Cylinder(1) = {0, 0, 0, 0, 0, 1, 1, Pi/2};\n"
+      "Cylinder(2) = {0, 0, 0, 0, 0, 1, 0.5, Pi/2};\n"
+      "BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };\n"
+      "Mesh.MeshSizeMax = 0.4; Mesh.SubdivisionAlgorithm = 2;\n"
+      "low() = Surface In BoundingBox{-1, -1, -0.1, 2, 2, 0.1};\n"
+      "out() = Surface In BoundingBox{-0.1, -0.1, -0.1, 1.1, 1.1, 1.1}; out() -= {low()};\n"
+      "Physical Surface(\"low end\") = {low()}; Physical Surface(\"others\") = {out()};\n"
+      "Physical Volume(\"tube\") = {3};\n";
+  const std::string geo = write("tube.geo", body);
+  const auto        reference =
+      read_grid<3>(file_body(mesh_with_gmsh(geo, "h41.msh", "-3 -format msh41")), MPI_COMM_WORLD);
+  check::is_true(reference.cells.size() > 50 && reference.names.size() == 2, "hexahedra of a tube");
+  for (const std::string &file : {mesh_with_gmsh(geo, "h22.msh", "-3 -format msh22"),
+                                  mesh_with_gmsh(geo, "h41b.msh", "-3 -format msh41 -bin"),
+                                  mesh_with_gmsh(geo, "h.inp", "-3")})
+    {
+      const auto mesh = read_grid<3>(file_body(file), MPI_COMM_WORLD);
+      check::is_true(mesh.cells.size() == reference.cells.size() && mesh.names.size() == 2 &&
+                         mesh.boundaries.size() == reference.boundaries.size(),
+                     file + ": cells and boundaries");
+      Triangulation<3> triangulation;
+      triangulation.create_triangulation(mesh.vertices, mesh.cells, SubCellData());
+      triangulation.refine_global(1);
+      check::is_close(GridTools::volume(triangulation), 0.75 * numbers::PI / 4, 0.02, file + ": volume");
+    }
+}
+
+// Two cubes side by side; the second is numbered in all 24 ways of a cube, and inside out.
+void
+check_cube_orientations()
+{
+  const std::vector<std::array<double, 3>> corners = {
+      {{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{1, 0, 1}}, {{1, 1, 1}}, {{0, 1, 1}}};
+  std::array<unsigned int, 3> axes{{0, 1, 2}};
+  do
+    for (unsigned int flips = 0; flips < 8; ++flips)
+      {
+        std::ostringstream text;
+        text << "*NODE\n";
+        for (unsigned int i = 0; i < 12; ++i)
+          text << i + 1 << ", " << i % 3 << ", " << i / 3 % 2 << ", " << i / 6 << "\n";
+        text << "*ELEMENT, TYPE=C3D8, ELSET=E\n1, 1, 2, 5, 4, 7, 8, 11, 10\n2";
+        for (const auto &corner : corners)
+          {
+            std::array<unsigned int, 3> p{};
+            for (unsigned int d = 0; d < 3; ++d)
+              p[axes[d]] = (flips >> d) & 1 ? 1 - corner[d] : corner[d];
+            text << ", " << 2 + p[0] + 3 * p[1] + 6 * p[2];
+          }
+        text << "\n*NSET, NSET=end\n3, 6, 9, 12\n";
+        check_mesh<3>(write("cubes.inp", text.str()), 2, {{"end", 1}});
+        const auto       mesh = read_grid<3>(file_body(folder + "/cubes.inp"), MPI_COMM_WORLD);
+        Triangulation<3> triangulation;
+        triangulation.create_triangulation(mesh.vertices, mesh.cells, SubCellData());
+        triangulation.refine_global(1);
+        check::is_close(GridTools::volume(triangulation), 2, 1e-12, "two cubes, refined");
+        MPI_Barrier(MPI_COMM_WORLD);
+      }
+  while (std::next_permutation(axes.begin(), axes.end()));
+}
+
 // A disk from gmsh with a declared circle: the vertices of refinement lie on it.
 void
 check_curved_file()
@@ -273,6 +339,8 @@ main(int argc, char **argv)
   check_gmsh();
   check_damaged();
   check_abaqus();
+  check_hexahedra();
+  check_cube_orientations();
   check_curved_file();
   MPI_Barrier(MPI_COMM_WORLD);
   if (is_first())

@@ -97,7 +97,7 @@ check_shape(const BodyData &body, const double volume, const std::map<std::strin
   check::is_true(worst > (dim == 2 ? 0.5 : 0.25), what + "scaled Jacobian " + std::to_string(worst));
 
   for (const auto &b : geometry.boundaries)
-    if (b.geometry.type == TrueGeometry::Type::circle)
+    if (b.geometry.type != TrueGeometry::Type::flat)
       for (const auto &cell : geometry.triangulation.active_cell_iterators())
         for (const auto &face : cell->face_iterators())
           if (!cell->is_artificial() && face->at_boundary() && face->boundary_id() == b.id)
@@ -106,6 +106,8 @@ check_shape(const BodyData &body, const double volume, const std::map<std::strin
                 Tensor<1, dim> r = face->vertex(v);
                 for (unsigned int d = 0; d < dim; ++d)
                   r[d] -= b.geometry.centre[d];
+                if constexpr (dim == 3)
+                  r -= (r * b.geometry.axis) * b.geometry.axis;
                 check::is_close(r.norm(), b.name == "inner" ? 1 : 2, 1e-12, what + "vertex on " + b.name);
               }
 }
@@ -133,28 +135,133 @@ check_round_shapes()
   check_shape<2>(make_body("half ring"), 1.5 * pi, {{"inner", pi}, {"outer", 2 * pi}, {"cut x", 2}});
   check_shape<2>(
       make_body("quarter ring"), 0.75 * pi, {{"inner", pi / 2}, {"outer", pi}, {"cut x", 1}, {"cut y", 1}});
-  BodyData ball      = make_body("disk");
-  ball.rotation_axis = Tensor<1, 3>({1, 1, 0});
-  check_shape<3>(ball, 32 * pi / 3, {{"arc", 16 * pi}});
-  ball.shape = "half disk";
-  check_shape<3>(ball, 16 * pi / 3, {{"arc", 8 * pi}, {"cut", 4 * pi}});
-  ball.shape = "quarter disk";
-  check_shape<3>(ball, 8 * pi / 3, {{"arc", 4 * pi}, {"cut", 2 * pi}, {"axis", 2 * pi}});
 }
 
-// The lower half at its place, without placement: the arc is below, and symmetric about x = centre.
 void
-check_orientation()
+check_round_shapes_3d()
+{
+  const double pi = numbers::PI;
+  const auto   check =
+      [](const std::string &shape, const double volume, const std::map<std::string, double> &areas) {
+        BodyData body      = make_body(shape);
+        body.rotation_axis = Tensor<1, 3>({1, 1, 0});
+        body.length        = 3;
+        check_shape<3>(body, volume, areas);
+      };
+  check("sphere", 32 * pi / 3, {{"surface", 16 * pi}});
+  check("half sphere", 16 * pi / 3, {{"surface", 8 * pi}, {"plane z", 4 * pi}});
+  check("quarter sphere", 8 * pi / 3, {{"surface", 4 * pi}, {"plane x", 2 * pi}, {"plane z", 2 * pi}});
+  check(
+      "eighth sphere", 4 * pi / 3, {{"surface", 2 * pi}, {"plane x", pi}, {"plane y", pi}, {"plane z", pi}});
+  check("hollow sphere", 28 * pi / 3, {{"inner", 4 * pi}, {"outer", 16 * pi}});
+  check("half hollow sphere", 14 * pi / 3, {{"inner", 2 * pi}, {"outer", 8 * pi}, {"plane z", 3 * pi}});
+  check("quarter hollow sphere",
+        7 * pi / 3,
+        {{"inner", pi}, {"outer", 4 * pi}, {"plane x", 1.5 * pi}, {"plane z", 1.5 * pi}});
+  check("eighth hollow sphere",
+        7 * pi / 6,
+        {{"inner", pi / 2},
+         {"outer", 2 * pi},
+         {"plane x", 0.75 * pi},
+         {"plane y", 0.75 * pi},
+         {"plane z", 0.75 * pi}});
+  check("cylinder", 12 * pi, {{"surface", 12 * pi}, {"bottom", 4 * pi}, {"top", 4 * pi}});
+  check("half cylinder", 6 * pi, {{"surface", 6 * pi}, {"bottom", 2 * pi}, {"top", 2 * pi}, {"plane y", 12}});
+  check("quarter cylinder",
+        3 * pi,
+        {{"surface", 3 * pi}, {"bottom", pi}, {"top", pi}, {"plane x", 6}, {"plane y", 6}});
+  check("hollow cylinder",
+        9 * pi,
+        {{"inner", 6 * pi}, {"outer", 12 * pi}, {"bottom", 3 * pi}, {"top", 3 * pi}});
+  check("half hollow cylinder",
+        4.5 * pi,
+        {{"inner", 3 * pi}, {"outer", 6 * pi}, {"bottom", 1.5 * pi}, {"top", 1.5 * pi}, {"plane y", 6}});
+  check("quarter hollow cylinder",
+        2.25 * pi,
+        {{"inner", 1.5 * pi},
+         {"outer", 3 * pi},
+         {"bottom", 0.75 * pi},
+         {"top", 0.75 * pi},
+         {"plane x", 3},
+         {"plane y", 3}});
+}
+
+// Pieces at their place, without placement: the signs of x, y, z from the centre, 0 for both.
+template <int dim>
+void
+check_orientation(const std::string &shape, const std::array<int, 3> &signs)
 {
   Scene    scene;
-  BodyData body       = make_body("quarter disk");
+  BodyData body       = make_body(shape);
   body.rotation_angle = 0;
   body.shift          = Tensor<1, 3>();
+  scene.kind          = dim == 3 ? Kind::three_dimensional : Kind::plane_strain;
   scene.bodies        = {body};
-  Geometry<2> geometry(MPI_COMM_WORLD);
+  Geometry<dim> geometry(MPI_COMM_WORLD);
   make_geometry(scene, geometry);
-  for (const auto &p : geometry.triangulation.get_vertices())
-    check::is_true(p[0] >= 1 - 1e-12 && p[1] <= 2 + 1e-12, "the quarter disk is at x >= 0, y <= 0");
+  const auto [lower, upper] = GridTools::compute_bounding_box(geometry.triangulation).get_boundary_points();
+  for (unsigned int d = 0; d < dim; ++d)
+    check::is_true(lower[d] >= body.centre[d] - (signs[d] == 1 ? 1e-12 : 3) &&
+                       upper[d] <= body.centre[d] + (signs[d] == -1 ? 1e-12 : 3),
+                   shape + " is on the right side");
+}
+
+void
+check_orientations()
+{
+  check_orientation<2>("half disk", {{0, -1, 0}});
+  check_orientation<2>("quarter disk", {{1, -1, 0}});
+  check_orientation<2>("half ring", {{0, 1, 0}});
+  check_orientation<2>("quarter ring", {{1, 1, 0}});
+  for (const std::string hollow : {"", "hollow "})
+    {
+      check_orientation<3>("half " + hollow + "sphere", {{0, 0, -1}});
+      check_orientation<3>("quarter " + hollow + "sphere", {{1, 0, -1}});
+      check_orientation<3>("eighth " + hollow + "sphere", {{1, 1, -1}});
+      check_orientation<3>("half " + hollow + "cylinder", {{0, -1, 1}});
+      check_orientation<3>("quarter " + hollow + "cylinder", {{1, -1, 1}});
+    }
+}
+
+// Quarter cylinders that cross at the origin, as doc/scene_files.md places them: both lie in x >= 0, y <= 0,
+// above and below z = 0, with their symmetry planes on x = 0 and y = 0.
+void
+check_crossed_cylinders()
+{
+  BodyData upper        = make_body("quarter cylinder"), lower;
+  upper.centre          = {0, 2, 0};
+  upper.shift           = Tensor<1, 3>();
+  upper.length          = 3;
+  upper.rotation_centre = Point<3>();
+  lower                 = upper;
+  upper.rotation_angle  = 90;
+  upper.rotation_axis   = Tensor<1, 3>({1, 0, 0});
+  lower.rotation_angle  = 120;
+  lower.rotation_axis   = Tensor<1, 3>({-1, 1, -1});
+  lower.name            = "lower";
+  Scene scene;
+  scene.kind = Kind::three_dimensional;
+  for (const BodyData &body : {upper, lower})
+    {
+      scene.bodies = {body};
+      Geometry<3> geometry(MPI_COMM_WORLD);
+      make_geometry(scene, geometry);
+      const bool above       = body.name != "lower";
+      const auto [low, high] = GridTools::compute_bounding_box(geometry.triangulation).get_boundary_points();
+      const Point<3> expected_low(0, above ? -3 : -2, above ? 0 : -2),
+          expected_high(above ? 2 : 3, 0, above ? 2 : 0);
+      check::is_true(low.distance(expected_low) < 1e-12 && high.distance(expected_high) < 1e-12,
+                     "place of a crossed cylinder");
+      const std::map<std::string, unsigned int> planes =
+          above ? std::map<std::string, unsigned int>{{"plane x", 0}, {"bottom", 1}}
+                : std::map<std::string, unsigned int>{{"plane x", 1}, {"bottom", 0}};
+      for (const auto &[name, d] : planes)
+        for (const auto &cell : geometry.triangulation.active_cell_iterators())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() &&
+                face->boundary_id() == geometry.boundary({body.name, name, {}}, scene).id)
+              check::is_close(face->center()[d], 0, 1e-12, name + " of a crossed cylinder", 1);
+    }
 }
 
 template <int dim>
@@ -269,13 +376,16 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_blocks();
   check_round_shapes();
-  check_orientation();
+  check_round_shapes_3d();
+  check_orientations();
+  check_crossed_cylinders();
   check_two_blocks<2>();
   check_two_blocks<3>();
 
   const Kind plane = Kind::plane_strain;
   check_error("axisymmetric", Kind::axisymmetric, [](BodyData &b) { b.shift[0] = -3; });
   check_error("unknown shape", plane, [](BodyData &b) { b.shape = "blob"; });
+  check_error("unknown shape 'sphere' in 2D", plane, [](BodyData &b) { b.shape = "sphere"; });
   check_error("out of the plane", plane, [](BodyData &b) { b.rotation_axis[0] = 1; });
   check_error("inner radius", plane, [](BodyData &b) {
     b.shape        = "ring";

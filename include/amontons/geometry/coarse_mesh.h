@@ -23,8 +23,8 @@ namespace Amontons
     std::map<FaceKey<dim>, unsigned int> boundaries; // named boundary faces -> index into `names`
     std::map<std::string, TrueGeometry>  geometry;   // of curved boundaries, by name
 
-    // All cells, not only the boundary, follow polar coordinates about this point.
-    std::optional<Point<3>> polar_centre;
+    // All cells, not only the boundary, follow polar coordinates about this point or axis.
+    std::optional<TrueGeometry> polar;
   };
 
   template <int dim>

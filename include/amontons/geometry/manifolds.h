@@ -5,18 +5,22 @@
 
 namespace Amontons
 {
-  // Gives the faces of every curved boundary a manifold (its id is the boundary's id). Before refinement.
-  // Throws InputError at the boundary's body if the vertices do not lie on the circle, sphere or cylinder,
-  // whose radius they define, within 1e-3 of that radius.
+  // Gives the faces of every curved boundary a manifold: its id is the boundary's id, those of CAD models
+  // begin with `first_free_id`. Before refinement. Throws InputError at the boundary's body if the vertices
+  // do not lie on the circle, sphere or cylinder, whose radius they define, within 1e-3 of that radius, or on
+  // the CAD model.
   template <int dim>
   void
-  attach_manifolds(const Scene &scene, Geometry<dim> &geometry);
+  attach_manifolds(const Scene                     &scene,
+                   const dealii::types::manifold_id first_free_id,
+                   Geometry<dim>                   &geometry);
 
-  // Gives all cells of material `body` polar (spherical) coordinates about `centre`, with manifold `id`.
+  // Gives all cells of material `body` the polar coordinates of `shape`, a circle, sphere or cylinder, with
+  // manifold `id`.
   template <int dim>
   void
   attach_polar_manifold(const dealii::types::material_id body,
-                        const Point<3>                  &centre,
+                        const TrueGeometry              &shape,
                         const dealii::types::manifold_id id,
                         dealii::Triangulation<dim>      &triangulation);
 } // namespace Amontons

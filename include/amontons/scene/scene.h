@@ -39,17 +39,21 @@ namespace Amontons
     double poisson = 0.3;
   };
 
-  // A curved boundary: circle (2D; sphere in 3D) about `centre`, or cylinder about the axis (3D).
+  // A curved boundary: circle (2D; sphere in 3D) about `centre`, cylinder about the axis (3D), or what a CAD
+  // file says (3D).
   struct TrueGeometry
   {
     enum class Type
     {
       flat,
       circle, // in 3D: sphere
-      cylinder
+      cylinder,
+      cad
     } type = Type::flat;
     Point<3>     centre;
-    Tensor<1, 3> axis; // cylinder only
+    Tensor<1, 3> axis;       // cylinder only
+    std::string  file  = {}; // CAD: absolute; its points have the body's placement still to come
+    double       scale = 1;  // CAD: of its lengths in millimetres
   };
 
   // Rigid motion of an obstacle, a platen or a rigid body, about `reference`:
@@ -72,20 +76,23 @@ namespace Amontons
     std::string name;
     Where       where;
 
-    // shape: "block", "disk", "half disk", "quarter disk", "ring", "half ring", "quarter ring" or "file".
-    // Reference directions, before placement: half disk: the lower half y <= 0, boundaries "arc" (curved) and
-    // "cut" (y = 0); quarter disk: x >= 0, y <= 0, boundaries "arc", "cut" (y = 0), "axis" (x = 0); disk:
-    // "arc"; ring: "inner", "outer"; half ring y >= 0 and quarter ring x, y >= 0: also "cut x" (on y = 0),
-    // "cut y" (on x = 0). block: "left", "right" (x), "bottom", "top" (y in 2D, z in 3D), in 3D also "front",
-    // "back" (y).
+    // A shape of built_in_shapes(), or "file". Before placement: the half disk is the part y <= 0, with
+    // boundaries "arc" (curved) and "cut" (y = 0); quarter disk: x >= 0, y <= 0, boundaries "arc", "cut" (y =
+    // 0), "axis" (x = 0); disk: "arc"; ring: "inner", "outer"; half ring y >= 0 and quarter ring x, y >= 0:
+    // also "cut x" (on y = 0), "cut y" (on x = 0). block: "left", "right" (x), "bottom", "top" (y in 2D, z in
+    // 3D), in 3D also "front", "back" (y). 3D: half sphere z <= 0, quarter sphere x >= 0, z <= 0, eighth
+    // sphere x, y >= 0, z <= 0; cylinders stand on z = 0, half cylinder y <= 0, quarter cylinder x >= 0, y <=
+    // 0. Boundaries are "surface" (hollow: "inner", "outer"), for cylinders "bottom", "top" (z = length), and
+    // the cuts "plane x" (on x = 0), "plane y", "plane z".
     std::string                 shape = "block";
     std::string                 mesh_file;             // absolute
     Point<3>                    lower, upper;          // block
     std::array<unsigned int, 3> cells   = {{1, 1, 1}}; // block: cells per direction of the coarse mesh
     std::array<double, 3>       grading = {{1, 1, 1}}; // block: ratio of last to first cell, per direction
-    Point<3>                    centre;                // disks, rings
-    double                      radius       = 1;      // disks: radius; rings: outer radius
-    double                      inner_radius = 0.5;    // rings
+    Point<3>                    centre;                // round shapes; cylinders: of the bottom
+    double                      radius       = 1;      // round shapes: (outer) radius
+    double                      inner_radius = 0.5;    // rings, hollow shapes
+    double                      length       = 1;      // cylinders
     unsigned int                refinements  = 0;      // uniform, before the first solve
     // Placement: first rotate (degrees, about `rotation_axis` through `rotation_centre`), then shift.
     double       rotation_angle = 0;

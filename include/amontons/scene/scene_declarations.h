@@ -27,7 +27,7 @@ namespace Amontons
   declare_top_level(dealii::ParameterHandler &prm);
 
   const std::vector<std::string> &
-  built_in_shapes();
+  built_in_shapes(const int dim);
   const std::vector<std::string> &
   motion_entries();
 } // namespace Amontons

@@ -172,7 +172,8 @@ namespace Amontons
   }
 
   // Faces in the zone that touches first, with which the first solution sees the contact.
-  constexpr unsigned int enough = 8;
+  template <int dim>
+  constexpr unsigned int enough = dim == 2 ? 8 : 24;
 
   template <int dim>
   unsigned int
@@ -205,7 +206,7 @@ namespace Amontons
         for (const auto &point : interface.coupling.points)
           if (is_close(point))
             close.insert(point.slave_face);
-        if (close.size() >= enough || close.size() == interface.slave->faces.size())
+        if (close.size() >= enough<dim> || close.size() == interface.slave->faces.size())
           continue;
         for (const auto &point : interface.coupling.points)
           if (is_close(point))

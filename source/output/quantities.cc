@@ -4,25 +4,30 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <set>
-
 namespace Amontons
 {
   namespace
   {
-    template <int dim>
-    using Place = std::tuple<unsigned int, unsigned int, Point<dim>>; // body, component, X
+    constexpr unsigned int no_body = numbers::invalid_unsigned_int;
 
-    // Owned DoFs of deformable bodies with their place.
     template <int dim>
-    std::map<types::global_dof_index, Place<dim>>
+    struct Place
+    {
+      unsigned int body = no_body, component;
+      Point<dim>   X;
+    };
+
+    // Of the owned DoFs, in their order; those of rigid bodies and carriers have no body.
+    template <int dim>
+    std::vector<Place<dim>>
     locate_dofs(const Discretization<dim> &discretization)
     {
-      std::map<types::global_dof_index, Place<dim>> places;
-      const auto                                   &fe   = discretization.fe;
-      const auto                                   &base = fe.base_element(0);
-      std::vector<types::global_dof_index>          dofs(fe.n_dofs_per_cell());
-      FEValues<dim>                                 values(discretization.mapping,
+      const auto                          &fe    = discretization.fe;
+      const auto                          &base  = fe.base_element(0);
+      const IndexSet                      &owned = discretization.locally_owned;
+      std::vector<Place<dim>>              places(owned.n_elements());
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      FEValues<dim>                        values(discretization.mapping,
                            fe,
                            Quadrature<dim>(base.get_unit_support_points()),
                            update_quadrature_points);
@@ -32,10 +37,11 @@ namespace Amontons
             values.reinit(cell);
             cell->get_dof_indices(dofs);
             for (unsigned int i = 0; i < dofs.size(); ++i)
-              if (discretization.locally_owned.is_element(dofs[i]))
+              if (owned.is_element(dofs[i]))
                 {
-                  const auto [c, node] = fe.system_to_component_index(i);
-                  places.emplace(dofs[i], Place<dim>(cell->material_id(), c, values.quadrature_point(node)));
+                  const auto [c, node]                    = fe.system_to_component_index(i);
+                  places[owned.index_within_set(dofs[i])] = {
+                      cell->material_id(), c, values.quadrature_point(node)};
                 }
           }
       return places;
@@ -78,21 +84,30 @@ namespace Amontons
       return m;
     }
 
-    // internal - external - contact forces, on owned DoFs
+    // internal - external - contact forces, on the owned DoFs in their order, what hanging nodes carry on
+    // their parents; 0 where no body is
     template <int dim>
-    std::map<types::global_dof_index, double>
-    support_forces(const Answer<dim> &answer, const std::map<types::global_dof_index, Place<dim>> &places)
+    std::vector<double>
+    support_forces(const Answer<dim> &answer, const std::vector<Place<dim>> &places)
     {
-      const LA::Vector                          internal = answer.elasticity.apply(answer.state.displacement);
-      const auto                                contact  = contact_forces(answer);
-      std::map<types::global_dof_index, double> result;
-      for (const auto &entry : places)
+      const IndexSet &owned = answer.discretization.locally_owned;
+      LA::Vector      raw   = answer.elasticity.apply(answer.state.displacement);
+      raw -= answer.loads;
+      for (const auto &[dof, force] : contact_forces(answer))
+        if (owned.is_element(dof))
+          raw(dof) -= force;
+      raw.compress(VectorOperation::add);
+      const LA::Vector condensed =
+          condense(raw, answer.discretization.hanging_nodes, answer.discretization.make_owned_vector());
+      std::vector<double> forces(owned.n_elements());
+      unsigned int        i = 0;
+      for (const auto dof : owned)
         {
-          const auto dof   = entry.first;
-          const auto found = contact.find(dof);
-          result[dof] = internal(dof) - answer.loads(dof) - (found == contact.end() ? 0. : found->second);
+          if (places[i].body != no_body)
+            forces[i] = condensed(dof);
+          ++i;
         }
-      return result;
+      return forces;
     }
 
     // Whether the condition can exert a force along component c at a face: displacements where they are
@@ -160,12 +175,13 @@ namespace Amontons
   std::vector<ReactionSummary>
   compute_reactions(const Answer<dim> &answer)
   {
-    const auto                       &discretization = answer.discretization;
-    const auto                       &fe             = discretization.fe;
-    const auto                        places         = locate_dofs(discretization);
-    const auto                        forces         = support_forces(answer, places);
-    std::set<types::global_dof_index> counted;
-    std::vector<ReactionSummary>      reactions;
+    const auto                  &discretization = answer.discretization;
+    const auto                  &fe             = discretization.fe;
+    const IndexSet              &owned          = discretization.locally_owned;
+    const auto                   places         = locate_dofs(discretization);
+    const auto                   forces         = support_forces(answer, places);
+    std::vector<bool>            counted(places.size(), false);
+    std::vector<ReactionSummary> reactions;
 
     // In the order in which discretization/supports.cc lets them take DoFs.
     using Type = ConditionData::Type;
@@ -191,13 +207,16 @@ namespace Amontons
                       for (const unsigned int i : nodes_on_face(fe.base_element(0), f))
                         for (unsigned int c = 0; c < dim; ++c)
                           {
-                            const auto dof   = dofs[fe.component_to_system_index(c, i)];
-                            const auto force = forces.find(dof);
-                            if (force == forces.end() || !holds_component<dim>(condition, cell, f, c) ||
-                                !counted.insert(dof).second)
+                            const auto dof = dofs[fe.component_to_system_index(c, i)];
+                            if (!owned.is_element(dof))
                               continue;
-                            sums[c] += force->second;
-                            const auto moment = moment_of(std::get<2>(places.at(dof)), c, force->second);
+                            const auto index = owned.index_within_set(dof);
+                            if (places[index].body == no_body || counted[index] ||
+                                !holds_component<dim>(condition, cell, f, c))
+                              continue;
+                            counted[index] = true;
+                            sums[c] += forces[index];
+                            const auto moment = moment_of(places[index].X, c, forces[index]);
                             for (unsigned int k = 0; k < moment.size(); ++k)
                               sums[dim + k] += moment[k];
                           }
@@ -247,22 +266,26 @@ namespace Amontons
     // nothing may be missing.
     const auto          places = locate_dofs(answer.discretization);
     const auto          forces = support_forces(answer, places);
+    const IndexSet     &owned  = answer.discretization.locally_owned;
     std::vector<double> sums(2, 0.);
     LA::Vector          missing = answer.discretization.make_owned_vector();
-    for (const auto &[dof, force] : forces)
-      missing(dof) = force;
+    unsigned int        i       = 0;
+    for (const auto dof : owned)
+      missing(dof) = forces[i++];
     missing.compress(VectorOperation::insert);
     const LA::Vector condensed =
         condense(missing, answer.supports, answer.discretization.make_owned_vector());
-    for (const auto &entry : places)
-      {
-        const double value = condensed(entry.first);
-        if (!answer.supports.is_constrained(entry.first))
-          sums[0] += value * value;
-        sums[1] += std::pow(answer.loads(entry.first), 2) + value * value;
-      }
+    i = 0;
+    for (const auto dof : owned)
+      if (places[i++].body != no_body)
+        {
+          const double value = condensed(dof);
+          if (!answer.supports.is_constrained(dof))
+            sums[0] += value * value;
+          sums[1] += std::pow(answer.loads(dof), 2) + value * value;
+        }
     for (const auto &[dof, force] : contact_forces(answer))
-      if (answer.discretization.locally_owned.is_element(dof))
+      if (owned.is_element(dof))
         sums[1] += force * force;
     Utilities::MPI::sum(sums, answer.discretization.geometry.communicator, sums);
     const double rounding   = 1e-12 * answer.elasticity.rounding_scale(answer.state.displacement);

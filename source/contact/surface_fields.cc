@@ -9,11 +9,56 @@ namespace Amontons
 {
   namespace
   {
+    // M c = b; or the minimum of c.Mc/2 - b.c over all c >= 0, by its active set: entries that are held at 0
+    // with (Mc - b)_i >= 0.
+    Vector<double>
+    solve_projection(const SparseMatrix<double> &mass, const Vector<double> &rhs, const bool nonnegative)
+    {
+      const unsigned int   n = rhs.size();
+      std::vector<bool>    held(n, false);
+      Vector<double>       c(n), residual(n);
+      SparseMatrix<double> matrix(mass.get_sparsity_pattern());
+      for (unsigned int iteration = 0; iteration < 20; ++iteration)
+        {
+          matrix.copy_from(mass);
+          c = rhs;
+          for (unsigned int i = 0; i < n; ++i)
+            for (auto entry = matrix.begin(i); entry != matrix.end(i); ++entry)
+              if (held[i] || held[entry->column()])
+                entry->value() = i == entry->column() ? mass.diag_element(i) : 0.;
+          for (unsigned int i = 0; i < n; ++i)
+            if (held[i])
+              c[i] = 0;
+          SparseDirectUMFPACK solver;
+          solver.initialize(matrix);
+          solver.solve(c);
+          if (!nonnegative)
+            break;
+          mass.vmult(residual, c);
+          residual -= rhs;
+          bool changed = false;
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              const bool hold = held[i] ? residual[i] > 0 : c[i] < 0;
+              changed         = changed || hold != held[i];
+              held[i]         = hold;
+            }
+          if (!changed)
+            break;
+        }
+      for (unsigned int i = 0; nonnegative && i < n; ++i)
+        c[i] = std::max(0., c[i]);
+      return c;
+    }
+
     // Control values c of the projection: sum_j int B_i B_j c_j = sum_rows int psi_row B_i value_row over the
-    // overlap. Nodes of which next to nothing is covered take the mean of the others of their face.
+    // overlap; `nonnegative`: of the projection on to functions with c >= 0, which is closer to any pressure
+    // >= 0. Nodes of which next to nothing is covered take the mean of the others of their face.
     template <int dim>
     std::vector<double>
-    project(const ContactInterface<dim> &interface, const std::vector<double> &row_values)
+    project(const ContactInterface<dim> &interface,
+            const std::vector<double>   &row_values,
+            const bool                   nonnegative = false)
     {
       const auto &coupling = interface.coupling;
       const auto  expand   = [&](const unsigned int node) {
@@ -53,13 +98,11 @@ namespace Amontons
         for (const auto &[node, trace] : coupling.rows[r].traces)
           for (const auto &[i, a] : expand(node))
             rhs[unknown[i]] += a * trace * row_values[r];
-      SparseDirectUMFPACK solver;
-      solver.initialize(mass);
-      solver.solve(rhs);
+      const Vector<double> c = solve_projection(mass, rhs, nonnegative);
       for (const auto &entry : coupling.trace_mass)
         for (const auto &[i, a] : expand(entry.first.first))
           if (entry.first.first == entry.first.second)
-            control[entry.first.first] += a * rhs[unknown[i]];
+            control[entry.first.first] += a * c[unknown[i]];
       return control;
     }
 
@@ -152,8 +195,6 @@ namespace Amontons
         }
       const double factor = dim == 2 && discretization.scene.kind != Kind::axisymmetric ? 4 : 2.5;
       fields.contact_size = force > 0 ? std::sqrt(std::max(0., factor * second_moment / force)) : 0;
-      for (const double p : fields.pressure)
-        fields.peak_pressure = std::max(fields.peak_pressure, p);
     }
   } // namespace
 
@@ -215,7 +256,16 @@ namespace Amontons
               fields.tangential_force[c] += row.area * tangential[c][r];
             }
       }
+    // Resultants need the projection that keeps all moments; what is shown and compared is >= 0 if it is a
+    // contact pressure.
     fields.pressure = control_to_nodal(slave, project(interface, pressures));
+    if (discretization.scene.kind == Kind::axisymmetric) // radial forces cancel over the full turn
+      fields.normal_force[0] = fields.tangential_force[0] = 0;
+    add_resultants(discretization, interface, fields);
+    if (!interface.pair->tied)
+      fields.pressure = control_to_nodal(slave, project(interface, pressures, true));
+    for (const double p : fields.pressure)
+      fields.peak_pressure = std::max(fields.peak_pressure, p);
     if (interface.pair->tied)
       for (unsigned int c = 0; c < dim; ++c)
         {
@@ -223,9 +273,6 @@ namespace Amontons
           for (unsigned int i = 0; i < n; ++i)
             fields.traction[i][c] = values[i];
         }
-    if (discretization.scene.kind == Kind::axisymmetric) // radial forces cancel over the full turn
-      fields.normal_force[0] = fields.tangential_force[0] = 0;
-    add_resultants(discretization, interface, fields);
     return fields;
   }
 

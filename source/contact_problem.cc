@@ -451,6 +451,10 @@ namespace Amontons
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
         const auto table = contact_table(interfaces, fields);
+        std::vector<std::pair<std::string, MeshPicture>> pressure_maps;
+        for (unsigned int i = 0; i < interfaces.size(); ++i)
+          pressure_maps.emplace_back(interfaces[i].pair->name,
+                                     make_pressure_picture(interfaces[i], fields[i]));
         if (parameters.output.report)
           write_report(folder + "/report.html",
                        summary,
@@ -459,7 +463,8 @@ namespace Amontons
                                        dim,
                                        reference ? &*reference : nullptr,
                                        scene.reference ? scene.reference->pair : ""),
-                       picture);
+                       picture,
+                       pressure_maps);
         write_contact_csv(folder + "/contact.csv", table);
         write_history(folder + "/history.csv", summary.meshes, scene.kind);
         write_summary(summary, folder + "/summary.json");

@@ -1,8 +1,10 @@
+#include <amontons/contact/surface_fields.h>
 #include <amontons/output/mesh_picture.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <iterator>
+#include <set>
 
 namespace Amontons
 {
@@ -52,7 +54,7 @@ namespace Amontons
             for (unsigned int q = 0; q + 1 < points.size(); ++q)
               for (unsigned int d = 0; d < 2; ++d)
                 result.outline.push_back(values.quadrature_point(q)[d] + u[q][d]);
-            result.von_mises = von_mises<2>(recovery.values_at(stress_values).back());
+            result.value = von_mises<2>(recovery.values_at(stress_values).back());
             picture.push_back(result);
           }
       return picture;
@@ -78,5 +80,47 @@ namespace Amontons
   gather_mesh_picture(const Discretization<3> &, const StressRecovery<3> &, const LA::Vector &)
   {
     return {};
+  }
+
+  template <>
+  MeshPicture
+  make_pressure_picture(const ContactInterface<2> &, const SurfaceFields<2> &)
+  {
+    return {};
+  }
+
+  template <>
+  MeshPicture
+  make_pressure_picture(const ContactInterface<3> &interface, const SurfaceFields<3> &fields)
+  {
+    // Seen against the mean normal: the two coordinates beside its largest component.
+    const auto  &slave = *interface.slave;
+    Tensor<1, 3> normal;
+    for (const auto &row : interface.coupling.rows)
+      normal += row.area * row.normal;
+    unsigned int along = 0;
+    for (unsigned int d = 1; d < 3; ++d)
+      if (std::abs(normal[d]) > std::abs(normal[along]))
+        along = d;
+    const unsigned int first = along == 0 ? 1 : 0, second = along == 2 ? 1 : 2;
+
+    std::set<unsigned int> opposite;
+    for (const auto &point : interface.coupling.points)
+      opposite.insert(point.slave_face);
+    const auto  outline = outline_points(slave.degree);
+    MeshPicture picture;
+    for (const unsigned int f : opposite)
+      {
+        CellPicture cell;
+        for (unsigned int q = 0; q + 1 < outline.size(); ++q)
+          {
+            const Point<3> X = slave.position(f, outline.point(q));
+            cell.outline.push_back(X[first]);
+            cell.outline.push_back(X[second]);
+          }
+        cell.value = std::max(0., value_on_face(slave, fields.pressure, f, Point<2>(0.5, 0.5)));
+        picture.push_back(cell);
+      }
+    return picture;
   }
 } // namespace Amontons

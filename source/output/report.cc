@@ -180,14 +180,18 @@ namespace Amontons
   } // namespace
 
   void
-  write_report(const std::string                &file,
-               const RunSummary                 &summary,
-               const std::vector<PressureCurve> &curves,
-               const MeshPicture                &mesh)
+  write_report(const std::string                                      &file,
+               const RunSummary                                       &summary,
+               const std::vector<PressureCurve>                       &curves,
+               const MeshPicture                                      &mesh,
+               const std::vector<std::pair<std::string, MeshPicture>> &pressure_maps)
   {
     std::vector<std::string> pressures, convergence;
     for (const PressureCurve &curve : curves)
       pressures.push_back(svg_chart(pressure_chart(curve)));
+    for (const auto &[pair, picture] : pressure_maps)
+      if (!picture.empty())
+        pressures.push_back(svg_mesh(picture, Window(), "Pressure on the surface, " + pair));
     for (const Chart &chart : {iteration_chart(summary), error_chart(summary)})
       if (!chart.curves.empty())
         convergence.push_back(svg_chart(chart));

@@ -82,9 +82,8 @@ namespace Amontons
         const Box    cell_box = box_of(cell);
         const double width    = scale * (cell_box.upper[0] - cell_box.lower[0]);
         const double height   = scale * (cell_box.upper[1] - cell_box.lower[1]);
-        const int    colour   = highest > lowest
-                                    ? std::lround((n_colours - 1) * (cell.von_mises - lowest) / (highest - lowest))
-                                    : 0;
+        const int    colour =
+            highest > lowest ? std::lround((n_colours - 1) * (cell.value - lowest) / (highest - lowest)) : 0;
         if (std::max(width, height) < 1)
           draw_pixel(cell, colour);
         else
@@ -176,20 +175,22 @@ namespace Amontons
 
     std::vector<const CellPicture *> cells;
     const double                     lowest  = 0;
-    double                           highest = 0; // von Mises stresses are not negative
+    double                           highest = 0;
     for (const CellPicture &cell : picture)
       if (box_of(cell).overlaps(box))
         {
           cells.push_back(&cell);
-          highest = std::max<double>(highest, cell.von_mises);
+          highest = std::max<double>(highest, cell.value);
         }
     Painter painter(box, scale, lowest, highest);
     for (const CellPicture *cell : cells)
       painter.draw(*cell);
 
-    const std::string w  = pixels(2 * margin + std::max(width + bar_room, 8.6 * title.size())),
-                      h  = pixels(std::max(height, 160.) + top + margin);
-    const std::string id = window.half_width > 0 ? "zoom" : "whole";
+    const std::string w = pixels(2 * margin + std::max(width + bar_room, 8.6 * title.size())),
+                      h = pixels(std::max(height, 160.) + top + margin);
+    std::string id; // of this picture among those of a page
+    for (const char c : title)
+      id += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h +
            "\" viewBox=\"0 0 " + w + " " + h +
            "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<rect width=\"100%\" "

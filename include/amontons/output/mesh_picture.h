@@ -1,6 +1,7 @@
-// The deformed mesh of a 2D scene for the report.
+// The deformed mesh of a 2D scene and the pressure on the contact surfaces of a 3D one, for the report.
 #pragma once
 
+#include <amontons/contact/contact_interface.h>
 #include <amontons/elasticity/stress_recovery.h>
 #include <amontons/output/summary.h>
 
@@ -11,24 +12,31 @@ namespace Amontons
   struct CellPicture
   {
     std::vector<float> outline; // x0, y0, x1, y1, ...: closed, counter-clockwise, current configuration
-    float              von_mises = 0;
+    float              value = 0;
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &outline &von_mises;
+      archive &outline &value;
     }
   };
 
   using MeshPicture = std::vector<CellPicture>;
 
-  // The cells of all bodies, on rank 0; empty on the others and in 3D. Collective.
+  // The cells of all bodies with their von Mises stress, on rank 0; empty on the others and in 3D.
+  // Collective.
   template <int dim>
   MeshPicture
   gather_mesh_picture(const Discretization<dim> &discretization,
                       const StressRecovery<dim> &recovery,
                       const LA::Vector          &displacement);
+
+  // The slave faces of a 3D pair that lie opposite of the other side, with their pressure, as seen along the
+  // contact's normal; empty in 2D.
+  template <int dim>
+  MeshPicture
+  make_pressure_picture(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
 
   // What a picture shows: centre and half the width of the square; half_width = 0: everything.
   struct Window
@@ -37,7 +45,7 @@ namespace Amontons
     double                half_width = 0;
   };
 
-  // Cells coloured by von Mises stress, with a colour bar. Cells of less than a pixel are drawn as pixels,
+  // Cells coloured by their values (>= 0), with a colour bar. Cells of less than a pixel are drawn as pixels,
   // each once. Empty where a window shows next to everything.
   std::string
   svg_mesh(const MeshPicture &picture, const Window &window, const std::string &title);

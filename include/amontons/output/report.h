@@ -40,10 +40,12 @@ namespace Amontons
   Chart
   pressure_chart(const PressureCurve &curve);
 
-  // To be called on rank 0. mesh: of gather_mesh_picture (empty: no such picture).
+  // To be called on rank 0. mesh: of gather_mesh_picture (empty: no such picture); pressure_maps: of
+  // make_pressure_picture, with the names of the pairs.
   void
-  write_report(const std::string                &file,
-               const RunSummary                 &summary,
-               const std::vector<PressureCurve> &curves,
-               const MeshPicture                &mesh);
+  write_report(const std::string                                      &file,
+               const RunSummary                                       &summary,
+               const std::vector<PressureCurve>                       &curves,
+               const MeshPicture                                      &mesh,
+               const std::vector<std::pair<std::string, MeshPicture>> &pressure_maps);
 } // namespace Amontons

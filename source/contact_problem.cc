@@ -1,12 +1,10 @@
 #include <amontons/base/points.h>
-#include <amontons/contact/contact_edge.h>
+#include <amontons/contact/surface_fields.h>
 #include <amontons/contact_problem.h>
 #include <amontons/output/files.h>
 #include <amontons/output/history.h>
 #include <amontons/output/probes.h>
 #include <amontons/output/report.h>
-
-#include <deal.II/numerics/data_out.h>
 
 namespace Amontons
 {
@@ -90,21 +88,6 @@ namespace Amontons
     recovery.reset();
   }
 
-  // Surfaces that touch in a small part of what faces each other are refined there before the first solve.
-  template <int dim>
-  void
-  ContactProblem<dim>::refine_where_bodies_are_close()
-  {
-    for (unsigned int i = 0; i < parameters.refinement.initial_refinements; ++i)
-      {
-        TimerOutput::Scope scope(timer, "mesh");
-        if (mark_close_cells(*discretization, interfaces, 0.1) == 0)
-          break;
-        geometry.triangulation.execute_coarsening_and_refinement();
-        rebuild();
-      }
-  }
-
   template <int dim>
   void
   ContactProblem<dim>::set_load_factor(const double t)
@@ -158,45 +141,6 @@ namespace Amontons
         if (!refine())
           return true;
       }
-  }
-
-  // Gaps that are far larger than what displacements close never matter. Of those of the nodes that are
-  // closed and of what displacements closed elsewhere, the next meshes take twice the largest into account;
-  // if that was not enough here, the surfaces are coupled again with more (returns true).
-  template <int dim>
-  bool
-  ContactProblem<dim>::widen_reach()
-  {
-    bool too_short = false;
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      {
-        if (interfaces[i].pair->tied)
-          continue;
-        double needed     = 0;
-        bool   any_closed = false;
-        for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
-          {
-            const double initial = interfaces[i].coupling.rows[r].gap, now = state.gaps[i][r];
-            const bool   closed = state.states[i][r] != ContactState::open;
-            any_closed          = any_closed || closed;
-            needed              = std::max(needed, closed ? std::abs(initial) : initial - now);
-          }
-        if (!any_closed)
-          continue;
-        const bool short_here = reaches[i] > 0 && needed > 0.75 * reaches[i];
-        if (short_here || reaches[i] == 0 || 4 * needed < reaches[i])
-          reaches[i] = 2 * needed + 1e-3 * interfaces[i].slave->mean_size;
-        too_short = too_short || short_here;
-      }
-    if (too_short)
-      {
-        TimerOutput::Scope scope(timer, "contact surfaces");
-        for (unsigned int i = 0; i < interfaces.size(); ++i)
-          interfaces[i].reach = reaches[i];
-        integrate_couplings(*discretization, supports, interfaces);
-        state.states.clear(); // they fit the rows no more
-      }
-    return too_short;
   }
 
   // Of the contact pressure; of the stress where nothing touches.
@@ -272,60 +216,6 @@ namespace Amontons
     recovery->recover(state.displacement);
     error = estimate_error(*discretization, *elasticity, *recovery, interfaces, fields, state.displacement);
     terminal.estimate({error.bulk, error.contact});
-  }
-
-  template <int dim>
-  bool
-  ContactProblem<dim>::refine()
-  {
-    TimerOutput::Scope scope(timer, "mesh");
-    // Two aims: the stress everywhere, on which contact forces and sizes depend, and the pressure itself.
-    const bool bulk = mark_cells(*discretization, geometry, parameters.refinement, error.cell_indicators);
-    const bool contact =
-        bulk && parameters.refinement.strategy == "adaptive" &&
-        mark_cells(*discretization, geometry, parameters.refinement, error.contact_indicators);
-    if (!bulk && !contact)
-      {
-        terminal.note("no further refinement: the limit of 'Maximum DoFs' is reached");
-        return false;
-      }
-    LA::Vector traction = discretization->make_owned_vector();
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      {
-        const auto edge = signed_pressure_square(interfaces[i], fields[i]);
-        for (unsigned int n = 0; n < interfaces[i].slave->nodes.size(); ++n)
-          for (unsigned int c = 0; c < dim; ++c)
-            if (const auto dof = interfaces[i].slave->nodes[n].dofs[c];
-                discretization->locally_owned.is_element(dof))
-              traction(dof) += edge[n] * fields[i].normal[n][c];
-      }
-    traction.compress(VectorOperation::add);
-    state.traction = discretization->make_relevant_vector();
-    state.traction = traction;
-    refine_and_transfer(*discretization, geometry, state, [&]() { rebuild(); });
-    ++mesh_number;
-    carry_active_set();
-    return true;
-  }
-
-  // Nodes of the new mesh start closed where the old mesh's pressure, continued beyond its last node, is
-  // positive.
-  template <int dim>
-  void
-  ContactProblem<dim>::carry_active_set()
-  {
-    state.states.assign(interfaces.size(), {});
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      for (const auto &row : interfaces[i].coupling.rows)
-        {
-          const auto &node = interfaces[i].slave->nodes[row.node];
-          double      edge = 0;
-          for (unsigned int c = 0; c < dim; ++c)
-            edge += state.traction(node.dofs[c]) * node.normal[c];
-          state.states[i].push_back(interfaces[i].pair->tied ? ContactState::stick
-                                    : edge > 0               ? ContactState::slip
-                                                             : ContactState::open);
-        }
   }
 
   template <int dim>
@@ -450,7 +340,7 @@ namespace Amontons
       picture = gather_mesh_picture(*discretization, *recovery, state.displacement);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        const auto table = contact_table(interfaces, fields);
+        const auto                                       table = contact_table(interfaces, fields);
         std::vector<std::pair<std::string, MeshPicture>> pressure_maps;
         for (unsigned int i = 0; i < interfaces.size(); ++i)
           pressure_maps.emplace_back(interfaces[i].pair->name,

@@ -6,6 +6,8 @@
 #include <amontons/output/probes.h>
 #include <amontons/output/report.h>
 
+#include <sstream>
+
 namespace Amontons
 {
   void
@@ -284,9 +286,21 @@ namespace Amontons
     if (report.safeguarded)
       add("the active set repeated itself; single nodes were changed for a while (Murty's rule)");
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      if (interfaces[i].n_without_multiplier > 0)
-        add("pair '" + interfaces[i].pair->name +
-            "': slave nodes that supports hold carry no multiplier; their neighbours take their share");
+      {
+        const auto &slave = *interfaces[i].slave;
+        if (slave.sharpest_edge > 60)
+          {
+            std::ostringstream text;
+            text << "pair '" << interfaces[i].pair->name << "': the slave surface has an edge of "
+                 << std::lround(slave.sharpest_edge) << " degrees near (" << slave.sharpest_at
+                 << "), where its normal is a mean of both sides: results there are not to be trusted; a "
+                    "pair for each side is exact";
+            add(text.str());
+          }
+        if (interfaces[i].n_without_multiplier > 0)
+          add("pair '" + interfaces[i].pair->name +
+              "': slave nodes that supports hold carry no multiplier; their neighbours take their share");
+      }
   }
 
   template <int dim>

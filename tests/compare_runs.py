@@ -27,7 +27,8 @@ def run(executable, output, scene, ranks, sets):
         summary = json.load(file)
     with open(os.path.join(output, "contact.csv")) as file:
         rows = list(csv.DictReader(file))
-    rows.sort(key=lambda r: (r["pair"], *(round(float(r[c]), 9) for c in "XYZ")))
+    # a hanging node may lie on a node of the coarser face: it has no area
+    rows.sort(key=lambda r: (r["pair"], *(round(float(r[c]), 9) for c in "XYZ"), float(r["area"]) > 0))
     return summary, rows
 
 

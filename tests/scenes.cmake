@@ -76,6 +76,63 @@ add_scene_test(NAME patch_stiffness_1e-6 SCENE verification/patch_pressure.prm
                SET "Body upper/Young modulus=1" "Body lower/Young modulus=1e-6"
                CHECK "reference.errors.pressure_l2 <= 1e-8" "reference.errors.nodal_peak_pressure <= 1e-8")
 
+# ---- Patch tests in space
+
+set(AXIS "Rotation axis=1,2,3")
+set(TURNED_17 "Body upper/Rotate=17" "Body upper/${AXIS}" "Body lower/Rotate=17" "Body lower/${AXIS}")
+set(TURNED_45 "Body upper/Rotate=45" "Body upper/${AXIS}" "Body lower/Rotate=45" "Body lower/${AXIS}")
+# The nodal peak is a value of the projected pressure where nothing covers the face: it continues a pressure that is known on a small part of
+# it, which magnifies rounding (2e-7 measured).
+set(EXACT_WHERE_COVERED "reference.errors.pressure_l2 <= 1e-10" "reference.errors.nodal_peak_pressure <= 1e-5" "checks.force_balance <= 1e-8")
+foreach(degree 1 2)
+  foreach(slave first second)
+    set(both "Discretization/Degree=${degree}" "Linear solver/Type=direct" "Contact interface/Slave=${slave}")
+    set(name patch_3d_q${degree}_${slave})
+    add_scene_test(NAME ${name}_turned_17 SCENE verification/patch_3d_pressure.prm SET ${both} ${TURNED_17} CHECK ${EXACT})
+    # 1e-12 to 7e-11 measured on meshes of this kind: the formula follows the distortion
+    add_scene_test(NAME ${name}_irregular_turned_45 SCENE verification/patch_3d_irregular.prm SET ${both} ${TURNED_45} CHECK ${EXACT})
+    add_scene_test(NAME ${name}_1_to_10 SCENE verification/patch_3d_pressure.prm
+                   SET ${both} "Body upper/Cells=1,1,1" "Body lower/Cells=10,8,1" ${TURNED_45} CHECK ${EXACT})
+    add_scene_test(NAME ${name}_10_to_1 SCENE verification/patch_3d_pressure.prm
+                   SET ${both} "Body upper/Cells=10,8,1" "Body lower/Cells=1,1,1" CHECK ${EXACT})
+    add_scene_test(NAME ${name}_hanging_nodes SCENE verification/patch_3d_hanging_nodes.prm
+                   SET ${both} "Refinement/Cycles=1" CHECK ${EXACT})
+    # The lower sphere refines a corner far from the contact.
+    add_scene_test(NAME ${name}_hanging_nodes_upper SCENE verification/patch_3d_hanging_nodes.prm
+                   SET ${both} "Obstacle beside lower/Centre=0.7,2.1,-1.9" CHECK ${EXACT})
+    # In the directions z, y and beyond two edges of the foundation.
+    add_scene_test(NAME ${name}_punch SCENE verification/patch_3d_punch.prm SET ${both} CHECK ${EXACT_WHERE_COVERED})
+    add_scene_test(NAME ${name}_punch_along_y SCENE verification/patch_3d_punch.prm
+                   SET ${both} "Body punch/Lower corner=0.9,0,0.7" "Body punch/Upper corner=2.13,1,1.57" "Body punch/Cells=3,2,2"
+                       "Body foundation/Lower corner=0,-2,0" "Body foundation/Upper corner=3,0,2" "Body foundation/Cells=5,2,4"
+                       "Boundary condition load/Boundaries=punch/back, foundation/back"
+                       "Boundary condition planes/Boundaries=punch/left, foundation/left, punch/bottom, foundation/bottom, foundation/front"
+                       "Contact interface/First=punch/front" "Contact interface/Second=foundation/back"
+                       "Reference/Solution=uniform(p = 5, x = 1.515, z = 1.135, width = 0.435)"
+                   CHECK ${EXACT_WHERE_COVERED})
+    add_scene_test(NAME ${name}_overhang SCENE verification/patch_3d_punch.prm
+                   SET ${both} "Body foundation/Upper corner=1.6,1.2,0" "Boundary condition load/Boundaries=punch/top, foundation/top, punch/bottom"
+                       "Reference/Solution=uniform(p = 5, x = 1.25, y = 0.95, width = 0.25)"
+                   CHECK ${EXACT_WHERE_COVERED})
+  endforeach()
+  add_scene_test(NAME patch_3d_q${degree}_step SCENE verification/patch_3d_step.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT_WHERE_COVERED})
+  add_scene_test(NAME patch_3d_q${degree}_displacement SCENE patch_test_3d.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
+  add_scene_test(NAME patch_3d_q${degree}_interference SCENE patch_test_3d.prm
+                 SET "Discretization/Degree=${degree}" "Boundary condition top/Type=symmetry" "Boundary condition top/Value=" "Contact interface/Initial gap=-0.01"
+                 CHECK ${EXACT})
+  add_scene_test(NAME patch_3d_q${degree}_confined SCENE patch_test_3d.prm
+                 SET "Discretization/Degree=${degree}"
+                     "Boundary condition planes/Boundaries=upper/left, lower/left, upper/front, lower/front, upper/right, lower/right, upper/back, lower/back"
+                     "Reference/Solution=two_block_patch(E1 = 1000, nu1 = 0.3, h1 = 1, E2 = 100, nu2 = 0.2, h2 = 2, delta = 0.01, width = 10, confined = 1)"
+                 CHECK ${EXACT})
+  add_scene_test(NAME tied_patch_3d_q${degree} SCENE verification/tied_patch_3d.prm SET "Discretization/Degree=${degree}"
+                 CHECK "probes.0.points.0.displacement.0 ~ -0.0045 1e-10" "probes.0.points.0.displacement.1 ~ -0.003 1e-10"
+                       "probes.0.points.0.displacement.2 ~ 0.015 1e-10")
+  add_scene_test(NAME three_blocks_3d_q${degree} SCENE three_blocks_3d.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
+endforeach()
+add_scene_test(NAME patch_3d_stiffness_1e6 SCENE verification/patch_3d_pressure.prm
+               SET "Body upper/Young modulus=1" "Body lower/Young modulus=1e6" CHECK ${EXACT})
+
 # ---- Closed forms; the tolerances are the floors of the models
 
 set(HERTZ ${ITERATIONS} "reference.errors.contact_size <= 0.003" "reference.errors.peak_pressure <= 0.003")
@@ -124,6 +181,37 @@ foreach(degree 1 2)
                  CHECK ${ITERATIONS} "reference.errors.contact_size <= 0.01" "reference.errors.peak_pressure <= 0.01")
 endforeach()
 
+# ---- Closed forms in space
+
+set(ITERATIONS_3D "newton.1:.iterations <= 4" "checks.force_balance <= 1e-8" "checks.tension <= 1e-6")
+# The block is not a half space: the approach is smaller by 0.52 a/H.
+add_scene_test(NAME hertz_sphere SCENE hertz_sphere.prm
+               CHECK ${ITERATIONS_3D} "reference.errors.contact_size <= 0.003" "reference.errors.peak_pressure <= 0.005" "reference.errors.pressure_l2 <= 0.03"
+                     "reference.values.approach.0 ~ 0.010343 0.01")
+add_scene_test(NAME hertz_sphere_q2 SCENE hertz_sphere.prm SET "Discretization/Degree=2" "Refinement/Cycles=4"
+               CHECK ${ITERATIONS_3D} "reference.errors.contact_size <= 0.001" "reference.errors.peak_pressure <= 0.002"
+                     "reference.values.approach.0 ~ 0.010343 0.002")
+add_scene_test(NAME two_spheres_3d SCENE two_spheres.prm
+               CHECK ${ITERATIONS_3D} "reference.errors.contact_size <= 0.005" "reference.errors.peak_pressure <= 0.01" "reference.errors.approach <= 0.02")
+add_scene_test(NAME two_spheres_3d_q2 SCENE two_spheres.prm SET "Discretization/Degree=2" "Refinement/Cycles=3"
+               CHECK ${ITERATIONS_3D} "reference.errors.contact_size <= 0.003" "reference.errors.peak_pressure <= 0.005" "reference.errors.approach <= 0.01")
+add_scene_test(NAME crossed_cylinders SCENE crossed_cylinders.prm SET "Refinement/Cycles=5"
+               CHECK ${ITERATIONS_3D} "reference.errors.contact_size <= 0.005" "reference.errors.contact_size_2 <= 0.005" "reference.errors.peak_pressure <= 0.01")
+add_scene_test(NAME shrink_fit_spheres_3d SCENE verification/shrink_fit_spheres_3d.prm
+               CHECK "reference.errors.pressure_l2 <= 0.01")
+add_scene_test(NAME shrink_fit_spheres_3d_q1 SCENE verification/shrink_fit_spheres_3d.prm SET "Discretization/Degree=1"
+               CHECK "reference.errors.pressure_l2 <= 0.01")
+add_scene_test(NAME step_file SCENE step_file.prm SET "Refinement/Cycles=6"
+               CHECK ${ITERATIONS_3D} "reference.errors.contact_size <= 0.005" "reference.errors.contact_size_2 <= 0.005" "reference.errors.peak_pressure <= 0.005")
+add_scene_test(NAME half_space_box SCENE half_space_box.prm
+               CHECK ${ITERATIONS_3D} "reference.errors.normal_force <= 1e-3" "reference.errors.contact_size <= 1e-3" "reference.errors.pressure_l2 <= 0.06"
+                     "reference.errors.energy <= 0.06")
+add_scene_test(NAME half_space_box_axisymmetric SCENE verification/half_space_box_axisymmetric.prm
+               CHECK ${ITERATIONS} "reference.errors.normal_force <= 2e-4" "reference.errors.contact_size <= 2e-4" "reference.errors.pressure_l2 <= 0.01"
+                     "reference.errors.energy <= 0.02")
+add_scene_test(NAME sphere_on_block_scaling SCENE sphere_on_block_scaling.prm SET "Refinement/Maximum DoFs=20000"
+               CHECK ${ITERATIONS_3D} "reference.errors.contact_size <= 0.005" "reference.errors.peak_pressure <= 0.01")
+
 # ---- Tied pairs
 
 add_scene_test(NAME tied_patch SCENE verification/tied_patch.prm
@@ -143,7 +231,8 @@ add_scene_test(NAME lifted SCENE verification/tension.prm CHECK "status is conve
 
 # ---- The same answer: ranks, complementarity factor
 
-foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight)
+foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight
+        three_blocks_3d verification/patch_3d_hanging_nodes hertz_sphere)
   get_filename_component(name ${scene} NAME)
   add_comparison_test(NAME ranks_${name} SCENE ${scene}.prm RUN 1 2 3 4)
 endforeach()

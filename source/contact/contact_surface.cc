@@ -196,7 +196,7 @@ namespace Amontons
                   points_of[f] = std::make_unique<FEValues<dim>>(
                       true_geometry, nothing, Quadrature<dim>(points), update_quadrature_points);
                 }
-              points_of[f]->reinit(cell);
+              points_of[f]->reinit(typename Triangulation<dim>::cell_iterator(cell)); // without its element
               for (const auto &p : points_of[f]->get_quadrature_points())
                 append(package.positions, p);
               cell->get_dof_indices(cell_dofs);
@@ -385,6 +385,20 @@ namespace Amontons
     for (unsigned int f = 0; f < faces.size(); ++f)
       for (unsigned int k = 0; k < faces[f].nodes.size(); ++k)
         nodes[faces[f].nodes[k]].normal += face_normal(f, points[k]);
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      for (unsigned int k = 0; k < faces[f].nodes.size(); ++k)
+        {
+          // The mean normal of two faces halves the angle between them.
+          const auto  &node = nodes[faces[f].nodes[k]];
+          const double angle =
+              2 * std::acos(std::min(1., face_normal(f, points[k]) * node.normal / node.normal.norm())) *
+              180 / numbers::PI;
+          if (angle > sharpest_edge)
+            {
+              sharpest_edge = angle;
+              sharpest_at   = node.X;
+            }
+        }
     for (const auto &node : nodes)
       for (const auto &[parent, weight] : node.parents) // on no face
         if (nodes[parent].normal.norm() == 0)

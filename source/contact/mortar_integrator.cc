@@ -61,6 +61,37 @@ namespace Amontons
     }
   } // namespace
 
+  namespace
+  {
+    // Where the other side has a step, a node sees both of its levels; psi changes sign, so the far one would
+    // count for as much as the near one. What lies farther from a face, by more than its size, than what is
+    // opposite of it or of the faces beside it cannot close with it: the strain would be of order one.
+    template <int dim>
+    std::vector<OverlapPoint<dim>>
+    without_steps(const ContactSurface<dim> &slave, std::vector<OverlapPoint<dim>> points)
+    {
+      std::vector<double> closest(slave.nodes.size(), std::numeric_limits<double>::max());
+      for (const auto &p : points)
+        for (const unsigned int node : slave.faces[p.slave_face].unknowns)
+          closest[node] = std::min(closest[node], p.gap);
+      std::vector<OverlapPoint<dim>> result;
+      for (auto begin = points.begin(), end = begin; begin != points.end(); begin = end)
+        {
+          double gap = std::numeric_limits<double>::max(), beside = gap;
+          for (; end != points.end() && end->slave_face == begin->slave_face &&
+                 end->master_face == begin->master_face;
+               ++end)
+            gap = std::min(gap, end->gap);
+          const auto &face = slave.faces[begin->slave_face];
+          for (const unsigned int node : face.unknowns)
+            beside = std::min(beside, closest[node]);
+          if (gap <= beside + face.size)
+            result.insert(result.end(), begin, end);
+        }
+      return result;
+    }
+  } // namespace
+
   template <int dim>
   std::vector<OverlapPoint<dim>>
   find_overlaps(const PairData            &pair,
@@ -102,6 +133,8 @@ namespace Amontons
         for (const auto &part : parts)
           points.insert(points.end(), part.begin(), part.end());
       }
+    if (!pair.initial_gap)
+      points = without_steps(slave, std::move(points));
     for (auto &p : points)
       {
         apply_declared_gap(pair, slave.faces[p.slave_face].size, p);
@@ -112,15 +145,18 @@ namespace Amontons
 
   namespace
   {
-    // int B_i over the covered part in proportion to that over the whole faces, by slave node.
+    // int B_i over the covered part in proportion to that over the whole faces, by slave node; and the faces
+    // that are covered whole, up to quadrature on curved ones.
     template <int dim>
     std::vector<double>
     covered_shares(const ContactSurface<dim>            &slave,
                    const std::vector<OverlapPoint<dim>> &points,
-                   const bool                            axisymmetric)
+                   const bool                            axisymmetric,
+                   std::set<unsigned int>               &whole_faces)
     {
-      std::vector<double> covered(slave.nodes.size(), 0.), whole(slave.nodes.size(), 0.);
-      const auto          add = [&](std::vector<double>    &sums,
+      std::vector<double> covered(slave.nodes.size(), 0.), whole(slave.nodes.size(), 0.),
+          covered_area(slave.faces.size(), 0.);
+      const auto add = [&](std::vector<double>    &sums,
                            const SurfaceFace<dim> &face,
                            const Point<dim - 1>   &xi,
                            const double            weight) {
@@ -133,20 +169,29 @@ namespace Amontons
               sums[face.unknowns[j]] += weight * B[i] * face.subdivision(i, j);
       };
       for (const auto &p : points)
-        add(covered, slave.faces[p.slave_face], p.xi_slave, p.weight);
+        {
+          add(covered, slave.faces[p.slave_face], p.xi_slave, p.weight);
+          covered_area[p.slave_face] += p.weight;
+        }
       const QGauss<dim - 1> gauss(slave.degree + 2);
       for (unsigned int f = 0; f < slave.faces.size(); ++f)
         if (std::any_of(slave.faces[f].unknowns.begin(),
                         slave.faces[f].unknowns.end(),
                         [&](const unsigned int i) { return covered[i] > 0; }))
-          for (unsigned int q = 0; q < gauss.size(); ++q)
-            {
-              double jacobian;
-              slave.face_normal(f, gauss.point(q), &jacobian);
-              const double weight =
-                  gauss.weight(q) * jacobian * measure_of(axisymmetric, slave.position(f, gauss.point(q)));
-              add(whole, slave.faces[f], gauss.point(q), weight);
-            }
+          {
+            double face_area = 0;
+            for (unsigned int q = 0; q < gauss.size(); ++q)
+              {
+                double jacobian;
+                slave.face_normal(f, gauss.point(q), &jacobian);
+                const double weight =
+                    gauss.weight(q) * jacobian * measure_of(axisymmetric, slave.position(f, gauss.point(q)));
+                add(whole, slave.faces[f], gauss.point(q), weight);
+                face_area += weight;
+              }
+            if (covered_area[f] > 0.999 * face_area)
+              whole_faces.insert(f);
+          }
       for (unsigned int i = 0; i < whole.size(); ++i)
         covered[i] /= std::max(whole[i], 1e-300);
       return covered;
@@ -178,7 +223,8 @@ namespace Amontons
     // A node of which next to nothing is covered leaves its share to the others, as if supports owned it: a
     // force on so small an area is rounding. (Dropping it would break the patch test.)
     const double smallest_share = 1e-3;
-    const auto   shares = covered_shares(slave, points, discretization.scene.kind == Kind::axisymmetric);
+    const auto   shares =
+        covered_shares(slave, points, discretization.scene.kind == Kind::axisymmetric, coupling.whole_faces);
 
     for (std::size_t begin = 0, end; begin < points.size(); begin = end)
       {

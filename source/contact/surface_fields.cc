@@ -192,9 +192,28 @@ namespace Amontons
           force += f;
           const auto r = p.x_slave - fields.centre;
           second_moment += f * (r * r - (r * p.normal) * (r * p.normal));
+          fields.covariance += f * outer_product(r, r);
         }
       const double factor = dim == 2 && discretization.scene.kind != Kind::axisymmetric ? 4 : 2.5;
+      if (force > 0)
+        fields.covariance /= force;
       fields.contact_size = force > 0 ? std::sqrt(std::max(0., factor * second_moment / force)) : 0;
+    }
+
+    // Over the overlap: at its points and at the nodes of faces that are covered whole. Nodal values beyond
+    // an edge of the other body are continuations.
+    template <int dim>
+    double
+    peak(const ContactInterface<dim> &interface, const std::vector<double> &pressure)
+    {
+      const auto &slave   = *interface.slave;
+      double      largest = 0;
+      for (const auto &p : interface.coupling.points)
+        largest = std::max(largest, value_on_face(slave, pressure, p.slave_face, p.xi_slave));
+      for (const unsigned int f : interface.coupling.whole_faces)
+        for (const unsigned int node : slave.faces[f].nodes)
+          largest = std::max(largest, pressure[node]);
+      return largest;
     }
   } // namespace
 
@@ -264,8 +283,7 @@ namespace Amontons
     add_resultants(discretization, interface, fields);
     if (!interface.pair->tied)
       fields.pressure = control_to_nodal(slave, project(interface, pressures, true));
-    for (const double p : fields.pressure)
-      fields.peak_pressure = std::max(fields.peak_pressure, p);
+    fields.peak_pressure = peak(interface, fields.pressure);
     if (interface.pair->tied)
       for (unsigned int c = 0; c < dim; ++c)
         {

@@ -123,24 +123,34 @@ namespace Amontons
       void
       remove_covered_pressure(const ConditionData &condition, const types::boundary_id id)
       {
-        for (const auto &point : covered)
-          if (point.cell->face(point.face)->boundary_id() == id)
-            {
-              Point<dim - 1> on_face;
-              for (unsigned int d = 0, k = 0; d < dim; ++d)
-                if (d != point.face / 2)
-                  on_face[k++] = point.unit_point[d];
-              FEFaceValues<dim> values(discretization.mapping,
-                                       discretization.fe,
-                                       Quadrature<dim - 1>(on_face),
-                                       update_values | update_quadrature_points | update_normal_vectors);
-              values.reinit(point.cell, point.face);
-              point.cell->get_dof_indices(dofs);
-              add_point_force(values,
-                              0,
-                              condition.value[0].value(as_3d(values.quadrature_point(0)), t) * point.weight *
-                                  values.normal_vector(0));
-            }
+        // FEValues, not FEFaceValues, whose points depend on how the face is turned in the mesh.
+        for (std::size_t begin = 0, end; begin < covered.size(); begin = end)
+          {
+            const auto             &cell = covered[begin].cell;
+            const unsigned int      face = covered[begin].face;
+            std::vector<Point<dim>> points;
+            for (end = begin;
+                 end < covered.size() && covered[end].cell == cell && covered[end].face == face;
+                 ++end)
+              points.push_back(covered[end].unit_point);
+            if (cell->face(face)->boundary_id() != id)
+              continue;
+            FEValues<dim> values(discretization.mapping,
+                                 discretization.fe,
+                                 Quadrature<dim>(points),
+                                 update_values | update_quadrature_points | update_inverse_jacobians);
+            values.reinit(cell);
+            cell->get_dof_indices(dofs);
+            for (unsigned int q = 0; q < points.size(); ++q)
+              {
+                Tensor<1, dim> normal = values.inverse_jacobian(q)[face / 2]; // J^-T N
+                normal *= (face % 2 == 1 ? 1 : -1) / normal.norm();
+                add_point_force(values,
+                                q,
+                                condition.value[0].value(as_3d(values.quadrature_point(q)), t) *
+                                    covered[begin + q].weight * normal);
+              }
+          }
       }
 
       // A moment about axis k acts on the corner that carries the rotation (discretization/supports.cc).

@@ -78,20 +78,13 @@ namespace Amontons
     // int p).
     template <int dim>
     double
-    semi_axis(const ContactInterface<dim> &interface,
-              const SurfaceFields<dim>    &fields,
-              const Tensor<1, 3>          &axis)
+    semi_axis(const SurfaceFields<dim> &fields, const Tensor<1, 3> &axis)
     {
-      double force = 0, moment = 0;
-      for (const auto &p : interface.coupling.points)
-        {
-          const double f =
-              value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave) * p.weight;
-          const double x = (as_3d(p.x_slave) - as_3d(fields.centre)) * axis;
-          force += f;
-          moment += f * x * x;
-        }
-      return force > 0 ? std::sqrt(std::max(0., 5 * moment / force)) : 0;
+      double variance = 0;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          variance += axis[i] * fields.covariance[i][j] * axis[j];
+      return std::sqrt(std::max(0., 5 * variance));
     }
 
     // Stress components in the order of Voigt<dim> (kinematics.h) as a tensor.
@@ -208,8 +201,8 @@ namespace Amontons
            b = a;
     if (reference.ellipse)
       {
-        a = semi_axis(answer.interfaces[i], fields, reference.ellipse->axes[0]);
-        b = semi_axis(answer.interfaces[i], fields, reference.ellipse->axes[1]);
+        a = semi_axis(fields, reference.ellipse->axes[0]);
+        b = semi_axis(fields, reference.ellipse->axes[1]);
         add_value(summary, "contact_size_2", b, reference.ellipse->second_size);
       }
     if (reference.normal_force)

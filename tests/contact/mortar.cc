@@ -1,23 +1,12 @@
 // Coupling rows of two meshed surfaces (or one and an obstacle): weights, areas, normals and gaps are those
-// of geometry by hand, on flat, partly covered, curved and axisymmetric surfaces.
-#include "check.h"
-
-#include <amontons/contact/contact_interface.h>
-
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
-
-using namespace Amontons;
+// of geometry by hand, on flat, partly covered, curved and axisymmetric surfaces, in the
+// plane and in space.
+#include "contact/contact_scene.h"
 
 BodyData
 block(const std::string &name, const Point<3> &lower, const Point<3> &upper, const unsigned int nx)
 {
-  BodyData body;
-  body.name  = name;
-  body.lower = lower;
-  body.upper = upper;
-  body.cells = {{nx, 2, 1}};
-  return body;
+  return block(name, lower, upper, std::array<unsigned int, 3>{{nx, 2, 1}});
 }
 
 BodyData
@@ -30,112 +19,6 @@ ring(const std::string &name, const double inner, const double outer, const unsi
   body.radius       = outer;
   body.refinements  = refinements;
   return body;
-}
-
-PairData
-pair_of(const BoundaryName &slave, const BoundaryName &master)
-{
-  PairData pair;
-  pair.name   = "pair";
-  pair.first  = slave;
-  pair.second = master;
-  pair.slave  = PairData::Slave::first;
-  return pair;
-}
-
-// The coupling of the first pair of the scene.
-struct Problem
-{
-  Problem(const Scene &s, const unsigned int degree) : scene(s), geometry(MPI_COMM_WORLD)
-  {
-    make_geometry(scene, geometry);
-    discretization = std::make_unique<Discretization<2>>(scene, geometry, degree);
-    discretization->distribute_dofs();
-    interfaces = make_interfaces(*discretization, choose_slaves(*discretization));
-    integrate_couplings(*discretization, discretization->make_supports(0), interfaces);
-    for (const auto *surface : {interfaces[0].slave.get(), interfaces[0].master_surface.get()})
-      if (surface != nullptr)
-        for (const auto &node : surface->nodes)
-          positions[node.dofs] = node.X;
-  }
-
-  const Coupling<2> &
-  coupling() const
-  {
-    return interfaces[0].coupling;
-  }
-
-  double
-  total_area() const
-  {
-    double area = 0;
-    for (const auto &row : coupling().rows)
-      area += row.area;
-    return area;
-  }
-
-  // int g dA = sum over the rows
-  double
-  gap_integral() const
-  {
-    double sum = 0;
-    for (const auto &row : coupling().rows)
-      sum += row.area * row.gap;
-    return sum;
-  }
-
-  // Mean position of one side of a row.
-  Tensor<1, 2>
-  mean(const std::vector<std::pair<NodeDofs<2>, double>> &side) const
-  {
-    Tensor<1, 2> sum;
-    for (const auto &[dofs, weight] : side)
-      sum += weight * Tensor<1, 2>(positions.at(dofs));
-    return sum;
-  }
-
-  Scene                              scene;
-  Geometry<2>                        geometry;
-  std::unique_ptr<Discretization<2>> discretization;
-  std::vector<ContactInterface<2>>   interfaces;
-  std::map<NodeDofs<2>, Point<2>>    positions;
-};
-
-void
-check_weights(const Problem &problem, const std::string &what)
-{
-  check::is_true(!problem.coupling().rows.empty(), what + ": there are rows");
-  for (const auto &row : problem.coupling().rows)
-    {
-      double slave = 0, master = 0;
-      for (const auto &entry : row.slave)
-        slave += entry.second;
-      for (const auto &entry : row.master)
-        master += entry.second;
-      check::is_close(slave, 1, 1e-9, what + ": slave weights");
-      if (problem.interfaces[0].master.surface != nullptr)
-        check::is_close(master, 1, 1e-9, what + ": master weights");
-      check::is_true(row.area > 0, what + ": area");
-    }
-}
-
-// On flat parallel surfaces at the distance `gap`, slave above: the mean positions lie opposite of each
-// other, so that rigid translations and rotations change no gap.
-void
-check_flat(const Problem &problem, const double area, const double gap, const std::string &what)
-{
-  check_weights(problem, what);
-  check::is_close(problem.total_area(), area, 1e-12, what + ": total area");
-  for (const auto &row : problem.coupling().rows)
-    {
-      const Tensor<1, 2> jump = problem.mean(row.slave) - problem.mean(row.master);
-      check::is_close(row.gap, gap, 1e-10, what + ": gap", 1);
-      check::is_close((row.normal - Tensor<1, 2>({0, -1})).norm(), 0, 1e-10, what + ": normal", 1);
-      check::is_close((jump - Tensor<1, 2>({0, gap})).norm(), 0, 1e-8, what + ": jump of the positions", 1);
-      // u = rotation by a unit angle
-      const Tensor<1, 2> rotated({-jump[1], jump[0]});
-      check::is_close(row.normal * rotated, 0, 1e-8, what + ": normal jump of a rotation", 1);
-    }
 }
 
 void
@@ -160,7 +43,7 @@ check_blocks(const unsigned int degree)
       scene.bodies = {block("lower", {0, 0, 0}, {2, 1, 0}, 6),
                       block("upper", {c.a, 1 + c.gap, 0}, {c.b, 2, 0}, c.n)};
       scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
-      check_flat(Problem(scene, degree),
+      check_flat(Problem<2>(scene, degree),
                  std::min(c.b, 2.) - std::max(c.a, 0.),
                  c.gap,
                  what + ", slave from " + std::to_string(c.a) + " to " + std::to_string(c.b));
@@ -178,7 +61,7 @@ check_held_node(const unsigned int degree)
   held.boundaries   = {{"upper", "left", {}}};
   held.displacement = {{Expression(0.), Expression(0.), {}}};
   scene.conditions  = {held};
-  const Problem problem(scene, degree);
+  const Problem<2> problem(scene, degree);
   check_flat(problem, 2, 0, "held corner");
   check::is_true(problem.interfaces[0].n_without_multiplier == 1, "one node without multiplier");
   check::is_true(problem.coupling().rows.size() + 1 == problem.interfaces[0].slave->nodes.size(),
@@ -191,20 +74,12 @@ void
 check_circle_over_plane(const unsigned int degree)
 {
   const double R = 1000, h = 0.25;
-  Scene        scene;
-  scene.bodies = {block("it", {-1, 0, 0}, {1, 1, 0}, 8)};
   ObstacleData circle;
-  circle.name        = "circle";
-  circle.type        = ObstacleData::Type::sphere;
-  circle.centre      = {0, 1 + R, 0};
-  circle.radius      = R;
-  circle.motion.name = "circle";
-  scene.obstacles    = {circle};
-  PairData pair      = pair_of({"it", "top", {}}, {});
-  pair.second        = {};
-  pair.obstacle      = "circle";
-  scene.pairs        = {pair};
-  const Problem problem(scene, degree);
+  circle.type            = ObstacleData::Type::sphere;
+  circle.centre          = {0, 1 + R, 0};
+  circle.radius          = R;
+  const Scene      scene = scene_with_obstacle(block("it", {-1, 0, 0}, {1, 1, 0}, 8), "top", circle);
+  const Problem<2> problem(scene, degree);
   check_weights(problem, "circle over plane");
   check::is_close(problem.total_area(), 2, 1e-12, "circle over plane: area");
   for (const auto &row : problem.coupling().rows)
@@ -230,7 +105,7 @@ check_disk_over_plane(const unsigned int degree)
   Scene scene;
   scene.bodies = {block("it", {-1, 0, 0}, {1, 1, 0}, 7), disk};
   scene.pairs  = {pair_of({"it", "top", {}}, {"disk", "arc", {}})};
-  const Problem problem(scene, degree);
+  const Problem<2> problem(scene, degree);
   check_weights(problem, "disk over plane");
   check::is_close(problem.total_area(), 2, 1e-10, "disk over plane: area");
   check::is_close(problem.gap_integral(),
@@ -248,7 +123,7 @@ check_axisymmetric(const unsigned int degree)
   scene.kind   = Kind::axisymmetric;
   scene.bodies = {block("lower", {0, 0, 0}, {1, 1, 0}, 7), block("upper", {0, 1, 0}, {1, 2, 0}, n)};
   scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
-  const Problem problem(scene, degree);
+  const Problem<2> problem(scene, degree);
   check_flat(problem, numbers::PI, 0, "axisymmetric");
   check::is_true(problem.coupling().rows.size() == n * degree + 1,
                  "axisymmetric: all nodes carry multipliers");
@@ -283,7 +158,7 @@ check_rings(const unsigned int degree, const double gap)
       scene.bodies = {ring("inner", 0.7, 1, 1), ring("outer", 1 + gap, 1.5, 2)};
       const BoundaryName a{"inner", "outer", {}}, b{"outer", "inner", {}};
       scene.pairs = {inner_is_slave ? pair_of(a, b) : pair_of(b, a)};
-      const Problem problem(scene, degree);
+      const Problem<2> problem(scene, degree);
       check_weights(problem, what);
       const double R = inner_is_slave ? 1 : 1 + gap;
       check::is_close(problem.total_area(), 2 * numbers::PI * R, 1e-6, what + ": area");
@@ -322,7 +197,7 @@ check_normals_at_symmetry()
   symmetry.type       = ConditionData::Type::symmetry;
   symmetry.boundaries = {{"inner", "cut x", {}}, {"inner", "cut y", {}}};
   scene.conditions    = {symmetry};
-  const Problem problem(scene, 2);
+  const Problem<2> problem(scene, 2);
   check_weights(problem, "quarter rings");
   check::is_close(problem.total_area(), numbers::PI_2, 1e-6, "quarter rings: area");
   unsigned int n_on_planes = 0;
@@ -345,11 +220,13 @@ check_declared_gaps()
   scene.bodies = {block("lower", {0, 0, 0}, {2, 1, 0}, 6), block("upper", {0, 1.001, 0}, {2, 2, 0}, 5)};
   scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
   scene.pairs[0].adjust = 0.01;
-  for (const auto &row : Problem(scene, 1).coupling().rows)
+  const Problem<2> adjusted(scene, 1);
+  check::is_true(!adjusted.coupling().rows.empty(), "adjusted gap: there are rows");
+  for (const auto &row : adjusted.coupling().rows)
     check::is_true(row.gap == 0, "adjusted gap");
   scene.pairs[0].adjust      = 0;
   scene.pairs[0].initial_gap = Expression("0.1 + 0.5*x", {});
-  const Problem declared(scene, 1);
+  const Problem<2> declared(scene, 1);
   for (const auto &row : declared.coupling().rows)
     check::is_close(row.gap, 0.1 + 0.5 * declared.mean(row.slave)[0], 1e-10, "declared gap");
   scene.pairs[0].initial_gap = {};
@@ -357,13 +234,89 @@ check_declared_gaps()
   bool thrown                = false;
   try
     {
-      const Problem overlapping(scene, 1);
+      const Problem<2> overlapping(scene, 1);
     }
   catch (const InputError &)
     {
       thrown = true;
     }
   check::is_true(thrown, "bodies that overlap are an input error");
+}
+
+// The slave [a, b] x [c, d] on the master [0, 2] x [0, 1.5]: whole, half covered, beyond edges and corners.
+void
+check_blocks_in_space(const unsigned int degree)
+{
+  struct Case
+  {
+    double                      a, b, c, d;
+    std::array<unsigned int, 3> cells;
+    double                      gap;
+  };
+  for (const Case &c : {Case{0, 2, 0, 1.5, {{4, 3, 1}}, 0},
+                        Case{0, 2, 0, 1.5, {{3, 3, 1}}, 0.1}, // faces match in y
+                        Case{0.3, 1.1, 0.2, 1.3, {{3, 2, 1}}, 0.05},
+                        Case{-1, 3, -0.7, 2.4, {{1, 1, 1}}, 0},
+                        Case{-1, 3, -0.7, 2.4, {{5, 3, 1}}, 0},
+                        Case{1.2, 3.1, 0.8, 1.9, {{2, 9, 1}}, 0.02},
+                        Case{1.95, 4, 1.4, 3, {{2, 2, 1}}, 0}})
+    {
+      Scene scene;
+      scene.bodies = {block("lower", {0, 0, 0}, {2, 1.5, 1}, {{6, 3, 1}}),
+                      block("upper", {c.a, c.c, 1 + c.gap}, {c.b, c.d, 2}, c.cells)};
+      scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+      check_flat(Problem<3>(scene, degree),
+                 (std::min(c.b, 2.) - std::max(c.a, 0.)) * (std::min(c.d, 1.5) - std::max(c.c, 0.)),
+                 c.gap,
+                 "blocks in space of degree " + std::to_string(degree) + ", slave from " +
+                     std::to_string(c.a) + ", " + std::to_string(c.c));
+    }
+}
+
+// An eighth of a ball, locally refined, in a hollow one: normals are radial and lie in symmetry planes.
+void
+check_spheres(const unsigned int degree)
+{
+  const std::string what = "spheres of degree " + std::to_string(degree);
+  Scene             scene;
+  BodyData          ball, shell;
+  ball.name = ball.shape = "eighth sphere";
+  ball.radius            = 1;
+  ball.refinements       = 1;
+  shell                  = ball;
+  shell.name             = "shell";
+  shell.shape            = "eighth hollow sphere";
+  shell.inner_radius     = 1.02;
+  shell.radius           = 1.5;
+  scene.bodies           = {ball, shell};
+  scene.pairs            = {pair_of({"eighth sphere", "surface", {}}, {"shell", "inner", {}})};
+  ConditionData symmetry;
+  symmetry.type       = ConditionData::Type::symmetry;
+  symmetry.boundaries = {
+      {"eighth sphere", "plane x", {}}, {"eighth sphere", "plane y", {}}, {"eighth sphere", "plane z", {}}};
+  scene.conditions = {symmetry};
+  const Problem<3> problem(scene, degree, 2);
+  check_weights(problem, what);
+  unsigned int n_corners = 0, n_hanging = 0;
+  for (const auto &node : problem.slave().nodes)
+    {
+      n_corners += node.symmetry_planes.size() == 2;
+      n_hanging += !node.parents.empty();
+      for (const auto &plane : node.symmetry_planes)
+        check::is_close(node.normal * plane, 0, 1e-12, what + ": normals lie in the planes", 1);
+      check::is_close(node.X.norm(), 1, 1e-10, what + ": nodes on the sphere");
+      check::is_close(
+          (node.normal - node.X / node.X.norm()).norm(), 0, 1e-4, what + ": normals are radial", 1);
+    }
+  check::is_true(n_corners == 3, what + ": three nodes lie on two planes");
+  check::is_true(n_hanging > 0, what + ": some nodes hang");
+  check::is_close(problem.total_area(), numbers::PI_2, 1e-4, what + ": area");
+  for (const auto &p : problem.coupling().points)
+    {
+      check::is_close(p.gap, 0.02, 1e-5, what + ": gap", 1);
+      check::is_close(
+          (p.x_master - p.x_slave - p.gap * p.normal).norm(), 0, 1e-10, what + ": opposite points", 1);
+    }
 }
 
 int
@@ -379,6 +332,8 @@ main(int argc, char **argv)
       check_axisymmetric(degree);
       check_rings(degree, 0);
       check_rings(degree, 0.01);
+      check_blocks_in_space(degree);
+      check_spheres(degree);
     }
   check_normals_at_symmetry();
   check_declared_gaps();

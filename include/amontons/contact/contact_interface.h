@@ -61,7 +61,8 @@ namespace Amontons
     double         peak_pressure = 0;
     double         contact_size =
         0; // half-width sqrt(4 int p x^2 / int p) (2D), radius sqrt(2.5 int p r^2 / int p) (3D, axisymmetric)
-    Point<dim> centre; // about which the size is taken
+    Point<dim>     centre;     // about which the size is taken
+    Tensor<2, dim> covariance; // int p (x - centre)(x - centre) / int p
     std::vector<Tensor<1, dim>>
            symmetry_planes; // normals of those through the contact (not the axis of revolution)
     double symmetry_factor =

@@ -6,6 +6,8 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <map>
+#include <set>
 #include <vector>
 
 namespace Amontons
@@ -55,6 +57,7 @@ namespace Amontons
     std::vector<OverlapPoint<dim>> points;
     // Nodes of which next to nothing is covered, with those that take their share.
     std::map<unsigned int, std::vector<unsigned int>> slivers;
+    std::set<unsigned int> whole_faces; // slave faces that lie opposite of the other side as a whole
     // int B_i B_j dA over the overlap, by slave node
     std::map<std::pair<unsigned int, unsigned int>, double> trace_mass;
   };

@@ -64,8 +64,8 @@ namespace Amontons
   namespace
   {
     // Where the other side has a step, a node sees both of its levels; psi changes sign, so the far one would
-    // count for as much as the near one. What lies farther from a face, by more than its size, than what is
-    // opposite of it or of the faces beside it cannot close with it: the strain would be of order one.
+    // count for as much as the near one. What lies farther from a face, by more than half its size, than what
+    // is opposite of it or of the faces beside it cannot close with it: the strain would be too large.
     template <int dim>
     std::vector<OverlapPoint<dim>>
     without_steps(const ContactSurface<dim> &slave, std::vector<OverlapPoint<dim>> points)
@@ -85,7 +85,7 @@ namespace Amontons
           const auto &face = slave.faces[begin->slave_face];
           for (const unsigned int node : face.unknowns)
             beside = std::min(beside, closest[node]);
-          if (gap <= beside + face.size)
+          if (gap <= beside + 0.5 * face.size)
             result.insert(result.end(), begin, end);
         }
       return result;

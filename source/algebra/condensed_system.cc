@@ -3,6 +3,8 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
+#include <unordered_map>
+
 namespace Amontons
 {
   LA::Vector
@@ -35,11 +37,12 @@ namespace Amontons
   void
   CondensedSystem::setup(const CellMatrices                 &cells,
                          const Constraints                  &supports,
-                         const std::vector<ContactEquation> &candidates)
+                         const std::vector<ContactEquation> &candidates,
+                         const LA::Vector                   *diagonal)
   {
     // What a DoF that may be eliminated can be replaced by, through any chain of pairs; DoFs that never are
     // (masters, carriers) end a chain.
-    std::map<types::global_dof_index, std::vector<const LinearEquation *>> eliminating;
+    std::unordered_map<types::global_dof_index, std::vector<const LinearEquation *>> eliminating;
     for (const auto &candidate : candidates)
       for (const auto dof : candidate.candidates)
         eliminating[dof].push_back(&candidate.equation);
@@ -66,12 +69,19 @@ namespace Amontons
     std::vector<bool>                    is_surface(cells.n, false);
     DynamicSparsityPattern               dsp(relevant);
     std::vector<types::global_dof_index> dofs;
+    std::set<types::global_dof_index>    more, reached;
+    const auto                           add_reached = [&](const types::global_dof_index dof) {
+      reached.insert(dof);
+      if (supports.is_constrained(dof))
+        for (const auto &entry : *supports.get_constraint_entries(dof))
+          reached.insert(entry.first);
+    };
     surface_cells.clear();
     for (unsigned int c = 0; c < cells.n; ++c)
       {
         dofs = cells.dofs(c);
-        std::set<types::global_dof_index> more;
-        const auto                        consider = [&](const types::global_dof_index dof) {
+        more.clear();
+        const auto consider = [&](const types::global_dof_index dof) {
           if (eliminating.count(dof) > 0)
             {
               is_surface[c] = true;
@@ -91,35 +101,75 @@ namespace Amontons
             for (const auto dof : dofs)
               more.erase(dof);
             dofs.insert(dofs.end(), more.begin(), more.end());
+            for (const auto dof : dofs)
+              add_reached(dof);
           }
         supports.add_entries_local_to_global(dofs, dsp, true);
       }
     for (const auto dof : locally_owned)
       dsp.add(dof, dof);
     SparsityTools::distribute_sparsity_pattern(dsp, locally_owned, communicator, relevant);
-    bulk.reinit(locally_owned, locally_owned, dsp, communicator);
-    system.reinit(bulk);
+    system.reinit(locally_owned, locally_owned, dsp, communicator);
 
     double largest = 0;
+    system         = 0;
     for (unsigned int c = 0; c < cells.n; ++c)
-      for (unsigned int i = 0; i < cells.matrix(c).m(); ++i)
-        largest = std::max(largest, cells.matrix(c)(i, i));
+      {
+        const FullMatrix<double> cell_matrix = cells.matrix(c);
+        for (unsigned int i = 0; i < cell_matrix.m(); ++i)
+          largest = std::max(largest, cell_matrix(i, i));
+        if (!is_surface[c])
+          supports.distribute_local_to_global(cell_matrix, cells.dofs(c), system);
+      }
+    system.compress(VectorOperation::add);
     diagonal_scale = Utilities::MPI::max(largest, communicator);
+    if (diagonal != nullptr)
+      for (const auto dof : locally_owned)
+        if ((*diagonal)(dof) != 0)
+          add_reached(dof);
+    save_bulk_rows(reached);
+  }
 
-    bulk = 0;
-    for (unsigned int c = 0; c < cells.n; ++c)
-      if (!is_surface[c])
-        add_cell(cells, c, supports, bulk);
-    bulk.compress(VectorOperation::add);
+  // Rows that assemble() adds to, from this rank or another one.
+  void
+  CondensedSystem::save_bulk_rows(const std::set<types::global_dof_index> &reached)
+  {
+    LA::Vector marks;
+    marks.reinit(locally_owned, relevant, communicator, true);
+    for (const auto dof : reached)
+      marks(dof) += 1;
+    marks.compress(VectorOperation::add);
+    saved_rows.clear();
+    std::size_t n_values = 0;
+    for (const auto dof : locally_owned)
+      if (marks(dof) > 0)
+        {
+          saved_rows.push_back(system.trilinos_matrix().LRID(int(dof)));
+          n_values += system.trilinos_matrix().NumMyEntries(saved_rows.back());
+        }
+    saved_values.clear();
+    saved_values.reserve(n_values);
+    for (const int i : saved_rows)
+      {
+        double *row;
+        int     n;
+        system.trilinos_matrix().ExtractMyRowView(i, n, row);
+        saved_values.insert(saved_values.end(), row, row + n);
+      }
   }
 
   void
-  CondensedSystem::add_cell(const CellMatrices &cells,
-                            const unsigned int  c,
-                            const Constraints  &constraints,
-                            LA::SparseMatrix   &matrix) const
+  CondensedSystem::restore_bulk_rows()
   {
-    constraints.distribute_local_to_global(cells.matrix(c), cells.dofs(c), matrix);
+    const double *saved = saved_values.data();
+    for (const int i : saved_rows)
+      {
+        double *row;
+        int     n;
+        system.trilinos_matrix().ExtractMyRowView(i, n, row);
+        std::copy(saved, saved + n, row);
+        saved += n;
+      }
   }
 
   void
@@ -127,9 +177,9 @@ namespace Amontons
                             const Constraints  &constraints,
                             const LA::Vector   *diagonal)
   {
-    system.copy_from(bulk);
+    restore_bulk_rows();
     for (const unsigned int c : surface_cells)
-      add_cell(cells, c, constraints, system);
+      constraints.distribute_local_to_global(cells.matrix(c), cells.dofs(c), system);
     if (diagonal != nullptr)
       {
         FullMatrix<double> one(1, 1);
@@ -141,19 +191,17 @@ namespace Amontons
             }
       }
     system.compress(VectorOperation::add);
-    add_missing_diagonals(constraints, diagonal_scale, system);
+    add_missing_diagonals(constraints);
   }
 
   // Rows that no cell reaches: carriers and rigid bodies (their DoFs are constrained or moved through
   // others).
   void
-  CondensedSystem::add_missing_diagonals(const Constraints &constraints,
-                                         const double       scale,
-                                         LA::SparseMatrix  &matrix) const
+  CondensedSystem::add_missing_diagonals(const Constraints &constraints)
   {
-    for (const auto dof : locally_owned)
-      if (constraints.is_constrained(dof) && matrix.diag_element(dof) == 0)
-        matrix.set(dof, dof, scale);
-    matrix.compress(VectorOperation::insert);
+    for (const auto &line : constraints.get_lines())
+      if (locally_owned.is_element(line.index) && system.diag_element(line.index) == 0)
+        system.set(line.index, line.index, diagonal_scale);
+    system.compress(VectorOperation::insert);
   }
 } // namespace Amontons

@@ -1,4 +1,5 @@
 #include <amontons/algebra/linear_solver.h>
+#include <amontons/base/blas_threads.h>
 
 #include <deal.II/lac/solver_cg.h>
 
@@ -16,17 +17,18 @@ namespace Amontons
     prm.add_parameter("Type",
                       type,
                       "direct (a sparse factorisation), cg (conjugate gradients with algebraic multigrid) or "
-                      "automatic: direct for plane problems up to 150000 unknowns and 3D ones up to 10000.",
+                      "automatic: direct for plane problems up to 150000 unknowns and 3D ones up to 5000.",
                       Patterns::Selection("automatic|direct|cg"));
     prm.add_parameter(
         "Direct package",
         direct_package,
         "Trilinos' name of the direct solver; automatic: the fastest measured (doc/benchmarks).",
         Patterns::Selection("automatic|Amesos_Mumps|Amesos_Klu"));
-    prm.add_parameter("Tolerance",
-                      tolerance,
-                      "Relative residual to which linear systems are solved once the contact set is found.",
-                      Patterns::Double(1e-15, 1e-2));
+    prm.add_parameter(
+        "Tolerance",
+        tolerance,
+        "Residual, relative to the forces, to which systems are solved once the contact set is found.",
+        Patterns::Double(1e-15, 1e-2));
     prm.add_parameter("Maximum iterations", max_iterations, "Of the Krylov solver.", Patterns::Integer(1));
     prm.leave_subsection();
   }
@@ -47,6 +49,7 @@ namespace Amontons
     void
     factorise()
     {
+      const BlasThreads threads(problem.GetOperator()->Comm().NumProc() == 1 ? BlasThreads::available() : 1);
       if (!symbolic)
         failed = solver->SymbolicFactorization() != 0;
       symbolic = true;
@@ -84,7 +87,7 @@ namespace Amontons
   LinearSolver::is_direct(const types::global_dof_index n_dofs) const
   {
     if (parameters.type == "automatic")
-      return n_dofs <= (dim == 2 ? 150000u : 10000u);
+      return n_dofs <= (dim == 2 ? 150000u : 5000u);
     return parameters.type == "direct";
   }
 
@@ -162,7 +165,7 @@ namespace Amontons
   LinearSolver::solve(const LA::SparseMatrix &matrix,
                       LA::Vector             &x,
                       const LA::Vector       &rhs,
-                      const double            relative_tolerance)
+                      const double            tolerance)
   {
     LinearSolveReport report;
     x = 0;
@@ -170,12 +173,13 @@ namespace Amontons
       return report;
     if (is_direct(matrix.m()))
       return solve_directly(matrix, x, rhs);
+    const BlasThreads one_thread(1);
     for (const bool retry : {false, true})
       {
         const bool fresh = amg_is_old || !amg || retry;
         if (fresh)
           build_preconditioner(matrix);
-        SolverControl control(parameters.max_iterations, relative_tolerance * rhs.l2_norm());
+        SolverControl control(parameters.max_iterations, tolerance);
         try
           {
             x = 0;

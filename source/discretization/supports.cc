@@ -23,20 +23,18 @@ namespace Amontons
       const auto                              &base = fe.base_element(0);
       std::vector<types::global_dof_index>     dofs(fe.n_dofs_per_cell());
       std::array<types::global_dof_index, dim> node;
+      FEValues<dim>                            values(discretization.mapping,
+                           fe,
+                           Quadrature<dim>(base.get_unit_support_points()),
+                           update_quadrature_points | update_inverse_jacobians);
       for (const auto &cell : discretization.dof_handler.active_cell_iterators())
         if (!cell->is_artificial() && cell->at_boundary())
           for (const unsigned int f : cell->face_indices())
             if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == boundary)
               {
                 cell->get_dof_indices(dofs);
-                const auto      nodes = nodes_on_face(base, f);
-                Quadrature<dim> at_nodes(base.get_unit_support_points());
-                FEValues<dim>   values(discretization.mapping,
-                                     fe,
-                                     at_nodes,
-                                     update_quadrature_points | update_inverse_jacobians);
                 values.reinit(cell);
-                for (const unsigned int i : nodes)
+                for (const unsigned int i : nodes_on_face(base, f))
                   {
                     for (unsigned int c = 0; c < dim; ++c)
                       node[c] = dofs[fe.component_to_system_index(c, i)];
@@ -47,6 +45,40 @@ namespace Amontons
                     action(node, values.quadrature_point(i), normal / normal.norm());
                   }
               }
+    }
+
+    // Lines of relevant DoFs of other ranks, from their owners.
+    // (AffineConstraints::make_consistent_in_parallel of deal.II 9.4 searches all lines for every such DoF.)
+    void
+    add_lines_of_others(Constraints    &own,
+                        const IndexSet &locally_owned,
+                        const IndexSet &relevant,
+                        const MPI_Comm  communicator)
+    {
+      using Dofs    = std::vector<types::global_dof_index>;
+      using Entries = std::vector<std::pair<types::global_dof_index, double>>;
+      using Line    = std::pair<std::pair<types::global_dof_index, double>, Entries>;
+
+      IndexSet others = relevant;
+      others.subtract_set(locally_owned);
+      const auto owners = Utilities::MPI::compute_index_owner(locally_owned, others, communicator);
+
+      std::map<unsigned int, Dofs> wanted;
+      unsigned int                 i = 0;
+      for (const auto dof : others)
+        wanted[owners[i++]].push_back(dof);
+      std::map<unsigned int, std::vector<Line>> answers;
+      for (const auto &[rank, dofs] : Utilities::MPI::some_to_some(communicator, wanted))
+        for (const auto dof : dofs)
+          if (own.is_constrained(dof))
+            answers[rank].push_back({{dof, own.get_inhomogeneity(dof)}, *own.get_constraint_entries(dof)});
+      for (const auto &[rank, lines] : Utilities::MPI::some_to_some(communicator, answers))
+        for (const auto &[dof, entries] : lines)
+          {
+            own.add_line(dof.first);
+            own.add_entries(dof.first, entries);
+            own.set_inhomogeneity(dof.first, dof.second);
+          }
     }
   } // namespace
 
@@ -96,7 +128,7 @@ namespace Amontons
           own.add_entries(line.index, line.entries);
           own.set_inhomogeneity(line.index, line.inhomogeneity);
         }
-    own.make_consistent_in_parallel(locally_owned, relevant, geometry.communicator);
+    add_lines_of_others(own, locally_owned, relevant, geometry.communicator);
     own.close();
     return own;
   }

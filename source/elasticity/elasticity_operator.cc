@@ -1,3 +1,4 @@
+#include <amontons/base/blas_threads.h>
 #include <amontons/elasticity/elasticity_operator.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -6,7 +7,8 @@ namespace Amontons
 {
   template <int dim>
   ElasticityOperator<dim>::ElasticityOperator(const Discretization<dim> &discretization)
-      : discretization(discretization)
+      : discretization(discretization),
+        n_values(discretization.fe.n_dofs_per_cell() * (discretization.fe.n_dofs_per_cell() + 1) / 2)
   {
     for (const auto &body : discretization.scene.bodies)
       materials.emplace_back(body.material, discretization.scene.kind);
@@ -23,56 +25,81 @@ namespace Amontons
   void
   ElasticityOperator<dim>::assemble()
   {
-    cells.clear();
+    clear();
+    const BlasThreads   one_thread(1);
     const auto         &fe = discretization.fe;
     const QGauss<dim>   quadrature(fe.degree + 1);
-    FEValues<dim>       values(discretization.mapping, fe, quadrature, needed_flags());
+    FEValues<dim>       fe_values(discretization.mapping, fe, quadrature, needed_flags());
     StrainOperator<dim> B(fe, discretization.scene.kind);
-    const unsigned int  n = fe.n_dofs_per_cell();
+    const unsigned int  n = fe.n_dofs_per_cell(), n_v = n_voigt<dim>;
 
+    // Row q n_v + k: component k at point q.
+    FullMatrix<double> strains(quadrature.size() * n_v, n), weighted(strains.m(), n), K(n, n);
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
+        cells.push_back({std::vector<types::global_dof_index>(n), cell->material_id()});
+    values.reserve(cells.size() * n_values);
+
+    auto stiffness = cells.begin();
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
         {
-          values.reinit(cell);
-          B.reinit(values);
-          const LinearElastic<dim> &material = materials[cell->material_id()];
-          cells.push_back(
-              {std::vector<types::global_dof_index>(n), FullMatrix<double>(n, n), cell->material_id()});
-          CellStiffness &K = cells.back();
-          cell->get_dof_indices(K.dofs);
+          fe_values.reinit(cell);
+          B.reinit(fe_values);
+          cell->get_dof_indices((stiffness++)->dofs);
           for (unsigned int q = 0; q < quadrature.size(); ++q)
-            for (unsigned int j = 0; j < n; ++j)
+            for (unsigned int i = 0; i < n; ++i)
               {
-                Voigt<dim> sigma = material.stress(B.strain(j, q));
-                for (double &s : sigma)
-                  s *= B.weight(q);
-                for (unsigned int i = 0; i <= j; ++i)
+                const Voigt<dim> &strain = B.strain(i, q);
+                const Voigt<dim>  stress = materials[cell->material_id()].stress(strain);
+                for (unsigned int k = 0; k < n_v; ++k)
                   {
-                    const Voigt<dim> &b   = B.strain(i, q);
-                    double            sum = 0;
-                    for (unsigned int k = 0; k < n_voigt<dim>; ++k)
-                      sum += b[k] * sigma[k];
-                    K.matrix(i, j) += sum;
+                    strains(q * n_v + k, i)  = strain[k];
+                    weighted(q * n_v + k, i) = B.weight(q) * stress[k];
                   }
               }
-          for (unsigned int j = 0; j < n; ++j)
-            for (unsigned int i = 0; i < j; ++i)
-              K.matrix(j, i) = K.matrix(i, j);
+          strains.Tmmult(K, weighted);
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j <= i; ++j)
+              values.push_back(K(i, j));
         }
+  }
+
+  template <int dim>
+  FullMatrix<double>
+  ElasticityOperator<dim>::matrix(const unsigned int c) const
+  {
+    const unsigned int n = cells[c].dofs.size();
+    FullMatrix<double> K(n, n);
+    const double      *value = &values[c * n_values];
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        K(i, j) = K(j, i) = *value++;
+    return K;
   }
 
   template <int dim>
   LA::Vector
   ElasticityOperator<dim>::apply(const LA::Vector &u) const
   {
-    LA::Vector     result = discretization.make_owned_vector();
-    Vector<double> local(discretization.fe.n_dofs_per_cell()), force(local.size());
+    LA::Vector          result = discretization.make_owned_vector();
+    std::vector<double> local(discretization.fe.n_dofs_per_cell()), force(local.size());
+    const double       *value = values.data();
     for (const auto &cell : cells)
       {
+        u.extract_subvector_to(cell.dofs, local);
         for (unsigned int i = 0; i < local.size(); ++i)
-          local[i] = u(cell.dofs[i]);
-        cell.matrix.vmult(force, local);
-        result.add(cell.dofs, std::vector<double>(force.begin(), force.end()));
+          {
+            double sum = 0;
+            for (unsigned int j = 0; j < i; ++j)
+              {
+                sum += value[j] * local[j];
+                force[j] += value[j] * local[i];
+              }
+            force[i] = sum + value[i] * local[i];
+            value += i + 1;
+          }
+        result.add(cell.dofs, force);
       }
     result.compress(VectorOperation::add);
     return result;
@@ -83,9 +110,9 @@ namespace Amontons
   ElasticityOperator<dim>::rounding_scale(const LA::Vector &u) const
   {
     double sum = 0;
-    for (const auto &cell : cells)
-      for (unsigned int i = 0; i < cell.dofs.size(); ++i)
-        sum += std::pow(cell.matrix(i, i) * u(cell.dofs[i]), 2);
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      for (unsigned int i = 0; i < cells[c].dofs.size(); ++i)
+        sum += std::pow(diagonal(c, i) * u(cells[c].dofs[i]), 2);
     return std::sqrt(Utilities::MPI::sum(sum, discretization.geometry.communicator));
   }
 

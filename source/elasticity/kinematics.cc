@@ -68,7 +68,7 @@ namespace Amontons
     const unsigned int n_q = values.n_quadrature_points, n_m = fe.degree == 1 ? 1 : dim + 1;
     const Point<dim>   centre = values.get_cell()->center();
     const double       size   = values.get_cell()->diameter();
-    FullMatrix<double> m(n_q, n_m), mass(n_m, n_m), projector(n_q, n_q);
+    FullMatrix<double> m(n_q, n_m), mass(n_m, n_m);
     for (unsigned int q = 0; q < n_q; ++q)
       for (unsigned int k = 0; k < n_m; ++k)
         m(q, k) = k == 0 ? 1. : (values.quadrature_point(q)[k - 1] - centre[k - 1]) / size;
@@ -76,24 +76,27 @@ namespace Amontons
       for (unsigned int j = 0; j < n_m; ++j)
         for (unsigned int k = 0; k < n_m; ++k)
           mass(j, k) += weights[q] * m(q, j) * m(q, k);
-    FullMatrix<double> inverse(n_m, n_m), m_inverse(n_q, n_m);
+    FullMatrix<double> inverse(n_m, n_m);
     inverse.invert(mass);
-    m.mmult(m_inverse, inverse);
-    m_inverse.mTmult(projector, m); // (q, s): m_q mass^-1 m_s, still to be weighted at s
 
-    std::vector<double> divergence(n_q), projected(n_q);
+    std::vector<double> divergence(n_q);
+    Vector<double>      moments(n_m), a(n_m);
     for (unsigned int i = 0; i < n_dofs; ++i)
       {
+        moments = 0;
         for (unsigned int q = 0; q < n_q; ++q)
           {
             const Voigt<dim> &b = B[q * n_dofs + i];
             divergence[q]       = b[0] + b[1] + b[2];
+            for (unsigned int k = 0; k < n_m; ++k)
+              moments[k] += weights[q] * m(q, k) * divergence[q];
           }
+        inverse.vmult(a, moments);
         for (unsigned int q = 0; q < n_q; ++q)
           {
             double p = 0;
-            for (unsigned int s = 0; s < n_q; ++s)
-              p += projector(q, s) * weights[s] * divergence[s];
+            for (unsigned int k = 0; k < n_m; ++k)
+              p += m(q, k) * a[k];
             for (unsigned int k = 0; k < 3; ++k)
               B[q * n_dofs + i][k] += (p - divergence[q]) / 3;
           }

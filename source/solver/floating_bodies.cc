@@ -11,7 +11,7 @@ namespace Amontons
   FloatingBodies<dim>::FloatingBodies(const Discretization<dim>                &discretization,
                                       const Constraints                        &supports,
                                       const std::vector<ContactInterface<dim>> &interfaces)
-      : discretization(discretization)
+      : discretization(discretization), places(discretization.relevant.n_elements())
   {
     const Scene       &scene    = discretization.scene;
     const unsigned int n_bodies = scene.bodies.size(),
@@ -42,7 +42,7 @@ namespace Amontons
           for (unsigned int i = 0; i < dofs.size(); ++i)
             {
               const auto [component, node] = fe.system_to_component_index(i);
-              places[dofs[i]]              = {cell->material_id(), component, values.quadrature_point(node)};
+              place(dofs[i])               = {cell->material_id(), component, values.quadrature_point(node)};
             }
         }
     for (const auto &interface : interfaces)
@@ -51,7 +51,7 @@ namespace Amontons
           for (const auto &node : surface->nodes)
             for (unsigned int c = 0; c < dim; ++c)
               {
-                places[node.dofs[c]] = {surface->body, c, node.X};
+                place(node.dofs[c]) = {surface->body, c, node.X};
                 surface_dofs.push_back(node.dofs[c]);
               }
     for (unsigned int m = 0; m < discretization.carrier_dofs.size(); ++m)
@@ -66,17 +66,17 @@ namespace Amontons
               Point<dim> X = centres[n_bodies + m];
               if (k > 0)
                 X[k - 1] += carrier.size;
-              places[discretization.carrier_dofs[m][k][c]] = {n_bodies + m, c, X};
+              place(discretization.carrier_dofs[m][k][c]) = {n_bodies + m, c, X};
             }
       }
 
     // Lines with unit weight each: relative sizes do not matter for a null space.
     supports_matrix.reinit(n_modes, n_modes);
-    for (const auto dof : discretization.locally_owned)
-      if (supports.is_constrained(dof))
+    for (const auto &support : supports.get_lines())
+      if (discretization.locally_owned.is_element(support.index))
         {
-          std::map<types::global_dof_index, double> line = {{dof, 1.}};
-          for (const auto &[other, weight] : *supports.get_constraint_entries(dof))
+          std::map<types::global_dof_index, double> line = {{support.index, 1.}};
+          for (const auto &[other, weight] : support.entries)
             line[other] -= weight;
           const auto e = violation(line);
           for (unsigned int i = 0; i < n_modes; ++i)
@@ -106,7 +106,7 @@ namespace Amontons
   unsigned int
   FloatingBodies<dim>::owner_of(const types::global_dof_index dof) const
   {
-    return places.at(dof).body;
+    return places[discretization.relevant.index_within_set(dof)].body;
   }
 
   // Modes of a body about its centre c, with X' = (X - c)/size: e_1, .., e_dim, then rotations in the planes
@@ -117,10 +117,11 @@ namespace Amontons
                                     const double                  weight,
                                     std::vector<double>          &e) const
   {
-    const auto found = places.find(dof);
-    if (found == places.end())
+    if (!discretization.relevant.is_element(dof))
       return;
-    const DofPlace    &place = found->second;
+    const DofPlace &place = places[discretization.relevant.index_within_set(dof)];
+    if (place.body == numbers::invalid_unsigned_int)
+      return;
     const unsigned int first = place.body * modes_per_body;
     if (modes_per_body == 1)
       {
@@ -335,10 +336,11 @@ namespace Amontons
   {
     force.assign(n_modes, 0.);
     magnitude.assign(n_modes, 0.);
+    std::vector<double> e(n_modes);
     for (const auto dof : discretization.locally_owned)
       if (const double f = loads(dof); f != 0)
         {
-          std::vector<double> e(n_modes, 0.);
+          std::fill(e.begin(), e.end(), 0.);
           add_modes_of(dof, f, e);
           for (unsigned int i = 0; i < n_modes; ++i)
             {

@@ -128,6 +128,9 @@ namespace Amontons
         state.displacement = u;
         guess_closed_nodes();
         make_proximal_terms();
+        const bool may_change =
+            std::any_of(nodes.begin(), nodes.end(), [](const CandidateNode &node) { return !node.tied; });
+        forcing = may_change ? 1e-4 : fine_forcing();
         if (!solver.is_direct(discretization.dof_handler.n_dofs()))
           solver.set_near_null_space(rigid_body_modes(discretization));
 
@@ -139,7 +142,7 @@ namespace Amontons
               candidates.push_back(equation);
               substitute(candidates.back().equation, supports);
             }
-        system.setup(cells(), supports, candidates);
+        system.setup(cells(), supports, candidates, floating.any() ? &springs : nullptr);
       }
 
       CellMatrices
@@ -148,7 +151,7 @@ namespace Amontons
         CellMatrices result;
         result.n      = elasticity.n_cells();
         result.dofs   = [this](const unsigned int c) -> const auto   &{ return elasticity.dofs(c); };
-        result.matrix = [this](const unsigned int c) -> const auto & { return elasticity.matrix(c); };
+        result.matrix = [this](const unsigned int c) { return elasticity.matrix(c); };
         return result;
       }
 
@@ -179,9 +182,9 @@ namespace Amontons
         for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
           for (unsigned int i = 0; i < elasticity.dofs(c).size(); ++i)
             {
-              largest = std::max(largest, elasticity.matrix(c)(i, i));
+              largest = std::max(largest, elasticity.diagonal(c, i));
               if (floating.floats()[elasticity.body(c)])
-                springs(elasticity.dofs(c)[i]) += weak * elasticity.matrix(c)(i, i);
+                springs(elasticity.dofs(c)[i]) += weak * elasticity.diagonal(c, i);
             }
         springs.compress(VectorOperation::add);
         largest = Utilities::MPI::max(largest, communicator);
@@ -238,7 +241,8 @@ namespace Amontons
         zero_constrained(constraints->all(), discretization.locally_owned, rhs);
 
         TimerOutput::Scope scope(timer, "linear solve");
-        const auto         result = solver.solve(system.matrix(), du, rhs, forcing);
+        const double       scale  = report.iterations.empty() ? rhs.l2_norm() : force_scale;
+        const auto         result = solver.solve(system.matrix(), du, rhs, forcing * scale);
         step.krylov               = result.iterations;
         if (!result.success)
           {
@@ -283,13 +287,13 @@ namespace Amontons
 
       // What rounding leaves of |K||u| counts as zero: scenes without stress, stiff bodies on soft ones.
       double
-      relative_residual() const
+      relative_residual()
       {
         LA::Vector free = condense(raw, constraints->all(), loads);
         zero_constrained(constraints->all(), discretization.locally_owned, free);
         const double rounding = 1e-14 * elasticity.rounding_scale(state.displacement);
-        const double scale = std::max({internal.l2_norm(), loads.l2_norm(), rounding / parameters.tolerance});
-        return scale == 0 ? 0 : free.l2_norm() / scale;
+        force_scale = std::max({internal.l2_norm(), loads.l2_norm(), rounding / parameters.tolerance});
+        return force_scale == 0 ? 0 : free.l2_norm() / force_scale;
       }
 
       bool
@@ -327,13 +331,18 @@ namespace Amontons
       }
 
       // While many nodes still change, systems are solved as far as that is worth; the last ones for good.
+      // Where only weak springs hold a motion, even a small residual may be a large motion.
       void
       choose_forcing(const NewtonReport::Iteration &step, const bool set_changed)
       {
-        if (!set_changed)
-          forcing = std::min(1e-2, std::max(1e-14, 0.1 * parameters.tolerance / step.residual));
-        else
-          forcing = step.n_changes > 4 + 0.05 * step.n_slip ? 1e-4 : solver_parameters.tolerance;
+        const bool rough = set_changed && step.n_changes > 0.05 * step.n_slip && unheld.empty();
+        forcing          = rough ? 1e-3 : fine_forcing();
+      }
+
+      double
+      fine_forcing() const
+      {
+        return std::min(solver_parameters.tolerance, 0.3 * parameters.tolerance);
       }
 
       // The result by interface and row.
@@ -411,9 +420,10 @@ namespace Amontons
       std::vector<bool>   closed;
       std::vector<double> pressure, gap, multipliers;
       std::unique_ptr<ContactConstraints> constraints;
-      std::vector<unsigned int>           first_equation; // of node k among those of the closed nodes
-      std::string                         unheld;         // motions that the closed nodes leave
-      double                              forcing = 1e-8; // the first solve is the one that is timed
+      std::vector<unsigned int>           first_equation;  // of node k among those of the closed nodes
+      std::string                         unheld;          // motions that the closed nodes leave
+      double                              forcing     = 0; // residual of the next linear solve / force_scale
+      double                              force_scale = 0; // norm of the internal forces or loads
     };
   } // namespace
 

@@ -21,23 +21,25 @@ namespace Amontons
   {
     unsigned int                                                              n;
     std::function<const std::vector<types::global_dof_index> &(unsigned int)> dofs;
-    std::function<const FullMatrix<double> &(unsigned int)>                   matrix;
+    std::function<FullMatrix<double>(unsigned int)>                           matrix;
   };
 
   // A linear scene does not change between iterations but for the closed nodes. So cells without a DoF of a
-  // possible slave node (the bulk) are assembled once per mesh; a change of state copies their sum and adds
-  // the few others again. The sparsity pattern holds all `candidates`, so that it is rebuilt only when a node
-  // outside of them closes.
+  // possible slave node (the bulk) are assembled once per mesh; a change of state restores their sum in the
+  // rows that the few others reach, and adds these again. The sparsity pattern holds all `candidates`, so
+  // that it is rebuilt only when a node outside of them closes.
   class CondensedSystem
   {
   public:
     CondensedSystem(const IndexSet &locally_owned, const IndexSet &relevant, MPI_Comm communicator);
 
     // candidates: equations of all nodes that may close on this mesh, after substitution of the supports.
+    // diagonal (may be null): assemble() adds none elsewhere.
     void
     setup(const CellMatrices                 &cells,
           const Constraints                  &supports,
-          const std::vector<ContactEquation> &candidates);
+          const std::vector<ContactEquation> &candidates,
+          const LA::Vector                   *diagonal);
 
     // diagonal (may be null): added to the diagonal entry of each DoF before condensation.
     void
@@ -51,17 +53,18 @@ namespace Amontons
 
   private:
     void
-    add_cell(const CellMatrices &cells,
-             const unsigned int  c,
-             const Constraints  &constraints,
-             LA::SparseMatrix   &matrix) const;
+    add_missing_diagonals(const Constraints &constraints);
     void
-    add_missing_diagonals(const Constraints &constraints, const double scale, LA::SparseMatrix &matrix) const;
+    save_bulk_rows(const std::set<types::global_dof_index> &reached);
+    void
+    restore_bulk_rows();
 
     const IndexSet            locally_owned, relevant;
     const MPI_Comm            communicator;
     std::vector<unsigned int> surface_cells;
-    LA::SparseMatrix          bulk, system;
+    LA::SparseMatrix          system;
+    std::vector<int>          saved_rows; // local indices
+    std::vector<double>       saved_values;
     double                    diagonal_scale = 1;
   };
 } // namespace Amontons

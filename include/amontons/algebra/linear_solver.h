@@ -47,13 +47,9 @@ namespace Amontons
     void
     matrix_changed(const LA::SparseMatrix &matrix, const bool much);
 
-    // Solves to |r| <= relative_tolerance |rhs|; the direct solver ignores the tolerance. x: owned, initial
-    // guess 0.
+    // Solves to |r| <= tolerance; the direct solver ignores it. x: owned, initial guess 0.
     LinearSolveReport
-    solve(const LA::SparseMatrix &matrix,
-          LA::Vector             &x,
-          const LA::Vector       &rhs,
-          const double            relative_tolerance);
+    solve(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs, const double tolerance);
 
     bool
     is_direct(const types::global_dof_index n_dofs) const;

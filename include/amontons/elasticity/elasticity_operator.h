@@ -21,6 +21,7 @@ namespace Amontons
     clear()
     {
       cells.clear();
+      values.clear();
     }
 
     unsigned int
@@ -28,10 +29,12 @@ namespace Amontons
     {
       return cells.size();
     }
-    const FullMatrix<double> &
-    matrix(const unsigned int c) const
+    FullMatrix<double>
+    matrix(const unsigned int c) const;
+    double
+    diagonal(const unsigned int c, const unsigned int i) const
     {
-      return cells[c].matrix;
+      return values[c * n_values + i * (i + 1) / 2 + i];
     }
     const std::vector<types::global_dof_index> &
     dofs(const unsigned int c) const
@@ -67,12 +70,13 @@ namespace Amontons
     struct CellStiffness
     {
       std::vector<types::global_dof_index> dofs;
-      FullMatrix<double>                   matrix;
       types::material_id                   body;
     };
 
     const Discretization<dim>      &discretization;
     std::vector<LinearElastic<dim>> materials; // per body
     std::vector<CellStiffness>      cells;
+    const std::size_t               n_values; // per cell
+    std::vector<double>             values;   // of the cells' lower triangles, row by row
   };
 } // namespace Amontons

@@ -81,20 +81,25 @@ namespace Amontons
 
     struct DofPlace
     {
-      unsigned int body, component;
+      unsigned int body = numbers::invalid_unsigned_int, component;
       Point<dim>   X;
     };
+    DofPlace &
+    place(const types::global_dof_index dof)
+    {
+      return places[discretization.relevant.index_within_set(dof)];
+    }
 
-    const Discretization<dim>                  &discretization;
-    std::map<types::global_dof_index, DofPlace> places;
-    std::vector<types::global_dof_index>        surface_dofs; // of all interfaces, the same on every rank
-    std::vector<Point<dim>>                     centres;      // by body, then carrier
-    std::vector<double>                         sizes;
-    unsigned int                                modes_per_body, n_modes;
-    FullMatrix<double>                          supports_matrix;
-    std::vector<bool>                           floating;
-    unsigned int                                n_free = 0;
-    std::vector<types::global_dof_index>        pinned;
-    std::vector<double>                         force, magnitude; // by motion
+    const Discretization<dim>           &discretization;
+    std::vector<DofPlace>                places;       // of the relevant DoFs
+    std::vector<types::global_dof_index> surface_dofs; // of all interfaces, the same on every rank
+    std::vector<Point<dim>>              centres;      // by body, then carrier
+    std::vector<double>                  sizes;
+    unsigned int                         modes_per_body, n_modes;
+    FullMatrix<double>                   supports_matrix;
+    std::vector<bool>                    floating;
+    unsigned int                         n_free = 0;
+    std::vector<types::global_dof_index> pinned;
+    std::vector<double>                  force, magnitude; // by motion
   };
 } // namespace Amontons

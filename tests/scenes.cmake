@@ -71,10 +71,11 @@ foreach(degree 1 2)
 endforeach()
 add_scene_test(NAME patch_stiffness_1e6 SCENE verification/patch_pressure.prm
                SET "Body upper/Young modulus=1" "Body lower/Young modulus=1e6" CHECK ${EXACT})
-# The stiff body rides on the soft one: rounding of its displacement times the ratio of the stiffnesses (5.5e-9 measured).
+# The stiff body rides on the soft one by 1e7, which a double knows to 2e-9, and differs by 1 across its cells: each difference is wrong by 2e-9, and a
+# force adds up some ten of them (1.5e-8 measured).
 add_scene_test(NAME patch_stiffness_1e-6 SCENE verification/patch_pressure.prm
                SET "Body upper/Young modulus=1" "Body lower/Young modulus=1e-6"
-               CHECK "reference.errors.pressure_l2 <= 1e-8" "reference.errors.nodal_peak_pressure <= 1e-8")
+               CHECK "reference.errors.pressure_l2 <= 4e-8" "reference.errors.nodal_peak_pressure <= 4e-8")
 
 # ---- Patch tests in space
 

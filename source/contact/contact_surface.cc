@@ -1,3 +1,4 @@
+#include <amontons/base/gather.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/contact_surface.h>
 #include <amontons/contact/face_basis.h>
@@ -213,7 +214,7 @@ namespace Amontons
     const unsigned int                              n_nodes = Utilities::fixed_power<dim - 1>(degree + 1);
     std::map<types::global_dof_index, unsigned int> node_of_dof;
 
-    const auto packages = Utilities::MPI::all_gather(discretization.geometry.communicator, package);
+    const auto packages = gather_on_all(discretization.geometry.communicator, package);
     for (unsigned int rank = 0; rank < packages.size(); ++rank)
       {
         const auto &part     = packages[rank];

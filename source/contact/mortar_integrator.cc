@@ -1,10 +1,10 @@
+#include <amontons/base/gather.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/dual_basis.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/contact/face_overlap.h>
 #include <amontons/contact/mortar_integrator.h>
 
-#include <deal.II/base/mpi.templates.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/rtree.h>
 
@@ -128,7 +128,7 @@ namespace Amontons
         }
     if (Utilities::MPI::n_mpi_processes(communicator) > 1)
       {
-        const auto parts = Utilities::MPI::all_gather(communicator, points);
+        const auto parts = gather_on_all(communicator, points);
         points.clear();
         for (const auto &part : parts)
           points.insert(points.end(), part.begin(), part.end());

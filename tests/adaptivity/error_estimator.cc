@@ -317,7 +317,7 @@ test_contact_terms()
   interface.slave                            = surface("it", "top");
   interface.master_surface                   = surface("upper", "bottom");
   interface.master.surface                   = interface.master_surface.get();
-  interface.coupling.points = find_overlaps(pair, *interface.slave, interface.master, 0.1, false);
+  interface.coupling.points = find_overlaps(pair, *interface.slave, interface.master, 0.1, false, MPI_COMM_WORLD);
   interface.coupling.rows.resize(interface.slave->nodes.size());
   for (unsigned int i = 0; i < interface.coupling.rows.size(); ++i)
     interface.coupling.rows[i].node = i;

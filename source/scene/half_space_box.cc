@@ -13,26 +13,11 @@ namespace Amontons
     ReferenceSolution s = hertz_solution(get, h);
     s.approach.reset(); // the fields of both bodies are zero at the centre
     HalfSpaceField lower;
-    lower.material       = {get("E1"), get("nu1")};
-    lower.force          = h.force;
-    lower.size           = h.size;
-    lower.centre         = s.centre;
-    lower.axis           = normal_axis(scene.kind);
-    HalfSpaceField upper = lower;
-    upper.side           = 1;
-    const bool rigid     = !get.is_given("E2");
-    if (!rigid)
-      upper.material = {get("E2"), get("nu2")};
-
-    const TwoHalves halves(s.centre, h.size, lower.axis, lower.material, upper.material, scene.bodies);
-    s.displacement = [=](const std::string &body, const Point<3> &p) {
-      if (halves.side(body, p) < 0)
-        return lower.displacement(p);
-      return rigid ? Tensor<1, 3>() : upper.displacement(p);
-    };
-    s.stress = [=](const std::string &body, const Point<3> &p) {
-      return halves.side(body, p) < 0 ? lower.stress(p) : upper.stress(p);
-    };
+    lower.force  = h.force;
+    lower.size   = h.size;
+    lower.centre = s.centre;
+    lower.axis   = normal_axis(scene.kind);
+    set_fields_of_halves(get, lower.axis, scene.bodies, lower, s);
     return s;
   }
 } // namespace Amontons

@@ -1,7 +1,8 @@
 // Which of two half planes or half spaces a body of the scene is cut out of.
 #pragma once
 
-#include <amontons/scene/scene.h>
+#include <amontons/scene/closed_form_arguments.h>
+#include <amontons/scene/reference_solution.h>
 
 namespace Amontons
 {
@@ -31,4 +32,33 @@ namespace Amontons
     unsigned int                 axis;
     std::map<std::string, Sides> sides; // by body
   };
+
+  // Displacement and stress of two bodies that are halves under the same Hertz pressure: `lower` is the field
+  // of the one below but for its material; E1, nu1 and E2, nu2 (a body without them is rigid) are read from
+  // the arguments. Field: HalfPlaneField or HalfSpaceField.
+  template <typename Field>
+  void
+  set_fields_of_halves(const ClosedFormArguments   &get,
+                       const unsigned int           axis,
+                       const std::vector<BodyData> &bodies,
+                       Field                        lower,
+                       ReferenceSolution           &s)
+  {
+    lower.material   = {get("E1"), get("nu1")};
+    Field upper      = lower;
+    upper.side       = 1;
+    const bool rigid = !get.is_given("E2");
+    if (!rigid)
+      upper.material = {get("E2"), get("nu2")};
+
+    const TwoHalves halves(lower.centre, lower.size, axis, lower.material, upper.material, bodies);
+    s.displacement = [=](const std::string &body, const Point<3> &p) {
+      if (halves.side(body, p) < 0)
+        return lower.displacement(p);
+      return rigid ? dealii::Tensor<1, 3>() : upper.displacement(p);
+    };
+    s.stress = [=](const std::string &body, const Point<3> &p) {
+      return halves.side(body, p) < 0 ? lower.stress(p) : upper.stress(p);
+    };
+  }
 } // namespace Amontons

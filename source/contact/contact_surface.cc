@@ -34,23 +34,7 @@ namespace Amontons
     template <unsigned int degree>
     struct Lagrange
     {
-      explicit Lagrange(const double x)
-      {
-        constexpr double n = degree;
-        for (unsigned int i = 0; i <= degree; ++i)
-          {
-            values[i]      = 1;
-            derivatives[i] = 0;
-            for (unsigned int j = 0; j <= degree; ++j)
-              if (j != i)
-                {
-                  const double slope  = n / (double(i) - double(j));
-                  const double factor = slope * (x - j / n);
-                  derivatives[i]      = derivatives[i] * factor + values[i] * slope;
-                  values[i] *= factor;
-                }
-          }
-      }
+      explicit Lagrange(const double x) { lagrange_1d(degree, x, values, derivatives); }
 
       std::array<double, degree + 1> values, derivatives;
     };

@@ -5,26 +5,6 @@
 namespace Amontons
 {
   void
-  lagrange_1d(const unsigned int   degree,
-              const double         x,
-              std::vector<double> &values,
-              std::vector<double> &derivatives)
-  {
-    values.assign(degree + 1, 1.);
-    derivatives.assign(degree + 1, 0.);
-    const double n = degree;
-    for (unsigned int i = 0; i <= degree; ++i)
-      for (unsigned int j = 0; j <= degree; ++j)
-        if (j != i)
-          {
-            const double slope  = n / (double(i) - double(j));
-            const double factor = slope * (x - j / n);
-            derivatives[i]      = derivatives[i] * factor + values[i] * slope;
-            values[i] *= factor;
-          }
-  }
-
-  void
   bernstein_1d(const unsigned int degree, const double x, std::vector<double> &values)
   {
     if (degree == 1)
@@ -61,9 +41,12 @@ namespace Amontons
   lagrange_values(const unsigned int degree, const Point<fdim> &xi)
   {
     std::array<std::vector<double>, fdim> f;
-    std::vector<double>                   unused;
+    std::vector<double>                   unused(degree + 1);
     for (unsigned int d = 0; d < fdim; ++d)
-      lagrange_1d(degree, xi[d], f[d], unused);
+      {
+        f[d].resize(degree + 1);
+        lagrange_1d(degree, xi[d], f[d], unused);
+      }
     return tensor_product<fdim>(f);
   }
 
@@ -73,7 +56,11 @@ namespace Amontons
   {
     std::array<std::vector<double>, fdim> values, derivatives;
     for (unsigned int d = 0; d < fdim; ++d)
-      lagrange_1d(degree, xi[d], values[d], derivatives[d]);
+      {
+        values[d].resize(degree + 1);
+        derivatives[d].resize(degree + 1);
+        lagrange_1d(degree, xi[d], values[d], derivatives[d]);
+      }
     std::vector<Tensor<1, fdim>> gradients;
     for (unsigned int d = 0; d < fdim; ++d)
       {
@@ -95,6 +82,18 @@ namespace Amontons
     for (unsigned int d = 0; d < fdim; ++d)
       bernstein_1d(degree, xi[d], f[d]);
     return tensor_product<fdim>(f);
+  }
+
+  std::vector<double>
+  traces_of_unknowns(const std::vector<double> &B, const dealii::FullMatrix<double> &A)
+  {
+    if (A.empty())
+      return B;
+    std::vector<double> result(A.n(), 0.);
+    for (unsigned int i = 0; i < A.m(); ++i)
+      for (unsigned int j = 0; j < A.n(); ++j)
+        result[j] += B[i] * A(i, j);
+    return result;
   }
 
   std::vector<std::vector<double>>

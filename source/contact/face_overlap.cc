@@ -1,4 +1,5 @@
 #include <amontons/contact/face_overlap.h>
+#include <amontons/contact/overlap_piece.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -42,26 +43,23 @@ namespace Amontons
                       std::vector<OverlapPoint<2>> &points)
     {
       // psi x N x geometry x r: degree 2p + 1 on straight faces; curved ones get two points more.
-      const QGauss<1>   gauss(slave.degree + 3);
-      const std::size_t before  = points.size();
-      double            closest = std::numeric_limits<double>::max();
-      for (unsigned int q = 0; q < gauss.size() && closest >= 0; ++q)
-        {
-          OverlapPoint<2> p;
-          p.slave_face = slave_face;
-          p.xi_slave   = Point<1>(a + (b - a) * gauss.point(q)[0]);
-          p.x_slave    = slave.position(slave_face, p.xi_slave);
-          p.normal     = slave.nodal_normal(slave_face, p.xi_slave);
-          double jacobian;
-          slave.face_normal(slave_face, p.xi_slave, &jacobian);
-          p.weight         = gauss.weight(q) * (b - a) * jacobian;
-          const bool found = opposite(p); // rounding at the ends of a sliver: all of it or nothing
-          p.gap            = p.normal * (p.x_master - p.x_slave);
-          closest          = found ? std::min(closest, std::abs(p.gap)) : -1;
-          points.push_back(p);
-        }
-      if (closest < 0 || closest > reach)
-        points.resize(before);
+      const QGauss<1> gauss(slave.degree + 3);
+      append_piece<2>(
+          gauss.size(),
+          [&](const unsigned int q) {
+            OverlapPoint<2> p;
+            p.slave_face = slave_face;
+            p.xi_slave   = Point<1>(a + (b - a) * gauss.point(q)[0]);
+            p.x_slave    = slave.position(slave_face, p.xi_slave);
+            p.normal     = slave.nodal_normal(slave_face, p.xi_slave);
+            double jacobian;
+            slave.face_normal(slave_face, p.xi_slave, &jacobian);
+            p.weight = gauss.weight(q) * (b - a) * jacobian;
+            return p;
+          },
+          opposite, // may miss by rounding at the ends of a sliver
+          reach,
+          points);
     }
   } // namespace
 

@@ -1,4 +1,5 @@
 #include <amontons/contact/face_overlap.h>
+#include <amontons/contact/overlap_piece.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -227,21 +228,16 @@ namespace Amontons
           const double       twice_area = cross(a, b);
           if (twice_area == 0)
             continue;
-          const std::size_t before  = points.size();
-          double            closest = std::numeric_limits<double>::max();
-          for (unsigned int q = 0; q < formula.size() && closest >= 0; ++q)
-            {
-              const auto [xi, element] =
-                  to_xi(polygon[0] + formula.point(q)[0] * a + formula.point(q)[1] * b);
-              OverlapPoint<3> p =
-                  slave_point(slave, slave_face, xi, formula.weight(q) * twice_area * element);
-              const bool found = opposite(p);
-              p.gap            = p.normal * (p.x_master - p.x_slave);
-              closest          = found ? std::min(closest, std::abs(p.gap)) : -1;
-              points.push_back(p);
-            }
-          if (closest < 0 || closest > reach)
-            points.resize(before);
+          append_piece<3>(
+              formula.size(),
+              [&](const unsigned int q) {
+                const auto [xi, element] =
+                    to_xi(polygon[0] + formula.point(q)[0] * a + formula.point(q)[1] * b);
+                return slave_point(slave, slave_face, xi, formula.weight(q) * twice_area * element);
+              },
+              opposite,
+              reach,
+              points);
         }
     }
   } // namespace
@@ -384,19 +380,15 @@ namespace Amontons
     if (n_inside == (n + 1) * (n + 1))
       {
         // psi x N x geometry
-        const QGauss<2>   gauss(slave.degree + 2);
-        const std::size_t before  = points.size();
-        double            closest = std::numeric_limits<double>::max();
-        for (unsigned int q = 0; q < gauss.size() && closest >= 0; ++q)
-          {
-            auto       p     = slave_point(slave, slave_face, gauss.point(q), gauss.weight(q));
-            const bool found = project(p);
-            p.gap            = p.normal * (p.x_master - p.x_slave);
-            closest          = found ? std::min(closest, std::abs(p.gap)) : -1;
-            points.push_back(p);
-          }
-        if (closest < 0 || closest > reach)
-          points.resize(before);
+        const QGauss<2> gauss(slave.degree + 2);
+        append_piece<3>(
+            gauss.size(),
+            [&](const unsigned int q) {
+              return slave_point(slave, slave_face, gauss.point(q), gauss.weight(q));
+            },
+            project,
+            reach,
+            points);
         return;
       }
 

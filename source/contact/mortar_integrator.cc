@@ -160,13 +160,9 @@ namespace Amontons
                            const SurfaceFace<dim> &face,
                            const Point<dim - 1>   &xi,
                            const double            weight) {
-        const auto B = bernstein_values<dim - 1>(slave.degree, xi);
-        for (unsigned int i = 0; i < B.size(); ++i)
-          if (face.subdivision.empty())
-            sums[face.unknowns[i]] += weight * B[i];
-          else
-            for (unsigned int j = 0; j < B.size(); ++j)
-              sums[face.unknowns[j]] += weight * B[i] * face.subdivision(i, j);
+        const auto B = traces_of_unknowns(bernstein_values<dim - 1>(slave.degree, xi), face.subdivision);
+        for (unsigned int j = 0; j < B.size(); ++j)
+          sums[face.unknowns[j]] += weight * B[j];
       };
       for (const auto &p : points)
         {

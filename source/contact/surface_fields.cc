@@ -119,14 +119,11 @@ namespace Amontons
             Point<dim - 1> xi;
             for (unsigned int d = 0, rest = k; d < dim - 1; ++d, rest /= n)
               xi[d] = double(rest % n) / surface.degree;
-            const auto B = bernstein_values<dim - 1>(surface.degree, xi);
-            double     v = 0;
-            for (unsigned int i = 0; i < B.size(); ++i)
-              if (face.subdivision.empty())
-                v += B[i] * control[face.unknowns[i]];
-              else
-                for (unsigned int j = 0; j < B.size(); ++j)
-                  v += B[i] * face.subdivision(i, j) * control[face.unknowns[j]];
+            const auto B =
+                traces_of_unknowns(bernstein_values<dim - 1>(surface.degree, xi), face.subdivision);
+            double v = 0;
+            for (unsigned int j = 0; j < B.size(); ++j)
+              v += B[j] * control[face.unknowns[j]];
             nodal[face.nodes[k]] = v;
           }
       return nodal;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deal.II/base/point.h>
+#include <deal.II/lac/full_matrix.h>
 
 #include <vector>
 
@@ -10,12 +11,28 @@ namespace Amontons
   using dealii::Point;
   using dealii::Tensor;
 
-  // Values and derivatives of the degree + 1 polynomials at x.
+  // Values and derivatives of the degree + 1 Lagrange polynomials at x, into containers of that size.
+  template <typename Values>
   void
-  lagrange_1d(const unsigned int   degree,
-              const double         x,
-              std::vector<double> &values,
-              std::vector<double> &derivatives);
+  lagrange_1d(const unsigned int degree, const double x, Values &values, Values &derivatives)
+  {
+    const double n = degree;
+    for (unsigned int i = 0; i <= degree; ++i)
+      {
+        values[i]      = 1;
+        derivatives[i] = 0;
+        for (unsigned int j = 0; j <= degree; ++j)
+          if (j != i)
+            {
+              const double slope  = n / (double(i) - double(j));
+              const double factor = slope * (x - j / n);
+              derivatives[i]      = derivatives[i] * factor + values[i] * slope;
+              values[i] *= factor;
+            }
+      }
+  }
+
+  // The Bernstein polynomials
   void
   bernstein_1d(const unsigned int degree, const double x, std::vector<double> &values);
 
@@ -31,6 +48,11 @@ namespace Amontons
   template <int fdim>
   std::vector<double>
   bernstein_values(const unsigned int degree, const Point<fdim> &xi);
+
+  // Traces B' = A^T B of the unknowns of a face with hanging nodes (SurfaceFace::subdivision); B itself where
+  // A is empty.
+  std::vector<double>
+  traces_of_unknowns(const std::vector<double> &B, const dealii::FullMatrix<double> &A);
 
   // Control values c = T u of a Lagrange interpolant: row i gives c_i. Degree 1: the identity; degree 2:
   // c_mid = 2 u_mid - (u_0 + u_1)/2.

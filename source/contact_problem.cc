@@ -24,7 +24,7 @@ namespace Amontons
                                       const Parameters  &parameters,
                                       const std::string &output_folder,
                                       const bool         quiet)
-      : scene(scene), parameters(parameters), folder(output_folder), communicator(MPI_COMM_WORLD),
+      : scene(scene), n_increments(std::max(1u, scene.n_increments)), parameters(parameters), folder(output_folder), communicator(MPI_COMM_WORLD),
         terminal(communicator, quiet), timer(std::cout, TimerOutput::never, TimerOutput::wall_times),
         geometry(communicator), vtu(output_folder, communicator)
   {
@@ -37,20 +37,20 @@ namespace Amontons
     terminal.scene(scene, Utilities::MPI::n_mpi_processes(communicator));
     if (scene.reference)
       reference = make_reference_solution(scene.reference->solution, scene);
-    state.t = scene.end_time / scene.n_increments;
+    state.t = scene.end_time / n_increments;
     make_mesh();
     rebuild();
     refine_where_bodies_are_close();
     make_output_folder(folder, communicator);
 
     bool success = true;
-    for (unsigned int increment = 1; increment <= scene.n_increments && success; ++increment)
+    for (unsigned int increment = 1; increment <= n_increments && success; ++increment)
       {
-        set_load_factor(scene.end_time * increment / scene.n_increments);
+        set_load_factor(scene.end_time * increment / n_increments);
         success = solve_increment(increment);
         write_increment();
-        if (scene.n_increments > 1)
-          terminal.progress("load increments", double(increment) / scene.n_increments);
+        if (n_increments > 1)
+          terminal.progress("load increments", double(increment) / n_increments);
       }
     summary.status = success ? "converged" : "not converged";
     finish();
@@ -129,7 +129,7 @@ namespace Amontons
   bool
   ContactProblem<dim>::solve_increment(const unsigned int increment)
   {
-    const bool last = increment == scene.n_increments;
+    const bool last = increment == n_increments;
     for (unsigned int cycle = 0;; ++cycle)
       {
         do
@@ -159,7 +159,7 @@ namespace Amontons
   {
     Timer seconds;
     terminal.mesh(increment,
-                  scene.n_increments,
+                  n_increments,
                   mesh_number,
                   geometry.triangulation.n_global_active_cells() - geometry.carriers.size(),
                   discretization->dof_handler.n_dofs());

@@ -88,6 +88,7 @@ namespace Amontons
     covered_points() const;
 
     const Scene         scene;
+    const unsigned int  n_increments;
     const Parameters   &parameters;
     const std::string   folder;
     const MPI_Comm      communicator;

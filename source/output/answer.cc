@@ -138,7 +138,7 @@ namespace Amontons
     for (std::size_t p = 0; p < scene.pairs.size(); ++p)
       text += (p == 0 ? " - " : ", ") + pair_text(scene.pairs[p]);
     text += "; " + count(scene.conditions.size(), "condition", "conditions") + "; " +
-            count(scene.n_increments, "increment", "increments") + " to t = " + short_number(scene.end_time) +
+            count(std::max(1u, scene.n_increments), "increment", "increments") + " to t = " + short_number(scene.end_time) +
             "; " + count(n_ranks, "process", "processes") + ".";
     return text;
   }

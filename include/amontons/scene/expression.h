@@ -23,9 +23,11 @@ namespace Amontons
     Expression(const std::string &text, const Where &where);
 
     double
-    value(const dealii::Point<3> &p, const double t) const;
+    value(const dealii::Point<3> &p, const double t, const double pressure = 0) const;
     const std::string &
     text() const;
+    const std::vector<double> &
+    corners() const; // times of all tables in the text, increasing
     bool
     is_zero() const; // the text is the constant zero
     bool

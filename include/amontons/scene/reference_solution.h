@@ -25,6 +25,11 @@ namespace Amontons
     // taken
     std::function<double(double)> pressure;
     double                        pressure_range = 0;
+    // Friction: tangential force on the slave along +x, half-width or radius of the stick region, shear
+    // traction on the slave along +x at distance x from the centre (for the axis through the contact along
+    // the force), and the dissipated work of the whole load history.
+    std::optional<double>         tangential_force, stick_size, dissipation;
+    std::function<double(double)> shear_traction;
     // Elliptic contact: contact_size is the semi-axis along axes[0], second_size that along axes[1] (unit
     // vectors in the plane of contact), and the pressure is a function of the position relative to the
     // centre.
@@ -49,7 +54,7 @@ namespace Amontons
 
   // Displacement field `data` for a body of the given material, to be imposed as boundary values. The kind
   // says which axis is normal to the surface of a half space.
-  std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &)>
+  std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &, const double t)>
   make_displacement_field(const FieldData    &data,
                           const MaterialData &material,
                           const Kind          kind = Kind::three_dimensional);

@@ -186,6 +186,9 @@ namespace Amontons
            initial_gap; // replaces the geometric gap; function of the slave's reference position
     double adjust = 0;  // geometric gaps of at most this size (either sign) count as zero
     bool   tied   = false;
+    // Shear tractions are at most min(friction p, tresca_bound), each if given: functions of the slave's
+    // reference position, t and the pressure p. Neither: frictionless.
+    std::optional<Expression> friction, tresca_bound;
   };
 
   // Values at a point, or at n points of a line, of a body.
@@ -211,7 +214,10 @@ namespace Amontons
     std::string                  file; // path as given
     Kind                         kind         = Kind::plane_strain;
     double                       end_time     = 1;
-    unsigned int                 n_increments = 1;
+    unsigned int                 n_increments = 0; // to start with, over the end time; 0: automatic
+    double                       minimum_increment = 1e-4; // of the end time
+    std::vector<double>          output_times;             // increasing, in (0, end_time]
+    std::vector<double>          corner_times; // in (0, end_time): where tables of loads and motions bend
     std::vector<BodyData>        bodies;
     std::vector<ObstacleData>    obstacles;
     std::vector<ConditionData>   conditions;

@@ -289,7 +289,10 @@ namespace Amontons
         const Boundary                               &boundary = geometry.boundary(name, scene);
         std::function<Tensor<1, 3>(const Point<3> &)> field;
         if (condition.field)
-          field = make_displacement_field(*condition.field, scene.bodies[boundary.body].material, scene.kind);
+          field = [t,
+                   of_time = make_displacement_field(
+                       *condition.field, scene.bodies[boundary.body].material, scene.kind)](
+                      const Point<3> &p) { return of_time(p, t); };
         for_each_node_on(*this, boundary.id, [&](const auto &node, const auto &X, const auto &) {
           const Point<3> p = as_3d(X);
           if (field && !std::isfinite(field(p).norm()))

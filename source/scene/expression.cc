@@ -4,22 +4,52 @@
 #include <deal.II/base/function_parser.h>
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <sstream>
 
 namespace Amontons
 {
+  // deal.II's parser has room for four variables. Where the text has the pressure, p takes the place of t,
+  // which is a constant: the text is parsed again whenever t changes, that is, once per increment.
   struct Expression::Parser
   {
     dealii::FunctionParser<3> function;
+    std::string               text;
+    bool                      of_pressure;
+    double                    t;
     Where                     where;
+
+    void
+    parse(const double time)
+    {
+      std::map<std::string, double> constants = {{"pi", dealii::numbers::PI}};
+      if (of_pressure)
+        constants["t"] = time;
+      function.initialize(of_pressure ? "x,y,z,p" : "x,y,z,t", text, constants, true);
+      t = time;
+    }
+
+    double
+    value(const dealii::Point<3> &p, const double time, const double pressure)
+    {
+      if (of_pressure && time != t)
+        parse(time);
+      function.set_time(of_pressure ? pressure : time);
+      return function.value(p);
+    }
   };
 
   namespace
   {
-    const std::string allowed_expressions =
-        "an expression of x, y, z, t (axisymmetric: also r), pi, and table(t: value, ...)";
+    std::string
+    allowed_expressions(const bool of_pressure)
+    {
+      return std::string("an expression of x, y, z, t") + (of_pressure ? ", p (contact pressure)" : "") +
+             " (axisymmetric: also r), pi, and table(t: value, ...)";
+    }
 
     // deal.II repeats muParser's message on std::cerr; the exception says it all.
     class SilentErrors
@@ -87,8 +117,9 @@ namespace Amontons
       return whole.str();
     }
 
+    // The text without tables; adds their times to `times`.
     std::string
-    expand_tables(std::string text, const Where &where)
+    expand_tables(std::string text, const Where &where, std::vector<double> &times)
     {
       while (has_identifier(text, "table"))
         {
@@ -105,7 +136,11 @@ namespace Amontons
                 where, "'" + text + "': 'table' without its parentheses", "table(t: value, ...)");
           const auto points = table_points(text.substr(open + 1, close - open - 1), where);
           text.replace(begin, close + 1 - begin, piecewise_linear(points));
+          for (const TablePoint &point : points)
+            times.push_back(point.t);
         }
+      std::sort(times.begin(), times.end());
+      times.erase(std::unique(times.begin(), times.end()), times.end());
       return text;
     }
 
@@ -128,57 +163,63 @@ namespace Amontons
     source = text.str();
   }
 
-  Expression::Expression(const std::string &text, const Where &where) : source(trim(text))
+  Expression::Expression(const std::string &text, const Where &where, const bool of_pressure)
+      : source(trim(text))
   {
     if (source.empty())
-      throw InputError(where, "found nothing", allowed_expressions);
+      throw InputError(where, "found nothing", allowed_expressions(of_pressure));
     if (const auto number = as_number(source))
       {
         constant_value = *number;
         return;
       }
 
-    const std::string plain = map_identifiers(
-        expand_tables(source, where), [](const std::string &word) { return word == "r" ? "x" : word; });
-    parser           = std::make_shared<Parser>();
-    parser->where    = where;
-    double at_origin = 0;
+    const std::string plain =
+        map_identifiers(expand_tables(source, where, table_times),
+                        [](const std::string &word) { return word == "r" ? "x" : word; });
+    parser              = std::make_shared<Parser>();
+    parser->where       = where;
+    parser->text        = plain;
+    parser->of_pressure = of_pressure && has_identifier(plain, "p");
+    double at_origin    = 0;
     try
       {
         const SilentErrors silence;
-        parser->function.initialize("x,y,z,t", plain, {{"pi", dealii::numbers::PI}}, true);
-        at_origin = parser->function.value(dealii::Point<3>());
+        parser->parse(0);
+        at_origin = parser->value(dealii::Point<3>(), 0, 0);
       }
     catch (const dealii::ExceptionBase &exception)
       {
         throw InputError(where,
                          "'" + source + "' cannot be read: " + what_the_parser_said(exception),
-                         allowed_expressions);
+                         allowed_expressions(of_pressure));
       }
 
-    for (const std::string variable : {"x", "y", "z", "t", "rand", "rand_seed"})
+    for (const std::string variable : {"x", "y", "z", "t", "p", "rand", "rand_seed"})
       constant = constant && !has_identifier(plain, variable);
     if (constant)
       {
         constant_value = at_origin;
         parser.reset();
         if (!std::isfinite(constant_value))
-          throw InputError(where, "'" + source + "' is not a finite number", allowed_expressions);
+          throw InputError(
+              where, "'" + source + "' is not a finite number", allowed_expressions(of_pressure));
       }
   }
 
   double
-  Expression::value(const dealii::Point<3> &p, const double t) const
+  Expression::value(const dealii::Point<3> &p, const double t, const double pressure) const
   {
     if (constant)
       return constant_value;
-    parser->function.set_time(t);
-    const double value = parser->function.value(p);
+    const double value = parser->value(p, t, pressure);
     if (!std::isfinite(value))
       {
         std::ostringstream found;
-        found << "'" << source << "' is " << (std::isnan(value) ? "not a number" : "infinite") << " at x = " << p[0]
-              << ", y = " << p[1] << ", z = " << p[2] << ", t = " << t;
+        found << "'" << source << "' is " << (std::isnan(value) ? "not a number" : "infinite")
+              << " at x = " << p[0] << ", y = " << p[1] << ", z = " << p[2] << ", t = " << t;
+        if (parser->of_pressure)
+          found << ", p = " << pressure;
         throw InputError(parser->where, found.str(), "expressions with finite values where they are used");
       }
     return value;
@@ -188,6 +229,12 @@ namespace Amontons
   Expression::text() const
   {
     return source;
+  }
+
+  const std::vector<double> &
+  Expression::corners() const
+  {
+    return table_times;
   }
 
   bool

@@ -203,20 +203,29 @@ namespace Amontons
     unknown(data, names);
   }
 
-  std::function<dealii::Tensor<1, 3>(const Point<3> &)>
+  std::function<dealii::Tensor<1, 3>(const Point<3> &, const double)>
   make_displacement_field(const FieldData &data, const MaterialData &material, const Kind kind)
   {
     if (data.name == half_space_hertz().name)
       {
         const auto field = half_space_field({data, half_space_hertz()}, material, kind);
-        return [field](const Point<3> &p) { return field.displacement(p); };
+        return [field](const Point<3> &p, const double) { return field.displacement(p); };
       }
     if (data.name == half_plane_elliptic().name)
       {
         const auto field = half_plane_field({data, half_plane_elliptic()}, material);
-        return [field](const Point<3> &p) { return field.displacement(p); };
+        return [field](const Point<3> &p, const double) { return field.displacement(p); };
       }
     unknown(data, {half_plane_elliptic().name, half_space_hertz().name});
+  }
+
+  std::vector<double>
+  displacement_field_corners(const FieldData &data, const double end_time)
+  {
+    std::vector<double> corners;
+    for (double t = 1; data.parameters.count("friction") > 0 && t <= end_time; ++t)
+      corners.push_back(t);
+    return corners;
   }
 
   std::vector<std::pair<std::string, std::string>>

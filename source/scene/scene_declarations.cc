@@ -164,6 +164,19 @@ namespace Amontons
           "Adjust", "0", Patterns::Double(0), "Initial gaps and overlaps up to this size count as zero.");
       prm.declare_entry(
           "Tied", "false", Patterns::Bool(), "Glue the two surfaces: no opening and no sliding.");
+      prm.declare_entry(
+          "Friction coefficient",
+          "",
+          anything,
+          "Coulomb friction: shear tractions are at most this times the pressure. A number or an "
+          "expression of the slave's reference position x, y, z (axisymmetric: r), the time t "
+          "and the contact pressure p. Empty or 0: frictionless.");
+      prm.declare_entry(
+          "Tresca bound",
+          "",
+          anything,
+          "Shear tractions are at most this; the same variables. With both entries, the smaller "
+          "of the two bounds holds. Empty: no such bound.");
     }
 
     void
@@ -209,7 +222,21 @@ namespace Amontons
                       "expressions) and y the axis; forces are for the full turn.");
     prm.declare_entry(
         "End time", "1", Patterns::Double(0), "Loads are functions of a time t from 0 to this one.");
-    prm.declare_entry("Increments", "1", Patterns::Integer(1), "Equal steps from t = 0 to the end time.");
+    prm.declare_entry("Increments",
+                      "automatic",
+                      anything,
+                      "automatic, or the number of equal steps that the load program starts with; automatic: "
+                      "one where nothing depends on the history (no friction), else ten for each straight "
+                      "piece of the load path. Steps follow the number of iterations, are cut back on "
+                      "failure, and end at all output times and corners of tables.");
+    prm.declare_entry("Minimum increment",
+                      "1e-4",
+                      Patterns::Double(0),
+                      "Smallest step, as a fraction of the end time: the run ends where that one fails.");
+    prm.declare_entry("Output times",
+                      "",
+                      anything,
+                      "Times 't1, t2, ...' from 0 to the end time, increasing, at which an increment ends.");
     prm.enter_subsection("Reference");
     prm.declare_entry("Solution",
                       "",

@@ -1,4 +1,5 @@
 #include <amontons/scene/scene_reader.h>
+#include <amontons/scene/load_program.h>
 #include <amontons/scene/scene_checks.h>
 #include <amontons/scene/scene_declarations.h>
 #include <amontons/scene/section_readers.h>
@@ -13,11 +14,10 @@ namespace Amontons
     read_top_level(const SceneInput &input, Scene &scene)
     {
       const SectionInput top(input, "", ""), reference(input, "Reference", "");
-      scene.title        = top.text("Title");
-      scene.file         = input.file;
-      scene.kind         = input.kind;
-      scene.end_time     = top.positive_number("End time");
-      scene.n_increments = static_cast<unsigned int>(top.number("Increments"));
+      scene.title = top.text("Title");
+      scene.file  = input.file;
+      scene.kind  = input.kind;
+      read_load_program(top, scene);
       if (reference.is_given("Solution"))
         scene.reference = ReferenceData{reference.field("Solution"), reference.text("Contact")};
       else
@@ -63,6 +63,7 @@ namespace Amontons
       scene.pairs.push_back(read_pair(section));
     for (const SectionInput &section : input.sections("Probe"))
       scene.probes.push_back(read_probe(section));
+    scene.corner_times = corner_times(scene);
     check_scene(scene);
     check_groups(groups, input);
     return scene;

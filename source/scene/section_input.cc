@@ -137,11 +137,13 @@ namespace Amontons
   }
 
   Expression
-  SectionInput::expression(const std::string &entry, const std::string &text) const
+  SectionInput::expression(const std::string &entry, const std::string &text, const bool of_pressure) const
   {
     if (kind() != Kind::axisymmetric && has_identifier(text, "r"))
-      fail(entry, "'" + text + "' has the variable r", "x, y, z, t; r only in axisymmetric scenes");
-    return Expression(text, where(entry));
+      fail(entry,
+           "'" + text + "' has the variable r",
+           std::string(of_pressure ? "x, y, z, t, p" : "x, y, z, t") + "; r only in axisymmetric scenes");
+    return Expression(text, where(entry), of_pressure);
   }
 
   std::vector<std::string>

@@ -85,6 +85,36 @@ namespace Amontons
     return surface;
   }
 
+  // A bound of shear tractions; nothing if the entry is empty.
+  static std::optional<Expression>
+  read_bound(const SectionInput &section, const std::string &entry)
+  {
+    const std::string text = section.text(entry);
+    if (text.empty())
+      return {};
+    const Expression bound = section.expression(entry, text, true);
+    if (bound.is_constant() && bound.value(Point<3>(), 0) < 0)
+      section.fail(entry,
+                   "found " + text + ", a negative bound",
+                   "0, a positive number, or an expression of x, y, z, t, p");
+    return bound;
+  }
+
+  // A bound that is the constant zero leaves no friction at all.
+  static void
+  read_friction(const SectionInput &section, PairData &pair)
+  {
+    if (pair.tied)
+      section.refuse({"Friction coefficient", "Tresca bound"}, "for Tied = true");
+    pair.friction     = read_bound(section, "Friction coefficient");
+    pair.tresca_bound = read_bound(section, "Tresca bound");
+    if ((pair.friction && pair.friction->is_zero()) || (pair.tresca_bound && pair.tresca_bound->is_zero()))
+      {
+        pair.friction.reset();
+        pair.tresca_bound.reset();
+      }
+  }
+
   PairData
   read_pair(const SectionInput &section)
   {
@@ -108,6 +138,7 @@ namespace Amontons
       pair.initial_gap = section.expression("Initial gap", section.text("Initial gap"));
     pair.adjust = section.number("Adjust");
     pair.tied   = section.flag("Tied");
+    read_friction(section, pair);
     return pair;
   }
 

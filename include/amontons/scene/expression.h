@@ -1,5 +1,5 @@
 // A value written by the user: an expression of x, y, z, t (muParser through deal.II) or with tables of (t,
-// value).
+// value); bounds of friction also have the contact pressure p.
 #pragma once
 
 #include <amontons/base/input_error.h>
@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace Amontons
 {
@@ -19,8 +20,8 @@ namespace Amontons
   public:
     Expression() = default; // zero
     explicit Expression(const double constant);
-    // Throws InputError at `where` if the text cannot be parsed.
-    Expression(const std::string &text, const Where &where);
+    // Throws InputError at `where` if the text cannot be parsed; p is a variable only if `of_pressure`.
+    Expression(const std::string &text, const Where &where, const bool of_pressure = false);
 
     double
     value(const dealii::Point<3> &p, const double t, const double pressure = 0) const;
@@ -31,12 +32,13 @@ namespace Amontons
     bool
     is_zero() const; // the text is the constant zero
     bool
-    is_constant() const; // does not depend on x, y, z, t
+    is_constant() const; // does not depend on x, y, z, t, p
 
   private:
     struct Parser;
     std::shared_ptr<Parser> parser;
     std::string             source         = "0";
+    std::vector<double>     table_times;
     double                  constant_value = 0;
     bool                    constant       = true;
   };

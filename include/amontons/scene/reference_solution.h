@@ -12,7 +12,8 @@
 
 namespace Amontons
 {
-  // What a closed form knows; an unset member is not known. Lengths and pressures in the scene's units.
+  // What a closed form knows at the scene's end time; an unset member is not known. Lengths and pressures in
+  // the scene's units.
   struct ReferenceSolution
   {
     std::optional<double> normal_force;  // total, as reported for the full problem (full turn, full width)
@@ -52,12 +53,17 @@ namespace Amontons
   ReferenceSolution
   make_reference_solution(const FieldData &data, const Scene &scene);
 
-  // Displacement field `data` for a body of the given material, to be imposed as boundary values. The kind
-  // says which axis is normal to the surface of a half space.
+  // Displacement field `data` for a body of the given material, to be imposed as boundary values at time t.
+  // The kind says which axis is normal to the surface of a half space. A field without friction does not
+  // depend on t.
   std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &, const double t)>
   make_displacement_field(const FieldData    &data,
                           const MaterialData &material,
                           const Kind          kind = Kind::three_dimensional);
+
+  // The times up to `end_time` at which such a field bends; none for a field that does not depend on t.
+  std::vector<double>
+  displacement_field_corners(const FieldData &data, const double end_time);
 
   // Names of all closed forms with their parameters and meanings, for --parameters and messages.
   std::vector<std::pair<std::string, std::string>>

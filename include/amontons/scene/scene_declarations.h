@@ -22,7 +22,7 @@ namespace Amontons
   const NamedSection *
   find_named_section(const std::string &path);
 
-  // Title, Kind, End time, Increments, and the section Reference.
+  // Title, Kind, the load program (End time, Increments, ...), and the section Reference.
   void
   declare_top_level(dealii::ParameterHandler &prm);
 

@@ -91,7 +91,7 @@ namespace Amontons
     std::vector<double>
     numbers(const std::string &entry) const;
     Expression
-    expression(const std::string &entry, const std::string &text) const;
+    expression(const std::string &entry, const std::string &text, const bool of_pressure = false) const;
     // Exactly n texts (one more is ignored if two are needed, so that 2D scenes may write z); none if the
     // entry is empty.
     std::vector<std::string>

@@ -1,0 +1,16 @@
+// The times of the load program: end, steps to start with, and times at which an increment must end.
+#pragma once
+
+#include <amontons/scene/scene_input.h>
+
+namespace Amontons
+{
+  // End time, Increments, Minimum increment and Output times. Throws InputError.
+  void
+  read_load_program(const SectionInput &top, Scene &scene);
+
+  // Times in (0, end_time) at which an expression of a load, a motion, a boundary value or a friction bound
+  // bends, increasing.
+  std::vector<double>
+  corner_times(const Scene &scene);
+} // namespace Amontons

@@ -1,0 +1,140 @@
+#include <amontons/scene/load_program.h>
+#include <amontons/scene/reference_solution.h>
+#include <amontons/scene/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Amontons
+{
+  namespace
+  {
+    unsigned int
+    read_increments(const SectionInput &top)
+    {
+      const std::string text = top.text("Increments");
+      if (text == "automatic")
+        return 0;
+      const auto number = as_number(text);
+      if (!number || !(*number >= 1 && *number <= 1e9) || *number != std::floor(*number))
+        top.fail("Increments", "found '" + text + "'", "automatic, or an integer n >= 1");
+      return static_cast<unsigned int>(*number);
+    }
+
+    std::vector<double>
+    read_output_times(const SectionInput &top, const double end_time)
+    {
+      std::vector<double> times;
+      for (const std::string &text : split(top.text("Output times"), ','))
+        {
+          const auto time = as_number(text);
+          if (!time)
+            top.fail("Output times", "found '" + text + "'", "numbers separated by commas");
+          if (!(*time > 0 && *time <= end_time))
+            top.fail("Output times", "found " + text, "times in (0, End time]");
+          if (!times.empty() && *time <= times.back())
+            top.fail("Output times", "found " + text + " after a later time", "increasing times");
+          times.push_back(*time);
+        }
+      return times;
+    }
+
+    class CornerTimes
+    {
+    public:
+      void
+      add(const std::vector<double> &more)
+      {
+        times.insert(times.end(), more.begin(), more.end());
+      }
+
+      template <std::size_t n>
+      void
+      add(const std::array<Expression, n> &expressions)
+      {
+        for (const Expression &expression : expressions)
+          add(expression.corners());
+      }
+
+      void
+      add(const std::optional<Expression> &expression)
+      {
+        if (expression)
+          add(expression->corners());
+      }
+
+      template <std::size_t n>
+      void
+      add(const std::array<std::optional<Expression>, n> &expressions)
+      {
+        for (const auto &expression : expressions)
+          add(expression);
+      }
+
+      void
+      add(const MotionData &motion)
+      {
+        add(motion.displacement);
+        add(motion.force);
+        add(motion.rotation);
+        add(motion.moment);
+      }
+
+      std::vector<double>
+      inside(const double end_time)
+      {
+        times.erase(std::remove_if(
+                        times.begin(), times.end(), [&](const double t) { return !(t > 0 && t < end_time); }),
+                    times.end());
+        std::sort(times.begin(), times.end());
+        times.erase(std::unique(times.begin(), times.end()), times.end());
+        return times;
+      }
+
+    private:
+      std::vector<double> times;
+    };
+  } // namespace
+
+  void
+  read_load_program(const SectionInput &top, Scene &scene)
+  {
+    scene.end_time          = top.positive_number("End time");
+    scene.n_increments      = read_increments(top);
+    scene.minimum_increment = top.positive_number("Minimum increment");
+    if (scene.minimum_increment > 1)
+      top.fail("Minimum increment",
+               "found " + top.text("Minimum increment"),
+               "a fraction of the end time, more than 0 and at most 1");
+    scene.output_times = read_output_times(top, scene.end_time);
+  }
+
+  std::vector<double>
+  corner_times(const Scene &scene)
+  {
+    CornerTimes corners;
+    for (const BodyData &body : scene.bodies)
+      {
+        corners.add(body.body_force);
+        if (body.rigid)
+          corners.add(*body.rigid);
+      }
+    for (const ObstacleData &obstacle : scene.obstacles)
+      corners.add(obstacle.motion);
+    for (const ConditionData &condition : scene.conditions)
+      {
+        corners.add(condition.displacement);
+        corners.add(condition.value);
+        if (condition.motion)
+          corners.add(*condition.motion);
+        if (condition.field)
+          corners.add(displacement_field_corners(*condition.field, scene.end_time));
+      }
+    for (const PairData &pair : scene.pairs)
+      {
+        corners.add(pair.friction);
+        corners.add(pair.tresca_bound);
+      }
+    return corners.inside(scene.end_time);
+  }
+} // namespace Amontons

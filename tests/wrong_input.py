@@ -229,7 +229,20 @@ def scenes():
            text=BASE.replace("  set Lower corner  = 0, 0\n  set Upper corner  = 2, 1\n  set Cells         = 3, 2\n",
                              "  set Mesh = half disk\n  set Centre = 0, 1\n"), part="Body upper")
     change("End time", "set Kind", "set End time = 0\nset Kind", "positive")
-    change("Increments", "set Kind", "set Increments = 0\nset Kind", "found '0'")
+    change("Increments", "set Kind", "set Increments = 0\nset Kind", "found '0'.*automatic, or an integer n >= 1")
+    for name, entry, words in [("no integer", "Increments = 2.5", r"found '2\.5'.*automatic"), ("minimum increment", "Minimum increment = 2", "found 2.*fraction"),
+                               ("no minimum increment", "Minimum increment = 0", "positive"), ("output time after the end", "Output times = 0.5, 3", r"found 3.*\(0, End time\]"),
+                               ("output time 0", "Output times = 0, 1", r"found 0.*\(0, End time\]"), ("output times decrease", "Output times = 0.9, 0.5", "found 0.5.*increasing"),
+                               ("output times that are no numbers", "Output times = 0.5, end", "found 'end'.*numbers")]:
+        change("load program: " + name, "set Kind", f"set {entry}\nset Kind", words)
+    for name, entry, words in [("negative", "Friction coefficient = -0.1", r"found -0\.1, a negative bound.*x, y, z, t, p"),
+                               ("negative bound", "Tresca bound = 2-3", "found 2-3, a negative bound"),
+                               ("unknown variable", "Friction coefficient = 0.3*q", r"cannot be read.*\"q\".*p \(contact pressure\)"),
+                               ("r in plane strain", "Tresca bound = r", "variable r"), ("not finite", "Friction coefficient = 1/0", "not a finite number"),
+                               ("pressure elsewhere", "Initial gap = p", r"cannot be read.*\"p\"")]:
+        change("friction: " + name, "= lower/top", "= lower/top\n  set " + entry, words, part="set " + entry)
+    for entry in "Friction coefficient = 0.3", "Tresca bound = 1":
+        change("tied: " + entry, "= lower/top", f"= lower/top\n  set Tied = true\n  set {entry}", "no meaning for Tied = true", part="set " + entry)
     change("Points of a probe", "set Kind", "subsection Probe P\nset Body = upper\nset From = 0, 0\nset To = 1, 1\nset Points = 2000000000\nend\nset Kind",
            "found", part="Points")
     change("probe without a place", "set Kind", "subsection Probe P\nset Body = upper\nend\nset Kind", "no place")

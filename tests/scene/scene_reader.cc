@@ -68,6 +68,8 @@ set Title      = Two blocks   # a comment
 set Kind       = plane strain
 set End time   = 2
 set Increments = 8
+set Minimum increment = 1e-3
+set Output times      = 0.5, 1.25, 2
 
 subsection Body lower
   set Mesh          = block
@@ -129,6 +131,8 @@ subsection Contact main
   set Second      = upper/arc
   set Initial gap = x^2/(2*3)
   set Adjust      = 1e-6
+  set Friction coefficient = 0.3*exp(-p/2) + 0.1*table(0: 0, 0.75: 1, 1.5: table(1.6: 1, 1.75: x))
+  set Tresca bound         = 5
 end
 subsection Contact punched
   set First  = punch/arc
@@ -155,6 +159,7 @@ end
   // clang-format off
   const std::string scene_json = R"json({
   "Title": "Two blocks", "Kind": "plane strain", "End time": 2, "Increments": 8,
+  "Minimum increment": 1e-3, "Output times": [0.5, 1.25, 2],
   "Contact solver": {"Tolerance": 1e-6, "Line search": {"Steps": 7}},
   "Body lower": {"Mesh": "block", "Lower corner": [-4, -2], "Upper corner": [4, 0], "Cells": [8, 4],
                  "Grading": [1, 0.5], "Young modulus": 210e3, "Poisson ratio": 0.4999,
@@ -168,7 +173,8 @@ end
                               "Displacement": ["table(0: 0, 1: 0.5, 2: -0.5)", "free"], "Force": [0, "-10*t"]},
   "Boundary condition field": {"Boundaries": "lower/right", "Value": "halfplane_elliptic(P = 1, a = 2*pi)"},
   "Boundary condition wind": {"Boundaries": "upper/arc", "Type": "pressure", "Value": "if(x < 1, 2*y, 3)"},
-  "Contact main": {"First": "lower/top", "Second": "upper/arc", "Initial gap": "x^2/(2*3)", "Adjust": 1e-6},
+  "Contact main": {"First": "lower/top", "Second": "upper/arc", "Initial gap": "x^2/(2*3)", "Adjust": 1e-6,
+                   "Friction coefficient": "0.3*exp(-p/2) + 0.1*table(0: 0, 0.75: 1, 1.5: table(1.6: 1, 1.75: x))", "Tresca bound": 5},
   "Contact punched": {"First": "punch/arc", "Second": "lower/right"},
   "Contact ground": {"First": "lower/bottom", "Second": "floor", "Tied": true},
   "Probe middle": {"Body": "lower", "From": [0, -2], "To": [0, 0], "Points": 21},
@@ -236,6 +242,22 @@ end
   }
 
   void
+  check_friction(const Scene &scene, const std::string &file)
+  {
+    check::is_true(scene.minimum_increment == 1e-3, file + ": smallest increment");
+    check::is_true(scene.output_times == std::vector<double>({.5, 1.25, 2}), file + ": output times");
+    check::is_true(scene.corner_times == std::vector<double>({.75, 1, 1.5, 1.6, 1.75}),
+                   file + ": corners of all tables before the end time");
+    const Expression &friction = *scene.pairs[0].friction;
+    check::is_close(friction.value(Point<3>(), .75, 3), .3 * std::exp(-1.5) + .1, 1e-14, file + ": friction");
+    check::is_close(friction.value(Point<3>(), 0, 3), .3 * std::exp(-1.5), 1e-14, file + ": friction at 0");
+    check::is_close(friction.value(Point<3>(7, 0, 0), 2, 0), 1, 1e-14, file + ": friction at x");
+    check::is_true(friction.corners() == std::vector<double>({0, .75, 1.5, 1.6, 1.75}), file + ": tables");
+    check::is_close(scene.pairs[0].tresca_bound->value(Point<3>(), 0), 5, 1e-14, file + ": Tresca");
+    check::is_true(!scene.pairs[1].friction && !scene.pairs[1].tresca_bound, file + ": frictionless");
+  }
+
+  void
   check_scene_of(const std::string &file)
   {
     Newton      newton;
@@ -245,6 +267,56 @@ end
     check::is_true(newton.tolerance == 1e-6 && newton.steps == 7, file + ": groups");
     check_bodies(scene, file);
     check_rest(scene, file);
+    check_friction(scene, file);
+  }
+
+  // The smallest valid scene with a contact, at any friction entries.
+  Scene
+  with_friction(const std::vector<std::string> &entries)
+  {
+    const std::string        file = write("friction.prm", R"(
+set End time = 5
+subsection Body block
+end
+subsection Obstacle floor
+end
+subsection Boundary condition side
+  set Boundaries = block/left
+  set Value      = halfplane_elliptic(P = 1, a = 1, y0 = 1, friction = 0.3, shear_ratio = 0.5)
+end
+subsection Contact base
+  set First  = block/bottom
+  set Second = floor
+end
+)");
+    std::vector<std::string> overrides;
+    for (const std::string &entry : entries)
+      overrides.push_back("Contact base/" + entry);
+    return read_scene(file, overrides, {});
+  }
+
+  void
+  check_bounds()
+  {
+    const Scene none = with_friction({});
+    check::is_true(!none.pairs[0].friction && !none.pairs[0].tresca_bound, "no friction by default");
+    check::is_true(none.n_increments == 0 && none.minimum_increment == 1e-4 && none.output_times.empty(),
+                   "automatic increments");
+    check::is_true(none.corner_times == std::vector<double>({1, 2, 3, 4}), "corners of a field");
+    for (const std::vector<std::string> &entries :
+         std::vector<std::vector<std::string>>{{"Friction coefficient = 0"},
+                                               {"Friction coefficient = 2-2"},
+                                               {"Friction coefficient = 0", "Tresca bound = 3"},
+                                               {"Friction coefficient = 0.2", "Tresca bound = 0"}})
+      check::is_true(!with_friction(entries).pairs[0].friction &&
+                         !with_friction(entries).pairs[0].tresca_bound,
+                     "a bound that is zero: frictionless");
+    const Scene tresca = with_friction({"Tresca bound = 1 + x*p*t"});
+    check::is_true(!tresca.pairs[0].friction && !tresca.pairs[0].tresca_bound->is_constant(), "Tresca alone");
+    check::is_close(
+        tresca.pairs[0].tresca_bound->value(Point<3>(2, 0, 0), 3, 4), 25, 1e-14, "x, t and p together");
+    check::is_close(
+        tresca.pairs[0].tresca_bound->value(Point<3>(2, 0, 0), 1, 4), 9, 1e-14, "an earlier time again");
   }
 
   void
@@ -299,6 +371,7 @@ main()
   check_scene_of(write("scene.json", scene_json));
   check_overrides(folder + "/scene.prm");
   check_template();
+  check_bounds();
   std::filesystem::remove_all(folder);
   return check::result();
 }

@@ -146,7 +146,15 @@ end
     expect_set("Newton/Tolerance = 2", {"--set: Newton/Tolerance: found 2; allowed less than 1"});
     expect_set("Newton/Tolerance = big", {"found 'big'", "a number v >= 0"});
     expect_set("Kind = 2D", {"found '2D'", "one of plane strain, plane stress, axisymmetric, 3D"});
-    expect_set("Increments = 0", {"found '0'", "an integer n >= 1"});
+    expect_set("Increments = 0", {"found '0'", "automatic, or an integer n >= 1"});
+    expect_set("Increments = 2.5", {"found '2.5'", "an integer n >= 1"});
+    expect_set("Increments = auto", {"found 'auto'", "automatic"});
+    expect_set("Minimum increment = 0", {"found 0", "positive"});
+    expect_set("Minimum increment = 2", {"found 2", "fraction of the end time"});
+    expect_set("Output times = 0, 1", {"found 0", "(0, End time]"});
+    expect_set("Output times = 0.5, 2", {"found 2", "(0, End time]"});
+    expect_set("Output times = 0.5, 0.5", {"found 0.5 after a later time", "increasing times"});
+    expect_set("Output times = 0.5; 1", {"found '0.5; 1'", "numbers separated by commas"});
   }
 
   void
@@ -214,6 +222,18 @@ end
         message(good + "subsection Contact again\n set First = upper/bottom\n set Second = lower/top\nend\n"),
         {"scene.prm:24", "same two surfaces"});
     expect_set("Contact main/Adjust = -1", {"a number v >= 0"});
+    expect_set("Contact main/Friction coefficient = -0.1", {"found -0.1, a negative bound", "x, y, z, t, p"});
+    expect_set("Contact main/Tresca bound = 1-3", {"found 1-3, a negative bound"});
+    expect_set("Contact main/Friction coefficient = 0.3*q",
+               {"main/Friction coefficient: '0.3*q' cannot be read: Unexpected token \"q\"",
+                "x, y, z, t, p (contact pressure)"});
+    expect_set("Contact main/Friction coefficient = r",
+               {"variable r", "x, y, z, t, p; r only in axisymmetric"});
+    expect_set("Contact main/Initial gap = p", {"Unexpected token \"p\"", "expression of x, y, z, t (axi"});
+    expect(message(good, {"Contact main/Tied = true", "Contact main/Friction coefficient = 0.1"}),
+           {"no meaning for Tied = true"});
+    expect(message(good, {"Contact main/Tied = true", "Contact main/Tresca bound = 1"}),
+           {"no meaning for Tied = true"});
     expect(message(good + "subsection Probe p\n set Body = lower\nend\n"), {"scene.prm:24", "no place"});
     expect(message(good + "subsection Probe p\n set Body = x\n set Point = 0, 0\nend\n"),
            {"unknown body 'x'"});

@@ -1,6 +1,7 @@
 #include <amontons/base/points.h>
 #include <amontons/contact/surface_fields.h>
 #include <amontons/contact_problem.h>
+#include <amontons/friction/shear_law.h>
 #include <amontons/output/files.h>
 #include <amontons/output/history.h>
 #include <amontons/output/probes.h>
@@ -24,7 +25,10 @@ namespace Amontons
                                       const Parameters  &parameters,
                                       const std::string &output_folder,
                                       const bool         quiet)
-      : scene(scene), n_increments(std::max(1u, scene.n_increments)), parameters(parameters), folder(output_folder), communicator(MPI_COMM_WORLD),
+      : scene(scene), has_history(std::any_of(scene.pairs.begin(),
+                                              scene.pairs.end(),
+                                              [](const PairData &pair) { return pair.has_friction(); })),
+        parameters(parameters), folder(output_folder), communicator(MPI_COMM_WORLD),
         terminal(communicator, quiet), timer(std::cout, TimerOutput::never, TimerOutput::wall_times),
         geometry(communicator), vtu(output_folder, communicator)
   {
@@ -37,21 +41,16 @@ namespace Amontons
     terminal.scene(scene, Utilities::MPI::n_mpi_processes(communicator));
     if (scene.reference)
       reference = make_reference_solution(scene.reference->solution, scene);
-    state.t = scene.end_time / n_increments;
+    state.t = LoadProgram(scene, has_history).next();
     make_mesh();
     rebuild();
     refine_where_bodies_are_close();
     make_output_folder(folder, communicator);
 
-    bool success = true;
-    for (unsigned int increment = 1; increment <= n_increments && success; ++increment)
-      {
-        set_load_factor(scene.end_time * increment / n_increments);
-        success = solve_increment(increment);
-        write_increment();
-        if (n_increments > 1)
-          terminal.progress("load increments", double(increment) / n_increments);
-      }
+    bool success;
+    do
+      success = run_load_program();
+    while (success && replay_refined());
     summary.status = success ? "converged" : "not converged";
     finish();
     return summary;
@@ -92,8 +91,10 @@ namespace Amontons
 
   template <int dim>
   void
-  ContactProblem<dim>::set_load_factor(const double t)
+  ContactProblem<dim>::set_time(const double t)
   {
+    if (t == state.t && supports.n_constraints() > 0)
+      return;
     state.t  = t;
     supports = discretization->make_supports(t);
   }
@@ -127,20 +128,15 @@ namespace Amontons
 
   template <int dim>
   bool
-  ContactProblem<dim>::solve_increment(const unsigned int increment)
+  ContactProblem<dim>::solve_increment(const LoadProgram &program)
   {
-    const bool last = increment == n_increments;
-    for (unsigned int cycle = 0;; ++cycle)
+    for (;;)
       {
         do
-          if (!solve_on_mesh(increment))
+          if (!solve_on_mesh(program))
             return false;
         while (widen_reach());
-        if (!last || cycle >= parameters.refinement.cycles)
-          return true;
-        if (parameters.refinement.target_error > 0 && estimated_error() <= parameters.refinement.target_error)
-          return true;
-        if (!refine())
+        if (!refine_now(program) || !refine())
           return true;
       }
   }
@@ -155,11 +151,11 @@ namespace Amontons
 
   template <int dim>
   bool
-  ContactProblem<dim>::solve_on_mesh(const unsigned int increment)
+  ContactProblem<dim>::solve_on_mesh(const LoadProgram &program)
   {
     Timer seconds;
-    terminal.mesh(increment,
-                  n_increments,
+    terminal.mesh(program.number(),
+                  program.next(),
                   mesh_number,
                   geometry.triangulation.n_global_active_cells() - geometry.carriers.size(),
                   discretization->dof_handler.n_dofs());
@@ -188,9 +184,10 @@ namespace Amontons
     const double solve_seconds = seconds.wall_time();
     collect_fields();
     estimate();
-    summarise_mesh(increment, report, solve_seconds);
+    summarise_mesh(program, report, solve_seconds);
     add_notes(report);
     summary.message = report.message;
+    last_report     = report;
     return report.converged;
   }
 
@@ -199,14 +196,33 @@ namespace Amontons
   ContactProblem<dim>::collect_fields()
   {
     fields.clear();
+    const auto unused = unused_shears();
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       fields.push_back(make_surface_fields(*discretization,
                                            interfaces[i],
                                            state.states[i],
                                            state.pressures[i],
                                            state.gaps[i],
-                                           state.tied_multipliers[i],
+                                           state.shears[i],
+                                           unused[i],
                                            state.displacement));
+  }
+
+  // What the shear leaves of the bound of friction, by pair and row.
+  template <int dim>
+  std::vector<std::vector<double>>
+  ContactProblem<dim>::unused_shears() const
+  {
+    std::vector<std::vector<double>> unused(interfaces.size());
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
+        {
+          const auto X = as_3d(interfaces[i].slave->nodes[interfaces[i].coupling.rows[r].node].X);
+          const bool closed = state.states[i][r] != ContactState::open;
+          const auto bound  = shear_bound(*interfaces[i].pair, X, state.t, state.pressures[i][r]);
+          unused[i].push_back(closed ? std::max(0., bound.value - state.shears[i][r].norm()) : 0.);
+        }
+    return unused;
   }
 
   template <int dim>
@@ -229,12 +245,12 @@ namespace Amontons
 
   template <int dim>
   void
-  ContactProblem<dim>::summarise_mesh(const unsigned int  increment,
+  ContactProblem<dim>::summarise_mesh(const LoadProgram  &program,
                                       const NewtonReport &report,
                                       const double        seconds)
   {
     NewtonSummary newton;
-    newton.increment  = increment;
+    newton.increment  = program.number();
     newton.mesh       = mesh_number;
     newton.cells      = geometry.triangulation.n_global_active_cells() - geometry.carriers.size();
     newton.dofs       = discretization->dof_handler.n_dofs();
@@ -249,7 +265,7 @@ namespace Amontons
     summary.newton.push_back(newton);
 
     MeshSummary mesh;
-    mesh.increment         = increment;
+    mesh.increment         = program.number();
     mesh.mesh              = mesh_number;
     mesh.t                 = state.t;
     mesh.cells             = newton.cells;
@@ -263,7 +279,7 @@ namespace Amontons
     mesh.energy            = stored_energy(answer());
     if (!scene.probes.empty())
       mesh.probes = evaluate_probes(*discretization, *recovery, state.displacement, summary.notes);
-    if (reference && !interfaces.empty())
+    if (reference && !interfaces.empty() && program.is_last())
       {
         ReferenceData data = *scene.reference;
         mesh.reference     = compare(answer(), data, *reference);
@@ -285,6 +301,8 @@ namespace Amontons
     add(report.note);
     if (report.safeguarded)
       add("the active set repeated itself; single nodes were changed for a while (Murty's rule)");
+    if (report.frozen)
+      add("the states of friction repeated themselves; its bounds were held for a while (Tresca)");
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         const auto &slave = *interfaces[i].slave;
@@ -335,6 +353,11 @@ namespace Amontons
         summary.reference       = last.reference;
         summary.reactions       = compute_reactions(answer());
         summary.checks          = check_physics(answer());
+        if (has_history)
+          {
+            summary.checks["energy_balance"]         = work.energy_error;
+            summary.checks["negative_dissipation"]   = -work.smallest_dissipation / std::max(work.external_work, 1e-300);
+          }
       }
     if (parameters.refinement.target_error > 0 && !(estimated_error() <= parameters.refinement.target_error))
       summary.notes.push_back("the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'");
@@ -354,7 +377,7 @@ namespace Amontons
       picture = gather_mesh_picture(*discretization, *recovery, state.displacement);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        const auto                                       table = contact_table(interfaces, fields);
+        const auto table = contact_table(interfaces, fields);
         std::vector<std::pair<std::string, MeshPicture>> pressure_maps;
         for (unsigned int i = 0; i < interfaces.size(); ++i)
           pressure_maps.emplace_back(interfaces[i].pair->name,

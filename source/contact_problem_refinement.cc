@@ -73,42 +73,83 @@ namespace Amontons
         terminal.note("no further refinement: the limit of 'Maximum DoFs' is reached");
         return false;
       }
-    LA::Vector traction = discretization->make_owned_vector();
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
+    make_traction_field();
+    std::vector<LA::Vector *> moving = {&state.displacement, &state.traction, &state.committed};
+    for (auto &point : path)
       {
-        const auto edge = signed_pressure_square(interfaces[i], fields[i]);
-        for (unsigned int n = 0; n < interfaces[i].slave->nodes.size(); ++n)
-          for (unsigned int c = 0; c < dim; ++c)
-            if (const auto dof = interfaces[i].slave->nodes[n].dofs[c];
-                discretization->locally_owned.is_element(dof))
-              traction(dof) += edge[n] * fields[i].normal[n][c];
+        moving.push_back(&point.displacement);
+        moving.push_back(&point.traction);
       }
-    traction.compress(VectorOperation::add);
-    state.traction = discretization->make_relevant_vector();
-    state.traction = traction;
-    refine_and_transfer(*discretization, geometry, state, [&]() { rebuild(); });
+    refine_and_transfer(*discretization, geometry, moving, [&]() { rebuild(); });
     ++mesh_number;
+    ++cycle;
     carry_active_set();
     return true;
   }
 
+  // The states as a field, see SolutionState::traction. Next to the contact the trial shear is continued:
+  // nodes that close there on the new mesh slip if their neighbours do.
+  template <int dim>
+  void
+  ContactProblem<dim>::make_traction_field()
+  {
+    LA::Vector traction = discretization->make_owned_vector();
+    state.peaks.clear();
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        const auto                 &slave = *interfaces[i].slave;
+        state.peaks.push_back(fields[i].peak_pressure);
+        const double scale = fields[i].peak_pressure > 0 ? std::pow(fields[i].peak_pressure, -2) : 0;
+        const auto                  edge  = signed_pressure_square(interfaces[i], fields[i]);
+        std::vector<Tensor<1, dim>> shear(slave.nodes.size());
+        for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
+          for (unsigned int c = 0; c < dim; ++c)
+            shear[interfaces[i].coupling.rows[r].node][c] = state.trials[i][r][c];
+        auto continued = shear;
+        for (const auto &face : slave.faces)
+          for (const unsigned int n : face.nodes)
+            if (shear[n].norm() == 0)
+              for (const unsigned int other : face.nodes)
+                if (shear[other].norm() > continued[n].norm())
+                  continued[n] = shear[other];
+        for (unsigned int n = 0; n < slave.nodes.size(); ++n)
+          for (unsigned int c = 0; c < dim; ++c)
+            if (const auto dof = slave.nodes[n].dofs[c]; discretization->locally_owned.is_element(dof))
+              traction(dof) += scale * edge[n] * fields[i].normal[n][c] + continued[n][c];
+      }
+    traction.compress(VectorOperation::add);
+    state.traction = discretization->make_relevant_vector();
+    state.traction = traction;
+  }
+
   // Nodes of the new mesh start closed where the old mesh's pressure, continued beyond its last node, is
-  // positive.
+  // positive; with friction they slip where the trial shear exceeds its bound.
   template <int dim>
   void
   ContactProblem<dim>::carry_active_set()
   {
     state.states.assign(interfaces.size(), {});
+    state.pressures.assign(interfaces.size(), {});
+    state.trials.assign(interfaces.size(), {});
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       for (const auto &row : interfaces[i].coupling.rows)
         {
-          const auto &node = interfaces[i].slave->nodes[row.node];
-          double      edge = 0;
+          const auto    &node = interfaces[i].slave->nodes[row.node];
+          Tensor<1, dim> field;
           for (unsigned int c = 0; c < dim; ++c)
-            edge += state.traction(node.dofs[c]) * node.normal[c];
+            field[c] = state.traction(node.dofs[c]);
+          const double   edge  = field * node.normal;
+          Tensor<1, dim> shear = field - edge * node.normal;
+          const bool     slips = !interfaces[i].pair->has_friction() || shear.norm() > 1;
           state.states[i].push_back(interfaces[i].pair->tied ? ContactState::stick
-                                    : edge > 0               ? ContactState::slip
-                                                             : ContactState::open);
+                                    : edge <= 0              ? ContactState::open
+                                    : slips                  ? ContactState::slip
+                                                             : ContactState::stick);
+          state.pressures[i].push_back(state.peaks[i] * std::sqrt(std::max(0., edge)));
+          Tensor<1, 3> trial;
+          for (unsigned int c = 0; c < dim; ++c)
+            trial[c] = shear[c];
+          state.trials[i].push_back(trial);
         }
   }
 

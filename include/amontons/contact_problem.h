@@ -4,9 +4,11 @@
 #include <amontons/adaptivity/mesh_refinement.h>
 #include <amontons/elasticity/loads.h>
 #include <amontons/output/contact_csv.h>
+#include <amontons/output/energy.h>
 #include <amontons/output/quantities.h>
 #include <amontons/output/terminal.h>
 #include <amontons/output/vtu_output.h>
+#include <amontons/solver/load_program.h>
 #include <amontons/solver/semismooth_newton.h>
 
 namespace Amontons
@@ -56,12 +58,30 @@ namespace Amontons
     rebuild();
     void
     refine_where_bodies_are_close();
+    bool
+    run_load_program();
     void
-    set_load_factor(const double t);
+    start_history();
+    void
+    set_time(const double t);
+    void
+    commit(const LoadProgram &program);
+    void
+    roll_back(const double failed_time);
     bool
-    solve_increment(const unsigned int increment);
+    solve_increment(const LoadProgram &program);
     bool
-    solve_on_mesh(const unsigned int increment);
+    solve_on_mesh(const LoadProgram &program);
+    bool
+    replay_refined();
+    bool
+    refine_now(const LoadProgram &program) const;
+    void
+    remember_path();
+    void
+    guess_from_path();
+    std::vector<std::vector<double>>
+    unused_shears() const;
     bool
     widen_reach();
     double
@@ -71,11 +91,13 @@ namespace Amontons
     void
     estimate();
     void
+    make_traction_field();
+    void
     carry_active_set();
     void
     collect_fields();
     void
-    summarise_mesh(const unsigned int increment, const NewtonReport &report, const double seconds);
+    summarise_mesh(const LoadProgram &program, const NewtonReport &report, const double seconds);
     void
     add_notes(const NewtonReport &report);
     void
@@ -88,7 +110,7 @@ namespace Amontons
     covered_points() const;
 
     const Scene         scene;
-    const unsigned int  n_increments;
+    const bool          has_history; // friction
     const Parameters   &parameters;
     const std::string   folder;
     const MPI_Comm      communicator;
@@ -104,7 +126,18 @@ namespace Amontons
     std::vector<ContactInterface<dim>>       interfaces;
     Constraints                              supports;
     LA::Vector                               loads;
-    SolutionState                            state;
+    SolutionState                            state, last_converged;
+    // Replay: the increments on the mesh before, as first guesses.
+    struct PathPoint
+    {
+      double              t;
+      LA::Vector          displacement, traction;
+      std::vector<double> peaks;
+    };
+    std::vector<PathPoint>                   path;
+    WorkDone<dim>                            work;
+    unsigned int                             cycle = 0; // refinements so far
+    NewtonReport                             last_report;
     std::vector<SurfaceFields<dim>>          fields;
     std::unique_ptr<StressRecovery<dim>>     recovery;
     ErrorEstimate<dim>                       error;

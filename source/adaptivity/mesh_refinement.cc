@@ -40,6 +40,11 @@ namespace Amontons
         "Before the first solution, refine at most this often where the surfaces of a contact pair are "
         "closest, so that the first solution sees the contact.",
         Patterns::Integer(0));
+    prm.add_parameter("History",
+                      history,
+                      "Scenes with friction: replay (the whole load program starts anew on each refined mesh) or "
+                      "transfer (meshes are refined as the load goes on, from interpolated displacements).",
+                      Patterns::Selection("replay|transfer"));
     prm.leave_subsection();
   }
 
@@ -221,14 +226,15 @@ namespace Amontons
 
   template <int dim>
   void
-  refine_and_transfer(Discretization<dim>         &discretization,
-                      Geometry<dim>               &geometry,
-                      SolutionState               &state,
-                      const std::function<void()> &rebuild)
+  refine_and_transfer(Discretization<dim>             &discretization,
+                      Geometry<dim>                   &geometry,
+                      const std::vector<LA::Vector *> &all_fields,
+                      const std::function<void()>     &rebuild)
   {
-    std::vector<LA::Vector *> fields = {&state.displacement};
-    if (state.traction.size() == state.displacement.size())
-      fields.push_back(&state.traction);
+    std::vector<LA::Vector *> fields;
+    for (LA::Vector *field : all_fields)
+      if (field->size() == discretization.dof_handler.n_dofs())
+        fields.push_back(field);
 
     parallel::distributed::SolutionTransfer<dim, LA::Vector> transfer(discretization.dof_handler);
     geometry.triangulation.prepare_coarsening_and_refinement();
@@ -261,7 +267,13 @@ namespace Amontons
   template unsigned int
   mark_close_cells(const Discretization<3> &, const std::vector<ContactInterface<3>> &, const double);
   template void
-  refine_and_transfer(Discretization<2> &, Geometry<2> &, SolutionState &, const std::function<void()> &);
+  refine_and_transfer(Discretization<2> &,
+                      Geometry<2> &,
+                      const std::vector<LA::Vector *> &,
+                      const std::function<void()> &);
   template void
-  refine_and_transfer(Discretization<3> &, Geometry<3> &, SolutionState &, const std::function<void()> &);
+  refine_and_transfer(Discretization<3> &,
+                      Geometry<3> &,
+                      const std::vector<LA::Vector *> &,
+                      const std::function<void()> &);
 } // namespace Amontons

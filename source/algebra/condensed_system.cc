@@ -173,13 +173,27 @@ namespace Amontons
   }
 
   void
-  CondensedSystem::assemble(const CellMatrices &cells,
-                            const Constraints  &constraints,
-                            const LA::Vector   *diagonal)
+  CondensedSystem::add(const FullMatrix<double>                   &matrix,
+                       const std::vector<types::global_dof_index> &dofs,
+                       const ContactConstraints                   &constraints)
+  {
+    if (constraints.is_symmetric())
+      constraints.trial().distribute_local_to_global(matrix, dofs, system);
+    else
+      constraints.test().distribute_local_to_global(matrix, dofs, constraints.trial(), dofs, system);
+  }
+
+  void
+  CondensedSystem::assemble(const CellMatrices               &cells,
+                            const ContactConstraints         &constraints,
+                            const LA::Vector                 *diagonal,
+                            const std::vector<FurtherMatrix> &further)
   {
     restore_bulk_rows();
     for (const unsigned int c : surface_cells)
-      constraints.distribute_local_to_global(cells.matrix(c), cells.dofs(c), system);
+      add(cells.matrix(c), cells.dofs(c), constraints);
+    for (const FurtherMatrix &matrix : further)
+      add(matrix.matrix, matrix.dofs, constraints);
     if (diagonal != nullptr)
       {
         FullMatrix<double> one(1, 1);
@@ -187,15 +201,15 @@ namespace Amontons
           if ((*diagonal)(dof) != 0)
             {
               one(0, 0) = (*diagonal)(dof);
-              constraints.distribute_local_to_global(one, std::vector<types::global_dof_index>{dof}, system);
+              add(one, {dof}, constraints);
             }
       }
     system.compress(VectorOperation::add);
-    add_missing_diagonals(constraints);
+    add_missing_diagonals(constraints.trial());
   }
 
   // Rows that no cell reaches: carriers and rigid bodies (their DoFs are constrained or moved through
-  // others).
+  // others), and with different constraints for rows and columns all that are eliminated.
   void
   CondensedSystem::add_missing_diagonals(const Constraints &constraints)
   {

@@ -6,23 +6,65 @@
 
 namespace Amontons
 {
+  namespace
+  {
+    // Both coefficients of the eliminated DoF should be large: their product, by DoF.
+    LinearEquation
+    product(const LinearEquation &trial, const LinearEquation &test)
+    {
+      LinearEquation result;
+      for (const auto &[dof, coefficient] : trial.coefficients)
+        if (const auto other = test.coefficients.find(dof); other != test.coefficients.end())
+          result.coefficients[dof] = coefficient * other->second;
+      return result;
+    }
+  } // namespace
+
   ContactConstraints::ContactConstraints(const Constraints                  &supports,
                                          const std::vector<ContactEquation> &equations)
-      : constraints(supports.get_local_lines()), contact_equations(equations), pivot_dofs(equations.size())
+      : trial_constraints(supports.get_local_lines()),
+        symmetric(std::all_of(equations.begin(), equations.end(), [](const auto &e) { return e.test.empty(); })),
+        contact_equations(equations), pivot_dofs(equations.size())
   {
-    constraints.merge(supports, Constraints::no_conflicts_allowed, true);
+    trial_constraints.merge(supports, Constraints::no_conflicts_allowed, true);
+    if (!symmetric)
+      {
+        test_constraints.reinit(supports.get_local_lines());
+        for (const auto &line : supports.get_lines()) // test functions vanish where displacements are prescribed
+          {
+            test_constraints.add_line(line.index);
+            test_constraints.add_entries(line.index, line.entries);
+          }
+      }
     for (unsigned int i = 0; i < equations.size(); ++i)
       {
-        substitute(contact_equations[i].equation, supports);
-        LinearEquation equation = contact_equations[i].equation;
+        auto          &e = contact_equations[i];
+        LinearEquation test{e.test, 0};
+        substitute(e.equation, supports);
+        substitute(test, supports);
+        e.test = test.coefficients;
         // Everything that is eliminated already is replaced, so that no line refers to an older one: lines
         // never form a cycle, whatever the order of the pairs (close() would not end on one).
-        substitute(equation, constraints);
-        pivot_dofs[i] = choose_pivot(equation, constraints, contact_equations[i].candidates);
+        LinearEquation trial = e.equation;
+        substitute(trial, trial_constraints);
+        if (!symmetric)
+          {
+            if (equations[i].test.empty())
+              test.coefficients = e.equation.coefficients;
+            substitute(test, test_constraints);
+          }
+        pivot_dofs[i] = choose_pivot(symmetric ? trial : product(trial, test), trial_constraints, e.candidates);
         if (pivot_dofs[i])
-          eliminate(equation, *pivot_dofs[i], constraints);
+          {
+            eliminate(trial, *pivot_dofs[i], trial_constraints);
+            test.value = 0;
+            if (!symmetric)
+              eliminate(test, *pivot_dofs[i], test_constraints);
+          }
       }
-    constraints.close();
+    trial_constraints.close();
+    if (!symmetric)
+      test_constraints.close();
   }
 
   std::vector<double>
@@ -47,7 +89,7 @@ namespace Amontons
     DynamicSparsityPattern                                      dsp(n, n);
     bool                                                        diagonal = true;
     for (unsigned int c = 0; c < n; ++c)
-      for (const auto &[dof, coefficient] : contact_equations[equation_of_row[c]].equation.coefficients)
+      for (const auto &[dof, coefficient] : contact_equations[equation_of_row[c]].force_coefficients())
         if (const auto row = row_of_dof.find(dof); row != row_of_dof.end())
           {
             entries.emplace_back(row->second, c, coefficient);

@@ -2,6 +2,7 @@
 #include <amontons/base/blas_threads.h>
 
 #include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_gmres.h>
 
 #include <Amesos.h>
 #include <Epetra_LinearProblem.h>
@@ -36,12 +37,12 @@ namespace Amontons
   // The symbolic factorisation is made once (the pattern stays), the numerical one when asked for.
   struct LinearSolver::Factorisation
   {
-    Factorisation(const LA::SparseMatrix &matrix, const std::string &package)
+    Factorisation(const LA::SparseMatrix &matrix, const std::string &package, const bool symmetric)
     {
       problem.SetOperator(const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
       solver.reset(Amesos().Create(package, problem));
       Teuchos::ParameterList list;
-      list.set("MatrixProperty", "SPD");
+      list.set("MatrixProperty", symmetric ? "SPD" : "general");
       list.set("PrintTiming", false);
       solver->SetParameters(list);
     }
@@ -69,8 +70,28 @@ namespace Amontons
     bool                               symbolic = false, failed = false;
   };
 
-  LinearSolver::LinearSolver(const LinearSolverParameters &parameters, const int dim)
-      : parameters(parameters), dim(dim)
+  namespace
+  {
+    // GMRES preconditions from the right, so that its residual is that of the system.
+    template <typename Preconditioner>
+    void
+    run_krylov(const bool              symmetric,
+               SolverControl          &control,
+               const LA::SparseMatrix &matrix,
+               LA::Vector             &x,
+               const LA::Vector       &rhs,
+               const Preconditioner   &preconditioner)
+    {
+      if (symmetric)
+        SolverCG<LA::Vector>(control).solve(matrix, x, rhs, preconditioner);
+      else
+        SolverGMRES<LA::Vector>(control, SolverGMRES<LA::Vector>::AdditionalData(62, true))
+          .solve(matrix, x, rhs, preconditioner);
+    }
+  } // namespace
+
+  LinearSolver::LinearSolver(const LinearSolverParameters &parameters, const int dim, const bool symmetric)
+      : parameters(parameters), dim(dim), symmetric(symmetric)
   {
   }
 
@@ -137,10 +158,10 @@ namespace Amontons
     if (direct && factorisation_is_old)
       {
         // Beyond about 20 solves a new factorisation is cheaper (2D: one costs some 10 to 20 of them).
-        ReductionControl control(20, 0, 1e-13);
+        ReductionControl control(20, 0, symmetric ? 1e-13 : 1e-12);
         try
           {
-            SolverCG<LA::Vector>(control).solve(matrix, x, rhs, *direct);
+            run_krylov(symmetric, control, matrix, x, rhs, *direct);
             report.iterations = control.last_step();
             return report;
           }
@@ -151,7 +172,8 @@ namespace Amontons
       }
     if (!direct)
       direct = std::make_unique<Factorisation>(
-          matrix, parameters.direct_package == "automatic" ? "Amesos_Mumps" : parameters.direct_package);
+          matrix, parameters.direct_package == "automatic" ? "Amesos_Mumps" : parameters.direct_package,
+          symmetric);
     if (factorisation_is_old)
       direct->factorise();
     factorisation_is_old = false;
@@ -183,8 +205,7 @@ namespace Amontons
         try
           {
             x = 0;
-            SolverCG<LA::Vector> cg(control);
-            cg.solve(matrix, x, rhs, *amg);
+            run_krylov(symmetric, control, matrix, x, rhs, *amg);
             report.iterations += control.last_step();
             report.success = true;
             break;

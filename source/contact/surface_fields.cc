@@ -174,6 +174,27 @@ namespace Amontons
       fields.centre = centre;
     }
 
+    // Half-width or radius about `centre` of the Hertzian traction with the moments of the field f:
+    // sqrt(4 int f x^2 / int f), for points 2.5 instead of 4.
+    template <int dim>
+    double
+    size_of(const Discretization<dim>   &discretization,
+            const ContactInterface<dim> &interface,
+            const Point<dim>            &centre,
+            const std::vector<double>   &field)
+    {
+      double force = 0, second_moment = 0;
+      for (const auto &p : interface.coupling.points)
+        {
+          const double f = value_on_face(*interface.slave, field, p.slave_face, p.xi_slave) * p.weight;
+          const auto   r = p.x_slave - centre;
+          force += f;
+          second_moment += f * (r * r - (r * p.normal) * (r * p.normal));
+        }
+      const double factor = dim == 2 && discretization.scene.kind != Kind::axisymmetric ? 4 : 2.5;
+      return force > 0 ? std::sqrt(std::max(0., factor * second_moment / force)) : 0;
+    }
+
     template <int dim>
     void
     add_resultants(const Discretization<dim>   &discretization,
@@ -181,20 +202,18 @@ namespace Amontons
                    SurfaceFields<dim>          &fields)
     {
       find_centre(discretization, interface, fields);
-      double force = 0, second_moment = 0;
+      double force = 0;
       for (const auto &p : interface.coupling.points)
         {
           const double f =
               value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave) * p.weight;
-          force += f;
           const auto r = p.x_slave - fields.centre;
-          second_moment += f * (r * r - (r * p.normal) * (r * p.normal));
+          force += f;
           fields.covariance += f * outer_product(r, r);
         }
-      const double factor = dim == 2 && discretization.scene.kind != Kind::axisymmetric ? 4 : 2.5;
       if (force > 0)
         fields.covariance /= force;
-      fields.contact_size = force > 0 ? std::sqrt(std::max(0., factor * second_moment / force)) : 0;
+      fields.contact_size = size_of(discretization, interface, fields.centre, fields.pressure);
     }
 
     // Over the overlap: at its points and at the nodes of faces that are covered whole. Nodal values beyond
@@ -211,6 +230,21 @@ namespace Amontons
         for (const unsigned int node : slave.faces[f].nodes)
           largest = std::max(largest, pressure[node]);
       return largest;
+    }
+    // Of the displacements, slave against master, along the surface.
+    template <int dim>
+    Tensor<1, dim>
+    tangential_jump(const CouplingRow<dim> &row, const LA::Vector &displacement)
+    {
+      Tensor<1, dim> jump;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          for (const auto &[dofs, weight] : row.slave)
+            jump[c] += weight * displacement(dofs[c]);
+          for (const auto &[dofs, weight] : row.master)
+            jump[c] -= weight * displacement(dofs[c]);
+        }
+      return jump - (jump * row.normal) / row.normal.norm_square() * row.normal;
     }
   } // namespace
 
@@ -235,7 +269,8 @@ namespace Amontons
                       const std::vector<ContactState>        &states,
                       const std::vector<double>              &pressures,
                       const std::vector<double>              &gaps,
-                      const std::vector<std::vector<double>> &tied,
+                      const std::vector<Tensor<1, 3>>        &shears,
+                      const std::vector<double>              &unused_shears,
                       const LA::Vector                       &displacement)
   {
     const auto        &slave = *interface.slave;
@@ -265,12 +300,12 @@ namespace Amontons
         fields.area[row.node]       = row.area;
         fields.state[row.node]      = states[r];
         fields.normal_force -= row.area * pressures[r] * row.normal;
-        if (!tied[r].empty())
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              tangential[c][r] = -tied[r][c] + pressures[r] * row.normal[c];
-              fields.tangential_force[c] += row.area * tangential[c][r];
-            }
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            tangential[c][r] = -shears[r][c];
+            fields.tangential_force[c] += row.area * tangential[c][r];
+          }
+        fields.slip[row.node] = tangential_jump(row, displacement);
       }
     // Resultants need the projection that keeps all moments; what is shown and compared is >= 0 if it is a
     // contact pressure.
@@ -281,7 +316,12 @@ namespace Amontons
     if (!interface.pair->tied)
       fields.pressure = control_to_nodal(slave, project(interface, pressures, true));
     fields.peak_pressure = peak(interface, fields.pressure);
-    if (interface.pair->tied)
+    if (interface.pair->has_friction())
+      fields.stick_size = size_of(discretization,
+                                  interface,
+                                  fields.centre,
+                                  control_to_nodal(slave, project(interface, unused_shears)));
+    if (interface.pair->tied || interface.pair->has_friction())
       for (unsigned int c = 0; c < dim; ++c)
         {
           const auto values = control_to_nodal(slave, project(interface, tangential[c]));
@@ -299,7 +339,8 @@ namespace Amontons
                       const std::vector<ContactState> &,
                       const std::vector<double> &,
                       const std::vector<double> &,
-                      const std::vector<std::vector<double>> &,
+                      const std::vector<Tensor<1, 3>> &,
+                      const std::vector<double> &,
                       const LA::Vector &);
   template double
   value_on_face(const ContactSurface<3> &, const std::vector<double> &, const unsigned int, const Point<2> &);
@@ -309,6 +350,7 @@ namespace Amontons
                       const std::vector<ContactState> &,
                       const std::vector<double> &,
                       const std::vector<double> &,
-                      const std::vector<std::vector<double>> &,
+                      const std::vector<Tensor<1, 3>> &,
+                      const std::vector<double> &,
                       const LA::Vector &);
 } // namespace Amontons

@@ -77,6 +77,8 @@ namespace Amontons
                                ? "  contact radius"
                                : "  contact half-width",
                            short_number(pair.contact_size) + "   (Hertz-equivalent)");
+      if (pair.stick_size && pair.n_slip > 0 && pair.n_stick > 0)
+        lines.emplace_back("  stick", short_number(*pair.stick_size) + "   (size; of the bound that shear leaves)");
       lines.emplace_back("  nodes",
                          std::to_string(pair.n_open) + " open, " + std::to_string(pair.n_stick) + " stick, " +
                              std::to_string(pair.n_slip) + " slip");

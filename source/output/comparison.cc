@@ -74,6 +74,42 @@ namespace Amontons
       return norm > 0 ? std::sqrt(difference / norm) : unknown;
     }
 
+    // sqrt(int (q - q_exact)^2 / int q_exact^2) with the shear traction along x: over lines, or, where the
+    // closed form is one of the radius, over discs.
+    template <int dim>
+    double
+    shear_error(const ContactInterface<dim> &interface,
+                const SurfaceFields<dim>    &fields,
+                const ReferenceSolution     &reference)
+    {
+      const auto              &slave = *interface.slave;
+      const QIterated<dim - 1> quadrature(QGauss<1>(3), dim == 2 ? 12 : 4);
+      std::vector<double>      along_x;
+      for (const auto &traction : fields.traction)
+        along_x.push_back(traction[0]);
+      double difference = 0, norm = 0;
+      for (unsigned int f = 0; f < slave.faces.size(); ++f)
+        if (!is_out_of_range(slave, f, reference))
+          for (unsigned int q = 0; q < quadrature.size(); ++q)
+            {
+              const auto  &xi = quadrature.point(q);
+              double       jacobian;
+              const auto   n     = as_3d(Point<dim>(slave.face_normal(f, xi, &jacobian)));
+              const auto   d     = as_3d(slave.position(f, xi)) - reference.centre;
+              Tensor<1, 3> along = d - (d * n) * n;
+              if (dim == 2)
+                along[2] = 0;
+              if (along.norm() > reference.pressure_range)
+                continue;
+              const double weight = quadrature.weight(q) * jacobian;
+              const double exact  = reference.shear_traction(dim == 2 ? along[0] : along.norm());
+              const double error  = value_on_face(slave, along_x, f, xi) - exact;
+              difference += weight * error * error;
+              norm += weight * exact * exact;
+            }
+      return norm > 0 ? std::sqrt(difference / norm) : unknown;
+    }
+
     // Semi-axis along a unit vector of the half-ellipsoidal pressure with the same spread: sqrt(5 int p x^2 /
     // int p).
     template <int dim>
@@ -220,6 +256,15 @@ namespace Amontons
                     line ? 2 * P / (numbers::PI * a) : 3 * P / (2 * numbers::PI * a * b),
                     *reference.peak_pressure);
       }
+    if (reference.tangential_force)
+      add_value(summary,
+                "tangential_force",
+                fields.symmetry_factor * fields.tangential_force[0],
+                *reference.tangential_force);
+    if (reference.stick_size && answer.interfaces[i].pair->has_friction())
+      add_value(summary, "stick_size", fields.stick_size, *reference.stick_size);
+    if (reference.shear_traction)
+      summary.errors["shear_l2"] = shear_error(answer.interfaces[i], fields, reference);
     if (reference.approach)
       if (const auto approach = compute_approach(answer, i))
         add_value(summary, "approach", *approach, *reference.approach);

@@ -25,6 +25,8 @@ namespace Amontons
       add_vector(row, pair.name + ".tangential_force_", axes, pair.tangential_force);
       row.emplace_back(pair.name + ".peak_pressure", pair.peak_pressure);
       row.emplace_back(pair.name + ".contact_size", pair.contact_size);
+      if (pair.stick_size)
+        row.emplace_back(pair.name + ".stick_size", *pair.stick_size);
       row.emplace_back(pair.name + ".n_open", pair.n_open);
       row.emplace_back(pair.name + ".n_stick", pair.n_stick);
       row.emplace_back(pair.name + ".n_slip", pair.n_slip);
@@ -61,7 +63,12 @@ namespace Amontons
       row.emplace_back("error_contact", mesh.error_estimate.contact);
       row.emplace_back("energy", mesh.energy);
       if (mesh.external_work)
-        row.emplace_back("external_work", *mesh.external_work);
+        {
+          row.emplace_back("external_work", *mesh.external_work);
+          row.emplace_back("contact_work", *mesh.contact_work);
+          row.emplace_back("dissipation", *mesh.dissipation);
+          row.emplace_back("contact_work_minus_dissipation", *mesh.contact_work - *mesh.dissipation);
+        }
       for (const ProbeSummary &probe : mesh.probes)
         add_probe(row, probe, kind);
       return row;

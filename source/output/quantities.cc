@@ -1,5 +1,7 @@
 #include <amontons/algebra/condensed_system.h>
+#include <amontons/base/points.h>
 #include <amontons/contact/surface_fields.h>
+#include <amontons/friction/shear_law.h>
 #include <amontons/output/quantities.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -45,30 +47,6 @@ namespace Amontons
                 }
           }
       return places;
-    }
-
-    // Contact force on every DoF of slave and master: -+ weight area lambda with lambda = p normal (or the
-    // tied traction).
-    template <int dim>
-    std::map<types::global_dof_index, double>
-    contact_forces(const Answer<dim> &answer)
-    {
-      std::map<types::global_dof_index, double> forces;
-      for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
-        for (unsigned int r = 0; r < answer.interfaces[i].coupling.rows.size(); ++r)
-          {
-            const auto &row  = answer.interfaces[i].coupling.rows[r];
-            const auto &tied = answer.state.tied_multipliers[i][r];
-            for (unsigned int c = 0; c < dim; ++c)
-              {
-                const double lambda = tied.empty() ? answer.state.pressures[i][r] * row.normal[c] : tied[c];
-                for (const auto &[dofs, weight] : row.slave)
-                  forces[dofs[c]] -= row.area * lambda * weight;
-                for (const auto &[dofs, weight] : row.master)
-                  forces[dofs[c]] += row.area * lambda * weight;
-              }
-          }
-      return forces;
     }
 
     // Moment X x F: one component in 2D, three in 3D.
@@ -142,6 +120,25 @@ namespace Amontons
       return axis_aligned_along_c || oblique;
     }
 
+    // How far shears exceed the bound of friction, relative to the largest bound.
+    template <int dim>
+    double
+    cone_excess(const Answer<dim> &answer, const unsigned int i)
+    {
+      const auto &interface = answer.interfaces[i];
+      double      excess = 0, largest = 0;
+      for (unsigned int r = 0; interface.pair->has_friction() && r < interface.coupling.rows.size(); ++r)
+        if (answer.state.states[i][r] != ContactState::open)
+          {
+            const auto   X = as_3d(interface.slave->nodes[interface.coupling.rows[r].node].X);
+            const double bound =
+                shear_bound(*interface.pair, X, answer.state.t, answer.state.pressures[i][r]).value;
+            excess  = std::max(excess, answer.state.shears[i][r].norm() - bound);
+            largest = std::max(largest, bound);
+          }
+      return largest > 0 ? excess / largest : 0.;
+    }
+
     template <int dim>
     std::string
     label(const Answer<dim> &answer, const Boundary &boundary)
@@ -149,6 +146,27 @@ namespace Amontons
       return answer.discretization.scene.bodies[boundary.body].name + "/" + boundary.name;
     }
   } // namespace
+
+  template <int dim>
+  std::map<types::global_dof_index, double>
+  contact_forces(const Answer<dim> &answer)
+  {
+    std::map<types::global_dof_index, double> forces;
+    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
+      for (unsigned int r = 0; r < answer.interfaces[i].coupling.rows.size(); ++r)
+        {
+          const auto &row = answer.interfaces[i].coupling.rows[r];
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              const double lambda = answer.state.pressures[i][r] * row.normal[c] + answer.state.shears[i][r][c];
+              for (const auto &[dofs, weight] : row.slave)
+                forces[dofs[c]] -= row.area * lambda * weight;
+              for (const auto &[dofs, weight] : row.master)
+                forces[dofs[c]] += row.area * lambda * weight;
+            }
+        }
+    return forces;
+  }
 
   template <int dim>
   std::vector<PairSummary>
@@ -238,11 +256,12 @@ namespace Amontons
   check_physics(const Answer<dim> &answer)
   {
     std::map<std::string, double> checks;
-    double                        penetration = 0, tension = 0, complementarity = 0;
+    double                        penetration = 0, tension = 0, complementarity = 0, cone = 0;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       {
         if (answer.interfaces[i].pair->tied)
           continue;
+        cone              = std::max(cone, cone_excess(answer, i));
         const double h    = answer.interfaces[i].slave->mean_size;
         double       peak = 0;
         for (const double p : answer.state.pressures[i])
@@ -261,6 +280,10 @@ namespace Amontons
     checks["penetration"]     = penetration;
     checks["tension"]         = tension;
     checks["complementarity"] = complementarity;
+    if (std::any_of(answer.interfaces.begin(), answer.interfaces.end(), [](const auto &interface) {
+          return interface.pair->has_friction();
+        }))
+      checks["coulomb_cone"] = cone;
 
     // By body: the supports' forces are what is missing for equilibrium on constrained DoFs; elsewhere
     // nothing may be missing.
@@ -293,6 +316,8 @@ namespace Amontons
     return checks;
   }
 
+  template std::map<types::global_dof_index, double>
+  contact_forces(const Answer<2> &);
   template std::vector<PairSummary>
   summarize_pairs(const Answer<2> &);
   template double
@@ -301,6 +326,8 @@ namespace Amontons
   compute_reactions(const Answer<2> &);
   template std::map<std::string, double>
   check_physics(const Answer<2> &);
+  template std::map<types::global_dof_index, double>
+  contact_forces(const Answer<3> &);
   template std::vector<PairSummary>
   summarize_pairs(const Answer<3> &);
   template double

@@ -49,6 +49,7 @@ namespace Amontons
           .add("tangential_force", pair.tangential_force)
           .add("peak_pressure", pair.peak_pressure)
           .add("contact_size", pair.contact_size)
+          .add("stick_size", pair.stick_size.value_or(unknown))
           .add("centre", pair.centre)
           .add("n_open", pair.n_open)
           .add("n_stick", pair.n_stick)
@@ -141,6 +142,10 @@ namespace Amontons
           .add("pairs", list(mesh.pairs))
           .add("energy", mesh.energy);
       if (mesh.external_work)
+        json.add("external_work", *mesh.external_work)
+            .add("contact_work", *mesh.contact_work)
+            .add("dissipation", *mesh.dissipation);
+      if (mesh.external_work)
         json.add("external_work", *mesh.external_work);
       if (mesh.reference)
         json.add("reference", to_json(*mesh.reference));
@@ -191,6 +196,8 @@ namespace Amontons
     result.tangential_force     = components(fields.tangential_force);
     result.peak_pressure        = fields.peak_pressure;
     result.contact_size         = fields.contact_size;
+    if (interface.pair->has_friction())
+      result.stick_size = fields.stick_size;
     result.centre               = components<dim>(fields.centre);
     result.n_without_multiplier = interface.n_without_multiplier;
     for (const CouplingRow<dim> &row : interface.coupling.rows)

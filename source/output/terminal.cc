@@ -102,14 +102,14 @@ namespace Amontons
 
   void
   Terminal::mesh(const unsigned int       increment,
-                 const unsigned int       n_increments,
+                 const double             t,
                  const unsigned int       mesh,
                  const unsigned long long cells,
                  const unsigned long long dofs)
   {
     line("");
     line(format(
-        "Increment %u of %u, mesh %u: %llu cells, %llu DoFs", increment, n_increments, mesh, cells, dofs));
+        "Increment %u to t = %g, mesh %u: %llu cells, %llu DoFs", increment, t, mesh, cells, dofs));
     line("  iteration   residual     open    stick     slip  changed   krylov");
   }
 

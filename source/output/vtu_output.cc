@@ -98,6 +98,13 @@ namespace Amontons
   {
   }
 
+  void
+  VtuOutput::restart()
+  {
+    bodies.clear();
+    contacts.clear();
+  }
+
   template <int dim>
   void
   VtuOutput::write_bodies(const BodyFields<dim> &fields, const double t)

@@ -5,30 +5,27 @@ namespace Amontons
 {
   namespace
   {
-    // Statements of one row: frictionless, one with the normal; tied, one per component.
+    // sum_c direction_c Delta_c = value, for the node of the row.
     template <int dim>
-    std::vector<ContactEquation>
-    equations_of(const CouplingRow<dim> &row, const SurfaceNode<dim> &node, const bool tied)
+    ContactEquation
+    equation_along(const Tensor<1, dim>   &direction,
+                   const double            value,
+                   const CouplingRow<dim> &row,
+                   const SurfaceNode<dim> &node)
     {
-      std::vector<ContactEquation> equations;
-      for (unsigned int k = 0; k < (tied ? dim : 1); ++k)
+      ContactEquation result;
+      for (unsigned int c = 0; c < dim; ++c)
         {
-          ContactEquation result;
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              const double n = tied ? double(c == k) : row.normal[c];
-              if (n == 0)
-                continue;
-              for (const auto &[dofs, weight] : row.slave)
-                result.equation.coefficients[dofs[c]] += n * weight;
-              for (const auto &[dofs, weight] : row.master)
-                result.equation.coefficients[dofs[c]] -= n * weight;
-              result.candidates.push_back(node.dofs[c]);
-            }
-          result.equation.value = tied ? 0. : row.gap;
-          equations.push_back(result);
+          if (direction[c] == 0)
+            continue;
+          for (const auto &[dofs, weight] : row.slave)
+            result.equation.coefficients[dofs[c]] += direction[c] * weight;
+          for (const auto &[dofs, weight] : row.master)
+            result.equation.coefficients[dofs[c]] -= direction[c] * weight;
+          result.candidates.push_back(node.dofs[c]);
         }
-      return equations;
+      result.equation.value = value;
+      return result;
     }
   } // namespace
 
@@ -42,30 +39,112 @@ namespace Amontons
   }
 
   template <int dim>
-  std::vector<CandidateNode>
+  std::vector<const ContactEquation *>
+  ContactNode<dim>::holding() const
+  {
+    if (!tied && !frictional)
+      return {&closing};
+    std::vector<const ContactEquation *> all;
+    for (const auto &component : components)
+      all.push_back(&component);
+    return all;
+  }
+
+  template <int dim>
+  Tensor<1, dim>
+  ContactNode<dim>::jump(const LA::Vector &u) const
+  {
+    Tensor<1, dim> result;
+    for (unsigned int k = 0; k < dim; ++k)
+      result[k] = evaluate(components[k].equation, u);
+    return result;
+  }
+
+  template <int dim>
+  Tensor<1, dim>
+  ContactNode<dim>::tangential(const Tensor<1, dim> &vector) const
+  {
+    return vector - (vector * normal) / normal.norm_square() * normal;
+  }
+
+  template <int dim>
+  std::vector<ContactNode<dim>>
   collect_contact_nodes(const Discretization<dim>                &discretization,
                         const std::vector<ContactInterface<dim>> &interfaces,
                         const double                              scaling)
   {
-    std::vector<CandidateNode> nodes;
+    std::vector<ContactNode<dim>> nodes;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
-        const auto  &slave    = *interfaces[i].slave;
-        const auto  &material = discretization.scene.bodies[slave.body].material;
-        const double c        = scaling * contact_modulus(material) / slave.mean_size;
+        const auto  &slave   = *interfaces[i].slave;
+        const auto  &pair    = *interfaces[i].pair;
+        const double modulus = contact_modulus(discretization.scene.bodies[slave.body].material);
         for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
           {
-            const auto &row  = interfaces[i].coupling.rows[r];
-            const bool  tied = interfaces[i].pair->tied;
-            nodes.push_back({i, r, tied, 1e-14 * contact_modulus(material), row.area, c, equations_of(row, slave.nodes[row.node], tied)});
+            const auto      &row          = interfaces[i].coupling.rows[r];
+            const auto      &surface_node = slave.nodes[row.node];
+            ContactNode<dim> node;
+            node.interface  = i;
+            node.row        = r;
+            node.tied       = pair.tied;
+            node.frictional = pair.has_friction();
+            node.rounding   = 1e-14 * modulus;
+            node.area       = row.area;
+            node.c          = scaling * modulus / slave.mean_size;
+            node.gap        = pair.tied ? 0. : row.gap;
+            node.normal     = row.normal;
+            for (unsigned int c = 0; c < dim; ++c)
+              node.X[c] = surface_node.X[c];
+            node.closing = equation_along(row.normal, node.gap, row, surface_node);
+            for (unsigned int c = 0; (node.tied || node.frictional) && c < dim; ++c)
+              {
+                Tensor<1, dim> unit;
+                unit[c]            = 1;
+                node.components[c] = equation_along(unit, 0, row, surface_node);
+              }
+            nodes.push_back(node);
           }
       }
     return nodes;
   }
 
   template <int dim>
+  std::vector<ContactEquation>
+  equations_of(const ContactNode<dim> &node,
+               const ContactState      state,
+               const SlipLaw<dim>     &law,
+               const Tensor<1, dim>   &origin)
+  {
+    if (state == ContactState::open)
+      return {};
+    if (state == ContactState::stick)
+      {
+        std::vector<ContactEquation> equations(node.components.begin(), node.components.end());
+        if (!node.tied)
+          {
+            const auto value = node.gap / node.normal.norm_square() * node.normal + node.tangential(origin);
+            for (unsigned int k = 0; k < dim; ++k)
+              equations[k].equation.value = value[k];
+          }
+        return equations;
+      }
+    ContactEquation equation = node.closing;
+    if (law.slope != 0)
+      {
+        equation.candidates.clear();
+        for (unsigned int k = 0; k < dim; ++k)
+          {
+            equation.candidates.push_back(node.components[k].candidates[0]);
+            for (const auto &[dof, weight] : node.components[k].equation.coefficients)
+              equation.test[dof] += (node.normal[k] + law.slope * law.direction[k]) * weight;
+          }
+      }
+    return {equation};
+  }
+
+  template <int dim>
   std::vector<bool>
-  first_guess_of_closed_nodes(const std::vector<CandidateNode>         &nodes,
+  first_guess_of_closed_nodes(const std::vector<ContactNode<dim>>      &nodes,
                               const std::vector<ContactInterface<dim>> &interfaces,
                               const FloatingBodies<dim>                &floating,
                               const LA::Vector                         &u)
@@ -74,7 +153,7 @@ namespace Amontons
     std::vector<double> smallest(interfaces.size(), std::numeric_limits<double>::max());
     for (const auto &node : nodes)
       {
-        gaps.push_back(node.equations[0].equation.value - evaluate(node.equations[0].equation, u));
+        gaps.push_back(node.gap - evaluate(node.closing.equation, u));
         smallest[node.interface] = std::min(smallest[node.interface], gaps.back());
       }
     std::vector<bool> closed;
@@ -82,7 +161,7 @@ namespace Amontons
       {
         const auto &slave = *interfaces[nodes[k].interface].slave;
         bool        touch = nodes[k].tied || gaps[k] <= 1e-10 * slave.mean_size;
-        for (const auto &entry : nodes[k].equations[0].equation.coefficients)
+        for (const auto &entry : nodes[k].closing.equation.coefficients)
           if (!touch && floating.floats()[floating.owner_of(entry.first)])
             touch = gaps[k] <= smallest[nodes[k].interface] + 0.02 * slave.mean_size;
         closed.push_back(touch);
@@ -90,17 +169,23 @@ namespace Amontons
     return closed;
   }
 
-  template std::vector<CandidateNode>
+  template struct ContactNode<2>;
+  template struct ContactNode<3>;
+  template std::vector<ContactNode<2>>
   collect_contact_nodes(const Discretization<2> &, const std::vector<ContactInterface<2>> &, const double);
+  template std::vector<ContactNode<3>>
+  collect_contact_nodes(const Discretization<3> &, const std::vector<ContactInterface<3>> &, const double);
+  template std::vector<ContactEquation>
+  equations_of(const ContactNode<2> &, const ContactState, const SlipLaw<2> &, const Tensor<1, 2> &);
+  template std::vector<ContactEquation>
+  equations_of(const ContactNode<3> &, const ContactState, const SlipLaw<3> &, const Tensor<1, 3> &);
   template std::vector<bool>
-  first_guess_of_closed_nodes(const std::vector<CandidateNode> &,
+  first_guess_of_closed_nodes(const std::vector<ContactNode<2>> &,
                               const std::vector<ContactInterface<2>> &,
                               const FloatingBodies<2> &,
                               const LA::Vector &);
-  template std::vector<CandidateNode>
-  collect_contact_nodes(const Discretization<3> &, const std::vector<ContactInterface<3>> &, const double);
   template std::vector<bool>
-  first_guess_of_closed_nodes(const std::vector<CandidateNode> &,
+  first_guess_of_closed_nodes(const std::vector<ContactNode<3>> &,
                               const std::vector<ContactInterface<3>> &,
                               const FloatingBodies<3> &,
                               const LA::Vector &);

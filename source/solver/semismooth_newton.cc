@@ -1,6 +1,5 @@
 #include <amontons/algebra/rigid_body_modes.h>
-#include <amontons/friction/active_set.h>
-#include <amontons/solver/contact_nodes.h>
+#include <amontons/solver/node_states.h>
 #include <amontons/solver/semismooth_newton.h>
 
 namespace Amontons
@@ -65,9 +64,10 @@ namespace Amontons
             elasticity(elasticity), interfaces(interfaces), supports(supports), loads(loads), state(state),
             timer(timer), communicator(discretization.geometry.communicator),
             nodes(collect_contact_nodes(discretization, interfaces, parameters.scaling)),
-            floating(discretization, supports, interfaces),
+            any_friction(std::any_of(nodes.begin(), nodes.end(), [](const auto &n) { return n.frictional; })),
+            floating(discretization, supports, interfaces), states(nodes, interfaces, floating, state.t),
             system(discretization.locally_owned, discretization.relevant, communicator),
-            solver(solver_parameters, dim), pressure(nodes.size(), 0.), gap(nodes.size(), 0.)
+            solver(solver_parameters, dim, !any_friction), answers(nodes.size()), origins(nodes.size())
       {
         u.reinit(discretization.locally_owned, communicator);
         du.reinit(discretization.locally_owned, communicator);
@@ -81,26 +81,16 @@ namespace Amontons
         while (report.iterations.size() < parameters.max_iterations)
           {
             NewtonReport::Iteration step{};
-            if (set_changed)
+            if (set_changed || any_friction)
               constrain_closed_nodes();
             if (!solve_increment(step))
               break;
             recover_contact(step);
+            set_changed   = update_states(step);
             step.residual = relative_residual();
-            set_changed   = update_set(step);
             report.iterations.push_back(step);
             observer(step);
-            if (!std::isfinite(step.residual))
-              report.message =
-                  "the solution is not a number: a load or prescribed displacement may not be one, "
-                  "or the stiffness is singular";
-            else if (!set_changed && step.residual <= parameters.tolerance)
-              report.converged = true;
-            else if (!set_changed && moves_apart())
-              report.message =
-                  "the loads drive the rigid " + unheld +
-                  ", and no node that is closed holds it: the bodies move apart or slide off each "
-                  "other; reverse the load, move the bodies together, or hold this motion by a support";
+            stop_or_go_on(step, set_changed);
             if (report.converged || !report.message.empty())
               break;
             choose_forcing(step, set_changed);
@@ -110,6 +100,31 @@ namespace Amontons
       }
 
     private:
+      void
+      stop_or_go_on(const NewtonReport::Iteration &step, const bool set_changed)
+      {
+        if (!std::isfinite(step.residual))
+          report.message = "the solution is not a number: a load or prescribed displacement may not be one, "
+                           "or the stiffness is singular";
+        else if (!set_changed && step.residual <= parameters.tolerance && states.held_too_much() == 0)
+          report.converged = true;
+        else if (!set_changed && states.held_too_much() > 0)
+          report.message = friction_exceeded();
+        else if (!set_changed && moves_apart())
+          report.message =
+              "the loads drive the rigid " + unheld +
+              ", and no node that is closed holds it: the bodies move apart or slide off each "
+              "other; reverse the load, move the bodies together, or hold this motion by a support";
+      }
+
+      std::string
+      friction_exceeded() const
+      {
+        return "friction cannot hold the rigid " + states.held_motion() +
+               ": all nodes slip, and those that were held to see whether others would stick exceed their "
+               "bound; raise the friction coefficient, lower the load along this motion or hold it by a support";
+      }
+
       // Motions without supports, the first guess of the closed nodes, the pattern and the bulk of the
       // matrix.
       void
@@ -117,8 +132,8 @@ namespace Amontons
       {
         std::vector<const LinearEquation *> all;
         for (const auto &node : nodes)
-          for (const auto &e : node.equations)
-            all.push_back(&e.equation);
+          for (const auto *e : node.holding())
+            all.push_back(&e->equation);
         floating.set_loads(loads);
         report.note = floating.check_loads(all);
         floating.choose_pins(all);
@@ -126,7 +141,11 @@ namespace Amontons
         u = state.displacement;
         supports.distribute(u);
         state.displacement = u;
-        guess_closed_nodes();
+        if (state.committed.size() == state.displacement.size())
+          for (unsigned int k = 0; k < nodes.size(); ++k)
+            if (nodes[k].frictional)
+              origins[k] = nodes[k].jump(state.committed);
+        states.start(state, first_guess_of_closed_nodes(nodes, interfaces, floating, state.displacement));
         make_proximal_terms();
         const bool may_change =
             std::any_of(nodes.begin(), nodes.end(), [](const CandidateNode &node) { return !node.tied; });
@@ -137,11 +156,15 @@ namespace Amontons
         TimerOutput::Scope           scope(timer, "sparsity and bulk matrix");
         std::vector<ContactEquation> candidates;
         for (const auto &node : nodes)
-          for (const auto &equation : node.equations)
+          for (const auto *equation : node.holding())
             {
-              candidates.push_back(equation);
+              candidates.push_back(*equation);
               substitute(candidates.back().equation, supports);
             }
+        if (any_friction) // slip mixes the components of a node
+          for (const auto &node : nodes)
+            if (node.frictional)
+              candidates.push_back(all_components(node));
         system.setup(cells(), supports, candidates, floating.any() ? &springs : nullptr);
       }
 
@@ -155,17 +178,18 @@ namespace Amontons
         return result;
       }
 
-      void
-      guess_closed_nodes()
+      ContactEquation
+      all_components(const ContactNode<dim> &node) const
       {
-        bool known = state.states.size() == interfaces.size();
-        for (unsigned int i = 0; known && i < interfaces.size(); ++i)
-          known = state.states[i].size() == interfaces[i].coupling.rows.size();
-        if (!known)
-          closed = first_guess_of_closed_nodes(nodes, interfaces, floating, state.displacement);
-        else
-          for (const auto &node : nodes)
-            closed.push_back(node.tied || state.states[node.interface][node.row] != ContactState::open);
+        ContactEquation result;
+        for (const auto &component : node.components)
+          {
+            result.candidates.push_back(component.candidates[0]);
+            for (const auto &[dof, weight] : component.equation.coefficients)
+              result.equation.coefficients[dof] = 1;
+          }
+        substitute(result.equation, supports);
+        return result;
       }
 
       // Diagonal terms on the increment only, which vanish at convergence: pins for motions that contact can
@@ -209,36 +233,104 @@ namespace Amontons
         std::vector<const LinearEquation *> holding;
         first_equation.assign(nodes.size(), numbers::invalid_unsigned_int);
         for (unsigned int k = 0; k < nodes.size(); ++k)
-          if (closed[k])
+          if (states[k] != ContactState::open)
             {
               first_equation[k] = active.size();
-              for (const auto &equation : nodes[k].equations)
-                {
-                  active.push_back(equation);
-                  holding.push_back(&equation.equation);
-                }
+              for (const auto &equation : states.equations(k, origins[k]))
+                active.push_back(equation);
             }
+        for (const auto &equation : active)
+          holding.push_back(&equation.equation);
         constraints = std::make_unique<ContactConstraints>(supports, active);
         unheld      = floating.unheld_by(holding);
+        laws.clear();
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          laws.push_back(states.law(k));
         system.assemble(cells(),
-                        constraints->all(),
+                        *constraints,
                         !unheld.empty()            ? &springs
                         : !floating.pins().empty() ? &pins
-                                                   : nullptr);
+                                                   : nullptr,
+                        slip_stiffness());
         solver.matrix_changed(system.matrix(), report.iterations.empty());
+      }
+
+      bool
+      slips_with_friction(const unsigned int k) const
+      {
+        return nodes[k].frictional && states[k] == ContactState::slip;
+      }
+
+      // area stiffness (1 - n n^T - d d^T) on the jumps of nodes that slip (3D)
+      std::vector<FurtherMatrix>
+      slip_stiffness() const
+      {
+        std::vector<FurtherMatrix> matrices;
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          if (slips_with_friction(k) && laws[k].stiffness > 0 &&
+              discretization.locally_owned.is_element(nodes[k].components[0].candidates[0]))
+            {
+              FurtherMatrix                                                further;
+              std::vector<std::pair<unsigned int, double>>                 terms;
+              for (unsigned int c = 0; c < dim; ++c)
+                for (const auto &[dof, weight] : nodes[k].components[c].equation.coefficients)
+                  {
+                    further.dofs.push_back(dof);
+                    terms.emplace_back(c, weight);
+                  }
+              const Tensor<1, dim> n = nodes[k].normal / nodes[k].normal.norm(), d = laws[k].direction;
+              further.matrix.reinit(terms.size(), terms.size());
+              for (unsigned int i = 0; i < terms.size(); ++i)
+                for (unsigned int j = 0; j < terms.size(); ++j)
+                  {
+                    const unsigned int a = terms[i].first, b = terms[j].first;
+                    further.matrix(i, j) = nodes[k].area * laws[k].stiffness * terms[i].second *
+                                           terms[j].second * (double(a == b) - n[a] * n[b] - d[a] * d[b]);
+                  }
+              matrices.push_back(further);
+            }
+        return matrices;
+      }
+
+      // Forces of the shears that do not depend on the pressure of this step: those of a node without a
+      // multiplier of their own.
+      LA::Vector
+      known_shear_forces()
+      {
+        LA::Vector forces;
+        forces.reinit(loads);
+        for (unsigned int k = 0; k < nodes.size(); ++k)
+          if (slips_with_friction(k) && (laws[k].constant != 0 || laws[k].stiffness > 0))
+            {
+              const auto q = laws[k].traction(0, slip(k));
+              for (unsigned int c = 0; c < dim; ++c)
+                for (const auto &[dof, weight] : nodes[k].components[c].equation.coefficients)
+                  if (discretization.locally_owned.is_element(dof))
+                    forces(dof) -= nodes[k].area * q[c] * weight;
+            }
+        forces.compress(VectorOperation::add);
+        return forces;
+      }
+
+      Tensor<1, dim>
+      slip(const unsigned int k) const
+      {
+        return nodes[k].tangential(nodes[k].jump(state.displacement) - origins[k]);
       }
 
       // Moves on to the constraints, then solves for the homogeneous increment.
       bool
       solve_increment(NewtonReport::Iteration &step)
       {
-        constraints->all().distribute(u);
+        constraints->trial().distribute(u);
         state.displacement  = u;
         LA::Vector residual = loads;
         residual -= elasticity.apply(state.displacement);
+        if (any_friction)
+          residual += known_shear_forces();
         LA::Vector rhs(discretization.locally_owned, communicator);
-        rhs = condense(residual, constraints->all(), loads);
-        zero_constrained(constraints->all(), discretization.locally_owned, rhs);
+        rhs = condense(residual, constraints->test(), loads);
+        zero_constrained(constraints->test(), discretization.locally_owned, rhs);
 
         TimerOutput::Scope scope(timer, "linear solve");
         const double       scale  = report.iterations.empty() ? rhs.l2_norm() : force_scale;
@@ -254,7 +346,7 @@ namespace Amontons
         if (report.iterations.empty())
           report.one_linear_solve_seconds = clock.wall_time();
         u += du;
-        constraints->all().distribute(u);
+        constraints->trial().distribute(u);
         state.displacement = u;
         return true;
       }
@@ -266,6 +358,8 @@ namespace Amontons
         internal = elasticity.apply(state.displacement);
         raw      = internal;
         raw -= loads;
+        if (any_friction)
+          raw -= known_shear_forces();
         const LA::Vector    on_supports = condense(raw, supports, loads);
         std::vector<double> at_pivots(constraints->pivots().size(), 0.);
         for (unsigned int e = 0; e < at_pivots.size(); ++e)
@@ -277,48 +371,69 @@ namespace Amontons
 
         for (unsigned int k = 0; k < nodes.size(); ++k)
           {
-            const auto &equation = nodes[k].equations[0].equation;
-            const bool  carries  = closed[k] && constraints->pivots()[first_equation[k]];
-            pressure[k]          = carries ? multipliers[first_equation[k]] / nodes[k].area : 0.;
-            gap[k]               = carries ? 0. : equation.value - evaluate(equation, state.displacement);
-            (nodes[k].tied ? step.n_stick : closed[k] ? step.n_slip : step.n_open) += 1;
+            answers[k] = answer(k);
+            (states[k] == ContactState::open    ? step.n_open
+             : states[k] == ContactState::stick ? step.n_stick
+                                                : step.n_slip) += 1;
           }
+      }
+
+      NodeAnswer<dim>
+      answer(const unsigned int k) const
+      {
+        NodeAnswer<dim>       result;
+        const ContactNode<dim> &node = nodes[k];
+        if (states[k] == ContactState::open)
+          {
+            result.gap = node.gap - evaluate(node.closing.equation, state.displacement);
+            return result;
+          }
+        if (node.frictional)
+          result.slip = slip(k);
+        const unsigned int e = first_equation[k];
+        if (states[k] == ContactState::stick)
+          {
+            Tensor<1, dim> traction;
+            for (unsigned int d = 0; d < dim; ++d)
+              traction[d] = multipliers[e + d] / node.area;
+            result.pressure = traction * node.normal / node.normal.norm_square();
+            result.shear    = node.tangential(traction);
+            return result;
+          }
+        if (constraints->pivots()[e])
+          result.pressure = multipliers[e] / node.area;
+        else
+          result.gap = node.gap - evaluate(node.closing.equation, state.displacement);
+        if (node.frictional)
+          result.shear = laws[k].traction(result.pressure, result.slip);
+        return result;
       }
 
       // What rounding leaves of |K||u| counts as zero: scenes without stress, stiff bodies on soft ones.
       double
       relative_residual()
       {
-        LA::Vector free = condense(raw, constraints->all(), loads);
-        zero_constrained(constraints->all(), discretization.locally_owned, free);
+        LA::Vector free = condense(raw, constraints->test(), loads);
+        zero_constrained(constraints->test(), discretization.locally_owned, free);
         const double rounding = 1e-14 * elasticity.rounding_scale(state.displacement);
         force_scale = std::max({internal.l2_norm(), loads.l2_norm(), rounding / parameters.tolerance});
-        return force_scale == 0 ? 0 : free.l2_norm() / force_scale;
+        return force_scale == 0 ? 0 : std::hypot(free.l2_norm(), states.law_error(answers)) / force_scale;
       }
 
       bool
-      update_set(NewtonReport::Iteration &step)
+      update_states(NewtonReport::Iteration &step)
       {
-        std::vector<double> p, g, c;
-        std::vector<bool>   next;
-        double              largest = 0, rounding = 0;
-        for (unsigned int k = 0; k < nodes.size(); ++k)
-          if (!nodes[k].tied)
+        double rounding = 0, c = 0;
+        for (const auto &node : nodes)
+          if (!node.tied)
             {
-              p.push_back(pressure[k]);
-              g.push_back(gap[k]);
-              c.push_back(nodes[k].c);
-              next.push_back(closed[k]);
-              largest  = std::max(largest, std::abs(pressure[k]));
-              rounding = std::max(rounding, nodes[k].rounding);
+              rounding = std::max(rounding, node.rounding);
+              c        = std::max(c, node.c);
             }
-        rounding += 1e-13 * (c.empty() ? 0. : *std::max_element(c.begin(), c.end())) * u.linfty_norm();
-        step.n_changes     = active_set.update(p, g, c, std::max(1e-9 * largest, rounding), next);
-        report.safeguarded = report.safeguarded || active_set.safeguarded();
-        for (unsigned int k = 0, n = 0; k < nodes.size(); ++k)
-          if (!nodes[k].tied)
-            closed[k] = next[n++];
-        return step.n_changes > 0;
+        step.n_changes     = states.update(answers, rounding + 1e-13 * c * u.linfty_norm());
+        report.safeguarded = report.safeguarded || states.safeguarded();
+        report.frozen      = report.frozen || states.frozen();
+        return step.n_changes > 0 || states.frozen();
       }
 
       // Weak springs are all that holds a motion, and they are not coming to rest.
@@ -335,7 +450,7 @@ namespace Amontons
       void
       choose_forcing(const NewtonReport::Iteration &step, const bool set_changed)
       {
-        const bool rough = set_changed && step.n_changes > 0.05 * step.n_slip && unheld.empty();
+        const bool rough = set_changed && step.n_changes > 0.05 * (step.n_slip + step.n_stick) && unheld.empty();
         forcing          = rough ? 1e-3 : fine_forcing();
       }
 
@@ -352,7 +467,7 @@ namespace Amontons
         if (report.iterations.empty() || !std::isfinite(report.iterations.back().residual))
           {
             state.displacement = discretization.make_relevant_vector();
-            closed.assign(nodes.size(), false);
+            std::fill(first_equation.begin(), first_equation.end(), numbers::invalid_unsigned_int);
           }
         else if (!unheld.empty())
           {
@@ -366,9 +481,13 @@ namespace Amontons
         state.states.assign(interfaces.size(), {});
         state.pressures.assign(interfaces.size(), {});
         state.gaps.assign(interfaces.size(), {});
-        state.tied_multipliers.assign(interfaces.size(), {});
+        state.shears.assign(interfaces.size(), {});
+        state.trials.assign(interfaces.size(), {});
+        state.slips.assign(interfaces.size(), {});
         for (unsigned int k = 0; k < nodes.size(); ++k)
           store(k);
+        if (!report.converged && report.message.empty() && states.held_too_much() > 0)
+          report.message = friction_exceeded();
         if (!report.converged && report.message.empty())
           report.message = "no converged contact set after " + std::to_string(report.iterations.size()) +
                            " iterations (residual " + std::to_string(report.iterations.back().residual) +
@@ -379,23 +498,25 @@ namespace Amontons
       void
       store(const unsigned int k)
       {
-        const auto  i       = nodes[k].interface;
-        const auto &row     = interfaces[i].coupling.rows[nodes[k].row];
-        const bool  carries = closed[k] && first_equation[k] != numbers::invalid_unsigned_int;
-
-        std::vector<double> tied(nodes[k].tied ? dim : 0, 0.);
-        double              p = carries && !nodes[k].tied ? pressure[k] : 0.;
-        for (unsigned int d = 0; carries && d < tied.size(); ++d)
-          {
-            tied[d] = multipliers[first_equation[k] + d] / row.area;
-            p += tied[d] * row.normal[d];
-          }
-        state.states[i].push_back(nodes[k].tied ? ContactState::stick
-                                  : closed[k]   ? ContactState::slip
-                                                : ContactState::open);
-        state.gaps[i].push_back(gap[k]);
-        state.pressures[i].push_back(p);
-        state.tied_multipliers[i].push_back(tied);
+        const unsigned int i      = nodes[k].interface;
+        const bool         solved = !first_equation.empty() && std::isfinite(answers[k].pressure);
+        const auto         padded = [](const Tensor<1, dim> &vector) {
+          Tensor<1, 3> result;
+          for (unsigned int d = 0; d < dim; ++d)
+            result[d] = vector[d];
+          return result;
+        };
+        const NodeAnswer<dim> answer = solved ? answers[k] : NodeAnswer<dim>();
+        state.states[i].push_back(states[k]);
+        state.gaps[i].push_back(answer.gap);
+        state.pressures[i].push_back(answer.pressure);
+        state.shears[i].push_back(padded(answer.shear));
+        state.slips[i].push_back(padded(answer.slip));
+        Tensor<1, dim> trial;
+        if (nodes[k].frictional && states[k] != ContactState::open)
+          if (const double limit = states.bound(k, answer.pressure).value; limit > 0)
+            trial = (answer.shear + nodes[k].c * answer.slip) / limit;
+        state.trials[i].push_back(padded(trial));
       }
 
       const NewtonParameters                   &parameters;
@@ -410,15 +531,18 @@ namespace Amontons
       const MPI_Comm                            communicator;
 
       Timer                            clock;
-      const std::vector<CandidateNode> nodes;
+      const std::vector<ContactNode<dim>> nodes;
+      const bool                       any_friction;
       FloatingBodies<dim>              floating;
+      NodeStates<dim>                  states;
       CondensedSystem                  system;
       LinearSolver        solver; // its factorisation refers to the matrix, which must outlive it
-      ActiveSetUpdate     active_set;
       NewtonReport        report;
       LA::Vector          springs, pins, u, du, internal, raw;
-      std::vector<bool>   closed;
-      std::vector<double> pressure, gap, multipliers;
+      std::vector<NodeAnswer<dim>> answers;
+      std::vector<Tensor<1, dim>>  origins;     // jumps that the increment started from
+      std::vector<SlipLaw<dim>>    laws;        // that the last system was made with
+      std::vector<double>          multipliers;
       std::unique_ptr<ContactConstraints> constraints;
       std::vector<unsigned int>           first_equation;  // of node k among those of the closed nodes
       std::string                         unheld;          // motions that the closed nodes leave

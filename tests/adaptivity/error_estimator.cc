@@ -278,7 +278,7 @@ test_transfer()
       cell->set_refine_flag();
   problem.recovery.reset();
   refine_and_transfer<2>(
-      *problem.discretization, problem.geometry, state, [&]() { problem.discretization->distribute_dofs(); });
+      *problem.discretization, problem.geometry, {&state.displacement, &state.traction}, [&]() { problem.discretization->distribute_dofs(); });
   problem.recovery = std::make_unique<StressRecovery<2>>(*problem.discretization, *problem.elasticity);
   problem.set(u);
   for (const LA::Vector *moved : {&state.displacement, &state.traction})

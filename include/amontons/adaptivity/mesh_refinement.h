@@ -3,8 +3,6 @@
 
 #include <amontons/adaptivity/error_estimator.h>
 #include <amontons/base/parameters.h>
-#include <amontons/solver/solution_state.h>
-
 #include <functional>
 
 namespace Amontons
@@ -20,6 +18,9 @@ namespace Amontons
     // Before the first solve: refine faces that are close to the other surface until about this many faces
     // see a contact.
     unsigned int initial_refinements = 3;
+    // With friction: replay (the load program starts anew on the refined mesh) | transfer (increments go on
+    // from displacements interpolated to it).
+    std::string history = "replay";
 
     void
     declare(ParameterHandler &prm) override;
@@ -45,14 +46,14 @@ namespace Amontons
                    const std::vector<ContactInterface<dim>> &interfaces,
                    const double                              distance);
 
-  // Refines marked cells (never coarsens); displacement and traction are interpolated to the new mesh (a
-  // traction that is not of the mesh's size stays as it is). `rebuild` is called between refinement and
+  // Refines marked cells (never coarsens); the fields (readable at relevant DoFs) are interpolated to the new
+  // mesh, those that are empty stay so. `rebuild` is called between refinement and
   // interpolation: it must distribute the DoFs of the new mesh and leave discretization ready to make
   // vectors. The caller then distributes constraints. Collective.
   template <int dim>
   void
-  refine_and_transfer(Discretization<dim>         &discretization,
-                      Geometry<dim>               &geometry,
-                      SolutionState               &state,
-                      const std::function<void()> &rebuild);
+  refine_and_transfer(Discretization<dim>             &discretization,
+                      Geometry<dim>                   &geometry,
+                      const std::vector<LA::Vector *> &fields,
+                      const std::function<void()>     &rebuild);
 } // namespace Amontons

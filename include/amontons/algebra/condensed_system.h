@@ -24,6 +24,13 @@ namespace Amontons
     std::function<FullMatrix<double>(unsigned int)>                           matrix;
   };
 
+  // A matrix on some DoFs beside those of the cells: springs of nodes that slip (3D).
+  struct FurtherMatrix
+  {
+    std::vector<types::global_dof_index> dofs;
+    FullMatrix<double>                   matrix;
+  };
+
   // A linear scene does not change between iterations but for the closed nodes. So cells without a DoF of a
   // possible slave node (the bulk) are assembled once per mesh; a change of state restores their sum in the
   // rows that the few others reach, and adds these again. The sparsity pattern holds all `candidates`, so
@@ -41,9 +48,13 @@ namespace Amontons
           const std::vector<ContactEquation> &candidates,
           const LA::Vector                   *diagonal);
 
-    // diagonal (may be null): added to the diagonal entry of each DoF before condensation.
+    // C_test^T (K + further) C_trial. diagonal (may be null): added to the diagonal entry of each DoF before
+    // condensation. further: each on one rank; their DoFs must be those of one of the candidates.
     void
-    assemble(const CellMatrices &cells, const Constraints &constraints, const LA::Vector *diagonal);
+    assemble(const CellMatrices               &cells,
+             const ContactConstraints         &constraints,
+             const LA::Vector                 *diagonal,
+             const std::vector<FurtherMatrix> &further);
 
     const LA::SparseMatrix &
     matrix() const
@@ -52,6 +63,10 @@ namespace Amontons
     }
 
   private:
+    void
+    add(const FullMatrix<double>                   &matrix,
+        const std::vector<types::global_dof_index> &dofs,
+        const ContactConstraints                   &constraints);
     void
     add_missing_diagonals(const Constraints &constraints);
     void

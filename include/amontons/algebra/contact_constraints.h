@@ -10,26 +10,47 @@ namespace Amontons
 {
   // One scalar statement of a closed node: sum_d coefficient_d u_d = value, with multiplier mu: the contact
   // force on DoF d is -coefficient_d mu. `candidates`: the DoFs of the node, one of which is eliminated.
+  // Friction: test functions v obey sum_d test_d v_d = 0 instead, and the force on DoF d is -test_d mu.
   struct ContactEquation
   {
-    LinearEquation                       equation;
-    std::vector<types::global_dof_index> candidates;
+    LinearEquation                            equation;
+    std::vector<types::global_dof_index>      candidates;
+    std::map<types::global_dof_index, double> test = {}; // empty: the coefficients of the equation
+
+    const std::map<types::global_dof_index, double> &
+    force_coefficients() const
+    {
+      return test.empty() ? equation.coefficients : test;
+    }
   };
 
-  // Frictionless contact and tied interfaces: trial and test functions obey the same constraints (DESIGN.md
-  // section 1), and the condensed matrix is symmetric. Friction adds a second set for the test functions.
+  // Frictionless contact, tied interfaces and stick: trial and test functions obey the same constraints
+  // (DESIGN.md section 1), and the condensed matrix is symmetric. Slip with friction: both eliminate the same
+  // DoF, by different lines.
   class ContactConstraints
   {
   public:
     // Adds the equations to the supports, in their order, each eliminating the candidate with the largest
-    // coefficient after substitution of what is eliminated already. Equations without a pivot (the supports
+    // coefficient (friction: product of both) after substitution of what is eliminated already. Equations without a pivot (the supports
     // own the node) are left out: pivots() has no entry for them.
     ContactConstraints(const Constraints &supports, const std::vector<ContactEquation> &equations);
 
+    // What displacements obey.
     const Constraints &
-    all() const
+    trial() const
     {
-      return constraints;
+      return trial_constraints;
+    }
+    // What test functions obey: the same unless a node slips with friction.
+    const Constraints &
+    test() const
+    {
+      return symmetric ? trial_constraints : test_constraints;
+    }
+    bool
+    is_symmetric() const
+    {
+      return symmetric;
     }
     const std::vector<std::optional<types::global_dof_index>> &
     pivots() const
@@ -45,14 +66,15 @@ namespace Amontons
     }
 
     // Solves sum_c a_c,d mu_c = - r_d on the pivots d, where r = internal minus external forces, condensed
-    // with the supports, and a_c the equations after substitution of the supports. residual_at_pivots: by
+    // with the supports, and a_c the equations (of the test functions) after substitution of the supports. residual_at_pivots: by
     // equation (0 without pivot). Contact force on DoF d: -a_c,d mu_c, so that mu > 0 pushes slave and master
     // apart.
     std::vector<double>
     recover_multipliers(const std::vector<double> &residual_at_pivots) const;
 
   private:
-    Constraints                  constraints;
+    Constraints                  trial_constraints, test_constraints;
+    bool                         symmetric;
     std::vector<ContactEquation> contact_equations; // after substitution of the supports
     std::vector<std::optional<types::global_dof_index>> pivot_dofs;
   };

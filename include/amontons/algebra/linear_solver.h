@@ -13,7 +13,7 @@ namespace Amontons
   struct LinearSolverParameters : ParameterGroup
   {
     std::string  type           = "automatic"; // automatic | direct | cg
-    std::string  direct_package = "automatic"; // automatic | Amesos_Mumps | Amesos_Umfpack | Amesos_Klu
+    std::string  direct_package = "automatic"; // automatic | Amesos_Mumps | Amesos_Klu
     double       tolerance      = 1e-10;
     unsigned int max_iterations = 2000;
 
@@ -27,13 +27,14 @@ namespace Amontons
     unsigned int iterations = 0; // Krylov; 1 for a direct solve
   };
 
-  // Symmetric positive definite systems. While the contact set moves, matrices differ by a few rows: the
-  // direct solver keeps its factorisation as the preconditioner of a few CG steps (a change of rank k costs
+  // Symmetric positive definite systems by CG; unsymmetric ones (slip with friction) by GMRES. While the contact set moves, matrices differ by a few rows: the
+  // direct solver keeps its factorisation as the preconditioner of a few Krylov steps (a change of rank k costs
   // about k of them), and multigrid keeps its hierarchy.
   class LinearSolver
   {
   public:
-    LinearSolver(const LinearSolverParameters &parameters, const int dim);
+    // symmetric: that all matrices are.
+    LinearSolver(const LinearSolverParameters &parameters, const int dim, const bool symmetric);
     ~LinearSolver();
 
     // Rigid-body modes (values at all owned DoFs, by mode), or empty: translations are not enough for
@@ -60,6 +61,7 @@ namespace Amontons
 
     const LinearSolverParameters                      &parameters;
     const int                                          dim;
+    const bool                                         symmetric;
     std::vector<std::vector<double>>                   modes;
     std::unique_ptr<TrilinosWrappers::PreconditionAMG> amg;
     bool                                               amg_is_old = true;

@@ -50,8 +50,8 @@ namespace Amontons
     std::vector<double>         gap;    // weighted gap of the row, >= 0; NaN without a row (nothing opposite)
     std::vector<double>         area;   // int psi_i, 0 without a row
     std::vector<Tensor<1, dim>> normal; // unit
-    std::vector<Tensor<1, dim>> traction; // tangential part (tied pairs; later: friction)
-    std::vector<Tensor<1, dim>> slip;
+    std::vector<Tensor<1, dim>> traction; // on the slave, tangential part (tied pairs and friction)
+    std::vector<Tensor<1, dim>> slip;     // tangential displacement of the slave relative to the master
     std::vector<ContactState>   state;
     std::vector<Tensor<1, dim>> displacement;
 
@@ -61,6 +61,7 @@ namespace Amontons
     double         peak_pressure = 0;
     double         contact_size =
         0; // half-width sqrt(4 int p x^2 / int p) (2D), radius sqrt(2.5 int p r^2 / int p) (3D, axisymmetric)
+    double         stick_size = 0; // friction: likewise with what the shear leaves of its bound
     Point<dim>     centre;     // about which the size is taken
     Tensor<2, dim> covariance; // int p (x - centre)(x - centre) / int p
     std::vector<Tensor<1, dim>>

@@ -22,6 +22,11 @@ namespace Amontons
     const SolutionState                      &state;
   };
 
+  // Contact force on every DoF of slave and master: -+ weight area Lambda with Lambda = p normal + shear.
+  template <int dim>
+  std::map<types::global_dof_index, double>
+  contact_forces(const Answer<dim> &answer);
+
   template <int dim>
   std::vector<PairSummary>
   summarize_pairs(const Answer<dim> &answer);
@@ -46,7 +51,8 @@ namespace Amontons
 
   // force_balance: |loads + reactions + contact forces| of the worst body relative to the sum of their
   // magnitudes; moment_balance alike; complementarity: max |p g| relative to p_max times the mean face size;
-  // penetration: max(-g) relative to the face size; tension: max(-p) relative to p_max.
+  // penetration: max(-g) relative to the face size; tension: max(-p) relative to p_max; coulomb_cone: how far
+  // shears exceed their bound, relative to the largest bound.
   template <int dim>
   std::map<std::string, double>
   check_physics(const Answer<dim> &answer);

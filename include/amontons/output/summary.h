@@ -22,6 +22,7 @@ namespace Amontons
     std::vector<double> normal_force, tangential_force;
     double              peak_pressure = 0;
     double              contact_size  = 0;                   // half-width or radius
+    std::optional<double> stick_size; // friction: of what the shear leaves of its bound (partial slip: c)
     std::vector<double> centre;                              // about which the size is taken
     unsigned int        n_open = 0, n_stick = 0, n_slip = 0; // of the nodes that carry a multiplier
     unsigned int        n_without_multiplier = 0;            // supports own these nodes whole
@@ -50,7 +51,7 @@ namespace Amontons
   {
     std::string closed_form;
     // Relative: normal_force, contact_size, peak_pressure, approach, pressure_l2, displacement_l2,
-    // displacement_h1, energy.
+    // displacement_h1, energy; friction: tangential_force, stick_size, shear_l2, dissipation.
     std::map<std::string, double>                errors;
     std::map<std::string, std::array<double, 2>> values; // computed, exact
   };
@@ -67,7 +68,9 @@ namespace Amontons
     std::vector<PairSummary>        pairs;
     EstimateSummary                 error_estimate;
     double                          energy = unknown;
-    std::optional<double>           external_work;
+    // Friction, since t = 0: work of loads and moving supports, what of it the contact took (both by the
+    // trapezoidal rule), and the frictional work with the tractions at the ends of the increments.
+    std::optional<double>           external_work, contact_work, dissipation;
     std::vector<ProbeSummary>       probes;
     std::optional<ReferenceSummary> reference;
   };

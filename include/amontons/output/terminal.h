@@ -30,7 +30,7 @@ namespace Amontons
     // "Increment 1 of 1, mesh 3: 1280 cells, 10754 DoFs", and the head of the iteration's columns.
     void
     mesh(const unsigned int       increment,
-         const unsigned int       n_increments,
+         const double             t,
          const unsigned int       mesh,
          const unsigned long long cells,
          const unsigned long long dofs);

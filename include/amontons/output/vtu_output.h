@@ -36,6 +36,10 @@ namespace Amontons
                   const std::vector<SurfaceFields<dim>>    &fields,
                   const double                              t);
 
+    // Forgets what was written: the load program starts again on a refined mesh. Files are overwritten.
+    void
+    restart();
+
   private:
     using Records = std::vector<std::pair<double, std::string>>; // time and file
 

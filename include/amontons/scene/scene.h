@@ -189,6 +189,12 @@ namespace Amontons
     // Shear tractions are at most min(friction p, tresca_bound), each if given: functions of the slave's
     // reference position, t and the pressure p. Neither: frictionless.
     std::optional<Expression> friction, tresca_bound;
+
+    bool
+    has_friction() const
+    {
+      return friction || tresca_bound;
+    }
   };
 
   // Values at a point, or at n points of a line, of a body.

@@ -1,25 +1,38 @@
-// The nodes that may close, with what closing means for displacements.
+// The nodes that may close, with what their states mean for displacements.
 #pragma once
 
 #include <amontons/algebra/contact_constraints.h>
 #include <amontons/contact/contact_interface.h>
+#include <amontons/friction/shear_law.h>
 #include <amontons/solver/floating_bodies.h>
 
 namespace Amontons
 {
-  // One coupling row of one interface with its statements: frictionless, one with the normal; tied, one per
-  // component.
-  struct CandidateNode
+  // One coupling row of one interface. Its jump is Delta = sum slave weight u - sum master weight u.
+  template <int dim>
+  struct ContactNode
   {
-    unsigned int interface, row;
-    bool         tied;
-    double rounding; // a pressure that is none: 1e-14 times the modulus
-    double       area, c; // c: complementarity parameter, scaling x E/(1 - nu^2) / mean face size
-    std::vector<ContactEquation> equations;
+    unsigned int   interface, row;
+    bool           tied, frictional;
+    double         rounding; // a pressure that is none: 1e-14 times the modulus
+    double         area, c;  // c: complementarity parameter, scaling x E/(1 - nu^2) / mean face size
+    double         gap;
+    Tensor<1, dim> normal; // not of unit length on curved surfaces
+    Point<3>       X;
+    ContactEquation                  closing;    // normal . Delta = gap
+    std::array<ContactEquation, dim> components; // Delta_k = 0 (not for frictionless nodes)
+
+    // Equations that may come to hold the node: of all its components, or of its normal one.
+    std::vector<const ContactEquation *>
+    holding() const;
+    Tensor<1, dim>
+    jump(const LA::Vector &u) const;
+    Tensor<1, dim>
+    tangential(const Tensor<1, dim> &vector) const;
   };
 
   template <int dim>
-  std::vector<CandidateNode>
+  std::vector<ContactNode<dim>>
   collect_contact_nodes(const Discretization<dim>                &discretization,
                         const std::vector<ContactInterface<dim>> &interfaces,
                         const double                              scaling);
@@ -28,12 +41,22 @@ namespace Amontons
   double
   evaluate(const LinearEquation &equation, const LA::Vector &u);
 
+  // What DESIGN.md section 1 says of each state. Open: nothing. Slip: the gap is closed, while test functions
+  // obey (normal + slope d) . Delta = 0 (frictionless: slope = 0). Stick: Delta is that of the closed gap
+  // across and `origin` along the surface; tied: zero.
+  template <int dim>
+  std::vector<ContactEquation>
+  equations_of(const ContactNode<dim> &node,
+               const ContactState      state,
+               const SlipLaw<dim>     &law,
+               const Tensor<1, dim>   &origin);
+
   // First guess without a history: what the prescribed displacements press together, and, for bodies that
   // only contact holds, the nodes that will touch first (linear kinematics close their gap exactly, whatever
   // its size).
   template <int dim>
   std::vector<bool>
-  first_guess_of_closed_nodes(const std::vector<CandidateNode>         &nodes,
+  first_guess_of_closed_nodes(const std::vector<ContactNode<dim>>      &nodes,
                               const std::vector<ContactInterface<dim>> &interfaces,
                               const FloatingBodies<dim>                &floating,
                               const LA::Vector                         &u);

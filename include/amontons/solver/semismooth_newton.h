@@ -38,6 +38,7 @@ namespace Amontons
     double                 one_linear_solve_seconds = 0;
     double      regularisation_force = 0; // carried by the proximal term in the end, relative to the load
     bool        safeguarded          = false;
+    bool        frozen               = false; // bounds of friction were held for a while, see NodeStates
     std::string note;
   };
 

@@ -1,0 +1,59 @@
+// The increments of the load: their sizes follow the iteration, and they end exactly where the scene says.
+#pragma once
+
+#include <amontons/scene/scene.h>
+
+namespace Amontons
+{
+  // Times to land on are the end time and `Output times`; with history (friction) also the corners of the load
+  // path. Between two of them increments are equal, and no longer than the present size. A failed increment
+  // is halved; after easy ones the size doubles again, up to what the scene started with.
+  class LoadProgram
+  {
+  public:
+    LoadProgram(const Scene &scene, const bool has_history);
+
+    double
+    time() const // that is reached
+    {
+      return t;
+    }
+    double
+    next() const; // time that the next increment ends at
+    unsigned int
+    number() const // of the next increment, from 1
+    {
+      return n_accepted + 1;
+    }
+    bool
+    finished() const
+    {
+      return t >= landings.back();
+    }
+    bool
+    is_last() const // the next increment ends at the end time
+    {
+      return next() >= landings.back();
+    }
+    // The path may turn at time(): it starts or bends there.
+    bool
+    at_corner() const;
+
+    void
+    accept(const unsigned int iterations);
+    // After a failure; false: the increment is the smallest allowed.
+    bool
+    cut_back();
+
+  private:
+    double
+    longest() const; // increment at time t
+
+    std::vector<double> landings, corners;
+    double              constant_size; // 0: a tenth of each piece between landings
+    double              smallest;
+    double              factor = 1; // present size over longest()
+    double              t = 0;
+    unsigned int        n_accepted = 0;
+  };
+} // namespace Amontons

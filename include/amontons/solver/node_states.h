@@ -1,0 +1,123 @@
+// The states of all contact nodes, and how they follow from what the last solve says.
+#pragma once
+
+#include <amontons/friction/active_set.h>
+#include <amontons/solver/contact_nodes.h>
+#include <amontons/solver/solution_state.h>
+
+#include <set>
+
+namespace Amontons
+{
+  // What a solve says of a node. Contact traction on the slave: -(pressure normal + shear).
+  template <int dim>
+  struct NodeAnswer
+  {
+    double         pressure = 0, gap = 0;
+    Tensor<1, dim> shear, slip; // tied: no slip
+  };
+
+  // Open or closed as ActiveSetUpdate says. A closed node with friction slips along trial/|trial|, trial =
+  // shear + c slip, where |trial| exceeds the bound phi(p), and sticks elsewhere; nodes that close and nodes
+  // whose slip turns round stick first. Two things keep this from running in circles or away:
+  // - where the nodes that slip would leave a rigid motion of a body without hold, those that are closest to
+  //   sticking are held until others have found their states; if the bound is still exceeded there, friction
+  //   cannot hold the body (held_too_much);
+  // - when a set of states comes back, bounds are frozen: with given bounds (Tresca) the problem is that of
+  //   minimising a convex energy; each time it is solved, the bounds follow the pressures, until they agree.
+  template <int dim>
+  class NodeStates
+  {
+  public:
+    NodeStates(const std::vector<ContactNode<dim>>      &nodes,
+               const std::vector<ContactInterface<dim>> &interfaces,
+               const FloatingBodies<dim>                &floating,
+               const double                              t);
+
+    // From `state` if it fits the rows, else from which nodes are `closed`.
+    void
+    start(const SolutionState &state, const std::vector<bool> &closed);
+
+    // Changes states and laws; returns the number of nodes whose state changed. rounding: see
+    // ActiveSetUpdate::update.
+    unsigned int
+    update(const std::vector<NodeAnswer<dim>> &answers, const double rounding);
+
+    // How far shears are from the law of friction: sqrt sum (area |shear - shear of the law|)^2 (a force).
+    double
+    law_error(const std::vector<NodeAnswer<dim>> &answers) const;
+
+    // Equations of the closed nodes in their present states, to see which motions they hold.
+    std::vector<ContactEquation>
+    equations(const unsigned int k, const Tensor<1, dim> &origin) const
+    {
+      return equations_of(nodes[k], states[k], laws[k], origin);
+    }
+
+    const ContactState &
+    operator[](const unsigned int k) const
+    {
+      return states[k];
+    }
+    const SlipLaw<dim> &
+    law(const unsigned int k) const
+    {
+      return laws[k];
+    }
+    ShearBound
+    bound(const unsigned int k, const double pressure) const;
+    bool
+    safeguarded() const
+    {
+      return active_set.safeguarded();
+    }
+    bool
+    frozen() const
+    {
+      return is_frozen;
+    }
+    // Nodes held against their bound after the last update, and the motion that they hold.
+    unsigned int
+    held_too_much() const
+    {
+      return n_held;
+    }
+    const std::string &
+    held_motion() const
+    {
+      return motion;
+    }
+
+  private:
+    void
+    choose_friction_states(const std::vector<NodeAnswer<dim>> &answers,
+                           const std::vector<bool>            &closed,
+                           const double                        rounding);
+    void
+    hold_motions(const std::vector<NodeAnswer<dim>> &answers, const double tolerance);
+    std::string
+    unheld() const;
+    void
+    watch_for_cycles(const std::vector<NodeAnswer<dim>> &answers, const unsigned int n_changes);
+    Tensor<1, dim>
+    trial(const unsigned int k, const NodeAnswer<dim> &answer) const
+    {
+      return answer.shear + nodes[k].c * answer.slip;
+    }
+
+    const std::vector<ContactNode<dim>>      &nodes;
+    const std::vector<ContactInterface<dim>> &interfaces;
+    const FloatingBodies<dim>                &floating;
+    const double                              t;
+    const bool                                any_friction;
+    ActiveSetUpdate                           active_set;
+    std::vector<ContactState>                 states;
+    std::vector<SlipLaw<dim>>                 laws;
+    std::vector<double>                       frozen_bounds;
+    bool                                      is_frozen   = false;
+    double                                    last_change = 0; // of the bounds
+    std::set<std::string>                     met;
+    unsigned int                              n_held = 0;
+    std::string                               motion;
+  };
+} // namespace Amontons

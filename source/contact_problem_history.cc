@@ -1,0 +1,148 @@
+// How the load goes on, and what is kept of its history.
+#include <amontons/contact_problem.h>
+
+#include <sstream>
+
+namespace Amontons
+{
+  template <int dim>
+  bool
+  ContactProblem<dim>::run_load_program()
+  {
+    LoadProgram program(scene, has_history);
+    start_history();
+    while (!program.finished())
+      {
+        set_time(program.next());
+        guess_from_path();
+        if (solve_increment(program))
+          {
+            program.accept(last_report.iterations.size());
+            commit(program);
+          }
+        else if (has_history && program.cut_back())
+          roll_back(state.t);
+        else
+          return false;
+        if (!program.finished())
+          terminal.progress("load increments", program.time() / scene.end_time);
+      }
+    return true;
+  }
+
+  template <int dim>
+  void
+  ContactProblem<dim>::start_history()
+  {
+    work.restart();
+    state.committed = LA::Vector();
+    last_converged  = SolutionState();
+  }
+
+  // The increment becomes history. Where the load path turns, slip stops: the next guess is stick.
+  template <int dim>
+  void
+  ContactProblem<dim>::commit(const LoadProgram &program)
+  {
+    if (has_history)
+      {
+        work.add(answer());
+        auto &mesh         = summary.meshes.back();
+        mesh.external_work = work.external_work;
+        mesh.contact_work  = work.contact_work;
+        mesh.dissipation   = work.dissipation;
+        if (mesh.reference && reference->dissipation)
+          {
+            mesh.reference->values["dissipation"] = {{work.dissipation, *reference->dissipation}};
+            mesh.reference->errors["dissipation"] = std::abs(work.dissipation / *reference->dissipation - 1);
+          }
+        remember_path();
+      }
+    write_increment();
+    if (program.finished())
+      return;
+    state.committed = state.displacement;
+    last_converged  = state;
+    for (unsigned int i = 0; program.at_corner() && i < interfaces.size(); ++i)
+      for (auto &s : state.states[i])
+        if (interfaces[i].pair->has_friction() && s == ContactState::slip)
+          s = ContactState::stick;
+  }
+
+  template <int dim>
+  void
+  ContactProblem<dim>::roll_back(const double failed_time)
+  {
+    std::ostringstream note;
+    note << "increments were cut back before t = " << failed_time << ": " << summary.message;
+    summary.notes.push_back(note.str());
+    summary.meshes.pop_back();
+    const bool same_mesh = last_converged.displacement.size() == state.displacement.size();
+    const auto carried   = state.traction;
+    if (same_mesh)
+      state = last_converged;
+    else
+      {
+        state              = SolutionState();
+        state.displacement = discretization->make_relevant_vector();
+      }
+    state.traction = carried;
+    state.t        = -1; // the supports are still those of the failed time
+  }
+
+  // With history, `Replay`: the whole load program on the refined mesh.
+  template <int dim>
+  bool
+  ContactProblem<dim>::replay_refined()
+  {
+    if (!has_history || parameters.refinement.history != "replay" || cycle >= parameters.refinement.cycles ||
+        (parameters.refinement.target_error > 0 && estimated_error() <= parameters.refinement.target_error))
+      return false;
+    if (!refine())
+      return false;
+    vtu.restart();
+    return true;
+  }
+
+  // Without history: in the last increment. With one, unless it is replayed: evenly over the load program.
+  template <int dim>
+  bool
+  ContactProblem<dim>::refine_now(const LoadProgram &program) const
+  {
+    const auto &refinement = parameters.refinement;
+    if (cycle >= refinement.cycles || (has_history && refinement.history == "replay"))
+      return false;
+    if (has_history ? cycle >= std::ceil(refinement.cycles * program.next() / scene.end_time - 1e-9) :
+                      !program.is_last())
+      return false;
+    return !(refinement.target_error > 0 && estimated_error() <= refinement.target_error);
+  }
+
+  template <int dim>
+  void
+  ContactProblem<dim>::remember_path()
+  {
+    if (parameters.refinement.history != "replay" || cycle >= parameters.refinement.cycles)
+      return;
+    make_traction_field();
+    path.push_back({state.t, state.displacement, state.traction, state.peaks});
+  }
+
+  template <int dim>
+  void
+  ContactProblem<dim>::guess_from_path()
+  {
+    for (const auto &point : path)
+      if (std::abs(point.t - state.t) <= 1e-12 * scene.end_time &&
+          point.displacement.size() == discretization->dof_handler.n_dofs())
+        {
+          state.displacement = point.displacement;
+          state.traction     = point.traction;
+          state.peaks        = point.peaks;
+          carry_active_set();
+        }
+  }
+
+  template class ContactProblem<2>;
+  template class ContactProblem<3>;
+} // namespace Amontons

@@ -1,0 +1,82 @@
+#include <amontons/solver/load_program.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Amontons
+{
+  namespace
+  {
+    // Few iterations: the next increment may be longer. Many: shorter.
+    constexpr unsigned int few = 6, many = 20;
+  } // namespace
+
+  LoadProgram::LoadProgram(const Scene &scene, const bool has_history)
+      : landings(scene.output_times), constant_size(scene.end_time / std::max(1u, scene.n_increments)),
+        smallest(scene.minimum_increment * scene.end_time)
+  {
+    landings.push_back(scene.end_time);
+    if (has_history)
+      {
+        corners = scene.corner_times;
+        landings.insert(landings.end(), corners.begin(), corners.end());
+        if (scene.n_increments == 0)
+          constant_size = 0;
+      }
+    std::sort(landings.begin(), landings.end());
+    const double same = 1e-12 * scene.end_time;
+    landings.erase(std::unique(landings.begin(),
+                               landings.end(),
+                               [&](const double a, const double b) { return std::abs(a - b) <= same; }),
+                   landings.end());
+    landings.back() = scene.end_time;
+  }
+
+  double
+  LoadProgram::longest() const
+  {
+    if (constant_size > 0)
+      return constant_size;
+    const auto   end   = std::upper_bound(landings.begin(), landings.end(), t);
+    const double begin = end == landings.begin() ? 0. : *(end - 1);
+    return (*end - begin) / 10;
+  }
+
+  double
+  LoadProgram::next() const
+  {
+    const auto   end  = std::upper_bound(landings.begin(), landings.end(), t);
+    const double size = std::max(smallest, factor * longest());
+    const double n    = std::ceil((*end - t) / size * (1 - 1e-9));
+    return n <= 1 ? *end : t + (*end - t) / n;
+  }
+
+  bool
+  LoadProgram::at_corner() const
+  {
+    return t == 0 || std::any_of(corners.begin(), corners.end(), [&](const double corner) {
+             return std::abs(corner - t) <= 1e-12 * landings.back();
+           });
+  }
+
+  void
+  LoadProgram::accept(const unsigned int iterations)
+  {
+    t = next();
+    ++n_accepted;
+    if (iterations <= few)
+      factor = std::min(1., 2 * factor);
+    else if (iterations > many)
+      factor /= 2;
+  }
+
+  bool
+  LoadProgram::cut_back()
+  {
+    const double size = next() - t;
+    if (size <= smallest * (1 + 1e-9))
+      return false;
+    factor = size / longest() / 2;
+    return true;
+  }
+} // namespace Amontons

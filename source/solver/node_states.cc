@@ -1,0 +1,237 @@
+#include <amontons/solver/node_states.h>
+
+namespace Amontons
+{
+  template <int dim>
+  NodeStates<dim>::NodeStates(const std::vector<ContactNode<dim>>      &nodes,
+                              const std::vector<ContactInterface<dim>> &interfaces,
+                              const FloatingBodies<dim>                &floating,
+                              const double                              t)
+      : nodes(nodes), interfaces(interfaces), floating(floating), t(t),
+        any_friction(std::any_of(nodes.begin(), nodes.end(), [](const auto &node) { return node.frictional; })),
+        states(nodes.size(), ContactState::open), laws(nodes.size())
+  {
+  }
+
+  template <int dim>
+  void
+  NodeStates<dim>::start(const SolutionState &state, const std::vector<bool> &closed)
+  {
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        const unsigned int i = nodes[k].interface, r = nodes[k].row;
+        const bool         known = i < state.states.size() &&
+                           state.states[i].size() == interfaces[i].coupling.rows.size();
+        if (nodes[k].tied)
+          states[k] = ContactState::stick;
+        else if (known)
+          states[k] = state.states[i][r];
+        else if (closed[k])
+          states[k] = nodes[k].frictional ? ContactState::stick : ContactState::slip;
+        if (!nodes[k].frictional || states[k] != ContactState::slip)
+          continue;
+
+        // In 3D the stiffness across the slip is not known yet: that of a node that has slipped far enough.
+        Tensor<1, dim> direction;
+        if (i < state.trials.size() && state.trials[i].size() == state.states[i].size())
+          for (unsigned int d = 0; d < dim; ++d)
+            direction[d] = state.trials[i][r][d];
+        direction      = nodes[k].tangential(direction);
+        const double p = i < state.pressures.size() && state.pressures[i].size() == state.states[i].size() ?
+                           state.pressures[i][r] :
+                           0.;
+        if (direction.norm() == 0)
+          states[k] = ContactState::stick;
+        else
+          {
+            const auto limit = bound(k, p);
+            laws[k] = linearise_slip(2 * limit.value / direction.norm() * direction, p, limit, nodes[k].c);
+            if (limit.value == 0)
+              laws[k].direction = direction / direction.norm();
+          }
+      }
+  }
+
+  template <int dim>
+  ShearBound
+  NodeStates<dim>::bound(const unsigned int k, const double pressure) const
+  {
+    if (is_frozen)
+      return {frozen_bounds[k], 0.};
+    return shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, pressure);
+  }
+
+  template <int dim>
+  unsigned int
+  NodeStates<dim>::update(const std::vector<NodeAnswer<dim>> &answers, const double rounding)
+  {
+    std::vector<double>       p, g, c;
+    std::vector<bool>         next;
+    std::vector<unsigned int> may_open;
+    double                    largest = 0;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (!nodes[k].tied)
+        {
+          may_open.push_back(k);
+          p.push_back(answers[k].pressure);
+          g.push_back(answers[k].gap);
+          c.push_back(nodes[k].c);
+          next.push_back(states[k] != ContactState::open);
+          largest = std::max(largest, std::abs(answers[k].pressure));
+        }
+    const double tolerance = std::max(1e-9 * largest, rounding);
+    active_set.update(p, g, c, tolerance, next);
+
+    const auto        old = states;
+    std::vector<bool> closed(nodes.size(), true);
+    for (unsigned int i = 0; i < may_open.size(); ++i)
+      closed[may_open[i]] = next[i];
+    choose_friction_states(answers, closed, tolerance);
+    hold_motions(answers, tolerance);
+    unsigned int n_changes = 0;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      n_changes += old[k] != states[k];
+    if (any_friction)
+      watch_for_cycles(answers, n_changes);
+    return n_changes;
+  }
+
+  template <int dim>
+  void
+  NodeStates<dim>::choose_friction_states(const std::vector<NodeAnswer<dim>> &answers,
+                                          const std::vector<bool>            &closed,
+                                          const double                        tolerance)
+  {
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        if (nodes[k].tied)
+          continue;
+        const ContactState old = states[k];
+        if (!closed[k])
+          states[k] = ContactState::open;
+        else if (!nodes[k].frictional)
+          states[k] = ContactState::slip;
+        else if (old == ContactState::open)
+          states[k] = ContactState::stick;
+        else
+          {
+            const auto   limit  = bound(k, answers[k].pressure);
+            const auto   q      = trial(k, answers[k]);
+            const double excess = q.norm() - limit.value;
+            const bool   turned = old == ContactState::slip && q * laws[k].direction < 0;
+            const bool   slips  = !turned && q.norm() > 0 &&
+                               (old == ContactState::slip ? excess > -tolerance : excess > tolerance);
+            states[k]           = slips ? ContactState::slip : ContactState::stick;
+            if (slips)
+              laws[k] = linearise_slip(q, answers[k].pressure, limit, nodes[k].c);
+          }
+      }
+  }
+
+  template <int dim>
+  std::string
+  NodeStates<dim>::unheld() const
+  {
+    std::vector<ContactEquation> all;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      for (const auto &equation : equations(k, Tensor<1, dim>()))
+        all.push_back(equation);
+    std::vector<const LinearEquation *> pointers;
+    for (const auto &equation : all)
+      pointers.push_back(&equation.equation);
+    return floating.unheld_by(pointers);
+  }
+
+  template <int dim>
+  void
+  NodeStates<dim>::hold_motions(const std::vector<NodeAnswer<dim>> &answers, const double tolerance)
+  {
+    n_held = 0;
+    if (!any_friction || !floating.any())
+      return;
+    motion = unheld();
+    if (motion.empty())
+      return;
+    std::vector<std::pair<double, unsigned int>> by_ratio;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (nodes[k].frictional && states[k] == ContactState::slip)
+        by_ratio.emplace_back(trial(k, answers[k]).norm() /
+                                std::max(bound(k, answers[k].pressure).value, tolerance),
+                              k);
+    std::sort(by_ratio.begin(), by_ratio.end());
+    const unsigned int most = std::min<std::size_t>(by_ratio.size(), 2 * dim);
+    for (unsigned int i = 0; i < most; ++i)
+      {
+        states[by_ratio[i].second] = ContactState::stick;
+        ++n_held;
+        if (unheld().empty())
+          return;
+      }
+  }
+
+  template <int dim>
+  void
+  NodeStates<dim>::watch_for_cycles(const std::vector<NodeAnswer<dim>> &answers, const unsigned int n_changes)
+  {
+    const auto follow = [&](const double weight) {
+      double change = 0, largest = 0;
+      is_frozen = false;
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        if (nodes[k].frictional)
+          {
+            const double next = bound(k, answers[k].pressure).value;
+            change            = std::max(change, std::abs(next - frozen_bounds[k]));
+            largest           = std::max(largest, next);
+            frozen_bounds[k] += weight * (next - frozen_bounds[k]);
+          }
+      is_frozen = true;
+      return largest > 0 ? change / largest : 0.;
+    };
+    if (!is_frozen)
+      {
+        std::string key;
+        for (unsigned int k = 0; n_changes > 0 && k < nodes.size(); ++k)
+          {
+            key += char('0' + int(states[k]));
+            if (dim == 2 && nodes[k].frictional && states[k] == ContactState::slip)
+              for (unsigned int d = 0; d < dim; ++d)
+                key += laws[k].direction[d] > 0 ? '+' : '-';
+          }
+        if (n_changes > 0 && !met.insert(key).second)
+          {
+            frozen_bounds.assign(nodes.size(), 0.);
+            follow(1);
+            met.clear();
+            last_change = std::numeric_limits<double>::max();
+          }
+      }
+    else if (n_changes == 0)
+      {
+        const double change = follow(last_change < std::numeric_limits<double>::max() ? 0.5 : 1);
+        if (change < 1e-3)
+          is_frozen = false;
+        last_change = change;
+      }
+  }
+
+  template <int dim>
+  double
+  NodeStates<dim>::law_error(const std::vector<NodeAnswer<dim>> &answers) const
+  {
+    double sum = 0;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (nodes[k].frictional && states[k] == ContactState::slip)
+        {
+          const double p = answers[k].pressure;
+          const auto   q = trial(k, answers[k]);
+          const auto   limit =
+            shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, p);
+          const auto expected = q.norm() > 0 ? limit.value / q.norm() * q : q;
+          sum += std::pow(nodes[k].area, 2) * (answers[k].shear - expected).norm_square();
+        }
+    return std::sqrt(sum);
+  }
+
+  template class NodeStates<2>;
+  template class NodeStates<3>;
+} // namespace Amontons

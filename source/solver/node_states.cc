@@ -111,19 +111,17 @@ namespace Amontons
           states[k] = ContactState::open;
         else if (!nodes[k].frictional)
           states[k] = ContactState::slip;
-        else if (old == ContactState::open)
-          states[k] = ContactState::stick;
         else
           {
-            const auto   limit  = bound(k, answers[k].pressure);
+            const double p      = answers[k].pressure - nodes[k].c * answers[k].gap;
+            const auto   limit  = bound(k, p);
             const auto   q      = trial(k, answers[k]);
             const double excess = q.norm() - limit.value;
-            const bool   turned = old == ContactState::slip && q * laws[k].direction < 0;
-            const bool   slips  = !turned && q.norm() > 0 &&
-                               (old == ContactState::slip ? excess > -tolerance : excess > tolerance);
-            states[k]           = slips ? ContactState::slip : ContactState::stick;
+            const bool   slips =
+              q.norm() > 0 && (old == ContactState::slip ? excess > -tolerance : excess > tolerance);
+            states[k] = slips ? ContactState::slip : ContactState::stick;
             if (slips)
-              laws[k] = linearise_slip(q, answers[k].pressure, limit, nodes[k].c);
+              laws[k] = linearise_slip(q, p, limit, nodes[k].c);
           }
       }
   }

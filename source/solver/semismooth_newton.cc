@@ -148,7 +148,7 @@ namespace Amontons
         states.start(state, first_guess_of_closed_nodes(nodes, interfaces, floating, state.displacement));
         make_proximal_terms();
         const bool may_change =
-            std::any_of(nodes.begin(), nodes.end(), [](const CandidateNode &node) { return !node.tied; });
+            std::any_of(nodes.begin(), nodes.end(), [](const auto &node) { return !node.tied; });
         forcing = may_change ? 1e-4 : fine_forcing();
         if (!solver.is_direct(discretization.dof_handler.n_dofs()))
           solver.set_near_null_space(rigid_body_modes(discretization));
@@ -383,13 +383,13 @@ namespace Amontons
       {
         NodeAnswer<dim>       result;
         const ContactNode<dim> &node = nodes[k];
+        if (node.frictional)
+          result.slip = slip(k);
         if (states[k] == ContactState::open)
           {
             result.gap = node.gap - evaluate(node.closing.equation, state.displacement);
             return result;
           }
-        if (node.frictional)
-          result.slip = slip(k);
         const unsigned int e = first_equation[k];
         if (states[k] == ContactState::stick)
           {

@@ -183,7 +183,18 @@ namespace Amontons
         return result;
       }
 
-      // eta_F^2 of an owned slave face, and its part of the squared L2 error of the pressure.
+      // Shears are as large as the pressure times this: their errors count as much.
+      double
+      shear_scale(const SurfaceFields<dim> &fields) const
+      {
+        double largest = 0;
+        for (const auto &traction : fields.traction)
+          largest = std::max(largest, traction.norm());
+        return fields.peak_pressure > 0 ? largest / fields.peak_pressure : 0;
+      }
+
+      // eta_F^2 of an owned slave face, and its part of the squared L2 error of the pressure (with friction
+      // also of the shear).
       std::pair<double, double>
       add_slave_face(const ContactInterface<dim> &interface,
                      const SurfaceFields<dim>    &fields,
@@ -197,7 +208,8 @@ namespace Amontons
         const auto sigma  = stress_on_face(cell, f);
         const auto smooth = recovery.values_at(*recovered_on_face[f]);
 
-        double square = 0, pressure_part = 0;
+        const double scale  = interface.pair->has_friction() ? shear_scale(fields) : 0;
+        double       square = 0, pressure_part = 0, shear_part = 0;
         for (unsigned int q = 0; q < on_face.size(); ++q)
           {
             const Point<dim - 1> &xi = on_face.point(q);
@@ -205,25 +217,32 @@ namespace Amontons
             const Tensor<1, dim>  n = slave.face_normal(face, xi, &jacobian);
             const double weight = on_face.weight(q) * jacobian * measure<dim>(kind, slave.position(face, xi));
             const auto   N      = lagrange_values<dim - 1>(slave.degree, xi);
-            double       p      = 0;
+            double                p      = 0;
+            Tensor<1, dim>        shear;
             for (unsigned int i = 0; i < N.size(); ++i)
-              p += N[i] * fields.pressure[slave.faces[face].nodes[i]];
+              {
+                p += N[i] * fields.pressure[slave.faces[face].nodes[i]];
+                shear += N[i] * fields.traction[slave.faces[face].nodes[i]];
+              }
 
             const Tensor<1, dim> t        = traction<dim>(sigma[q], n);
             const double         mismatch = p + n * t;
             square += weight * mismatch * mismatch;
             if (!interface.pair->tied)
-              square += weight * (t - (n * t) * n).norm_square();
+              square += weight * (t - (n * t) * n - shear).norm_square();
 
-            const double p_star = -(n * traction<dim>(smooth[q], n));
+            const Tensor<1, dim> t_star = traction<dim>(smooth[q], n);
+            const double         p_star = -(n * t_star);
+            if (scale > 0)
+              shear_part += weight * (t_star + p_star * n - shear).norm_square() / (scale * scale);
             pressure_part += weight * (p_star - p) * (p_star - p);
             pressure_square += weight * p * p;
           }
         square *= slave.faces[face].size / discretization.scene.bodies[cell->material_id()].material.young;
         squares[cell->active_cell_index()] += square;
-        contact_squares[cell->active_cell_index()] += pressure_part;
+        contact_squares[cell->active_cell_index()] += pressure_part + shear_part;
         pressure_error += pressure_part;
-        return {square, pressure_part};
+        return {square, pressure_part + shear_part};
       }
 
       // Each slave face's eta_F^2 is shared out by area between the master faces opposite.

@@ -113,5 +113,86 @@ namespace Amontons
       return 9 * mu * mu * P * P / (10 * a) * compliance *
              (1 - std::pow(t, 5. / 3.) - 5 * s / 6 * (1 + std::pow(t, 2. / 3.)));
     }
+
+    namespace
+    {
+      // The shear force of the first loading that has the slip of the present half cycle, halved.
+      double
+      half_of_way_back(const ShearHistory &h)
+      {
+        const double sign = (h.reversals % 2 == 1 ? 1 : -1) * std::copysign(1., h.Q_max);
+        return (std::abs(h.Q_max) - sign * h.Q) / 2;
+      }
+    } // namespace
+
+    ShearState
+    shear_state(
+        const ContactShape shape, const ShearHistory &h, const double P, const double mu, const double a)
+    {
+      const bool   line = shape == ContactShape::line;
+      ShearState   state{{}, a};
+      const double largest = h.reversals == 0 ? h.Q : h.Q_max;
+      if (largest == 0)
+        return state;
+
+      const auto stick = [&](const double Q) {
+        return line ? cattaneo_stick_size(Q, P, mu, a) : mindlin_stick_radius(Q, P, mu, a);
+      };
+      const auto add = [&](const double factor, const double s) {
+        if (s > 0)
+          state.tractions.push_back(
+              {factor * mu * P * (line ? std::pow(s / a, 2) : std::pow(s / a, 3)), s, 0});
+      };
+      double sign = std::copysign(1., largest);
+      if (h.reversals == 0)
+        {
+          state.stick_size = stick(h.Q);
+          add(sign, a);
+          add(-sign, state.stick_size);
+        }
+      else
+        {
+          sign *= h.reversals % 2 == 1 ? -1 : 1;
+          state.stick_size = stick(half_of_way_back(h));
+          add(sign, a);
+          add(-2 * sign, state.stick_size);
+          add(sign, stick(h.Q_max));
+        }
+      return state;
+    }
+
+    double
+    shear_traction(const double r, const ContactShape shape, const ShearState &state)
+    {
+      double q = 0;
+      for (const EllipticTraction &t : state.tractions)
+        {
+          const double peak = shape == ContactShape::line ? 2 * t.force / (pi * t.size)
+                                                          : 3 * t.force / (2 * pi * t.size * t.size);
+          q += elliptic_pressure(r, t.size, peak);
+        }
+      return q;
+    }
+
+    double
+    shear_dissipation(const ShearHistory &h, const std::function<double(double)> &cost_of_cycle)
+    {
+      if (h.reversals == 0)
+        return cost_of_cycle(std::abs(h.Q)) / 4;
+      return (0.25 + 0.5 * (h.reversals - 1)) * cost_of_cycle(std::abs(h.Q_max)) +
+             cost_of_cycle(half_of_way_back(h)) / 2;
+    }
+
+    NormalThenShear
+    normal_then_shear(const double t, const double Q_max)
+    {
+      if (t <= 1)
+        return {std::max(0., t), {}};
+      if (t <= 2)
+        return {1, {Q_max * (t - 1), Q_max, 0}};
+      const double reversals = std::ceil(t - 2), part = t - 1 - reversals;
+      const auto   n = static_cast<unsigned int>(reversals);
+      return {1, {(n % 2 == 1 ? 1 : -1) * Q_max * (1 - 2 * part), Q_max, n}};
+    }
   } // namespace ClosedForms
 } // namespace Amontons

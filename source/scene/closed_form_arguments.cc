@@ -13,8 +13,20 @@ namespace Amontons
     std::string
     complaint(const std::string &parameter, const double value)
     {
-      static const std::vector<std::string> any = {
-          "x", "y", "z", "x0", "y0", "z0", "Q", "side", "c", "plane_stress", "confined", "angle"};
+      static const std::vector<std::string> any   = {"x",
+                                                     "y",
+                                                     "z",
+                                                     "x0",
+                                                     "y0",
+                                                     "z0",
+                                                     "Q",
+                                                     "Q_max",
+                                                     "shear_ratio",
+                                                     "side",
+                                                     "c",
+                                                     "plane_stress",
+                                                     "confined",
+                                                     "angle"};
       static const std::vector<std::string> radii = {"R1x", "R1y", "R2x", "R2y"}; // negative: concave
       if (parameter.rfind("nu", 0) == 0)
         return value >= 0 && value <= 0.5 ? "" : "a Poisson ratio from 0 to 0.5";

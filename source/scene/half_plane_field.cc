@@ -1,4 +1,7 @@
 #include <amontons/scene/half_plane_field.h>
+#include <amontons/base/closed_forms_friction.h>
+
+#include <cmath>
 
 namespace Amontons
 {
@@ -12,21 +15,56 @@ namespace Amontons
         E *= (1 + 2 * nu) / ((1 + nu) * (1 + nu));
         nu /= 1 + nu;
       }
-    auto       sum = ClosedForms::half_plane_pressure(x, z, E, nu, {force, size, 0});
-    const auto add = [&](const ClosedForms::EllipticTraction &traction) {
-      const auto part = ClosedForms::half_plane_shear(x, z, E, nu, traction);
-      sum.ux += part.ux;
-      sum.uz += part.uz;
-      sum.stress.xx += part.stress.xx;
-      sum.stress.zz += part.stress.zz;
-      sum.stress.xz += part.stress.xz;
-    };
-    const double ratio = stick / size;
-    if (shear != 0)
-      add({shear / (1 - ratio * ratio), size, 0});
-    if (shear != 0 && stick > 0)
-      add({-shear * ratio * ratio / (1 - ratio * ratio), stick, 0});
+    ClosedForms::HalfPlaneState sum = {0, 0, {0, 0, 0}};
+    if (force > 0)
+      sum = ClosedForms::half_plane_pressure(x, z, E, nu, {force, size, 0});
+    for (const ClosedForms::EllipticTraction &traction : shear)
+      {
+        const auto part = ClosedForms::half_plane_shear(x, z, E, nu, traction);
+        sum.ux += part.ux;
+        sum.uz += part.uz;
+        sum.stress.xx += part.stress.xx;
+        sum.stress.zz += part.stress.zz;
+        sum.stress.xz += part.stress.xz;
+      }
     return sum;
+  }
+
+  HalfPlaneField
+  HalfPlaneField::opposite() const
+  {
+    HalfPlaneField other = *this;
+    other.side           = -side;
+    for (ClosedForms::EllipticTraction &traction : other.shear)
+      traction.force *= -1;
+    return other;
+  }
+
+  HalfPlaneLoading
+  half_plane_loading(const ClosedFormArguments &get, const HalfPlaneField &full)
+  {
+    const bool given = get.is_given("friction");
+    if (!given && get("shear_ratio") != 0)
+      get.fail("found shear_ratio without friction", "both, or none");
+    if (!(std::abs(get("shear_ratio")) < 1))
+      get.fail("found a shear force that friction cannot carry",
+               "-1 < shear_ratio < 1 (shear_ratio = Q/(friction P))");
+    return {full, given ? get("friction") : 0., get("shear_ratio")};
+  }
+
+  HalfPlaneField
+  HalfPlaneLoading::at(const double t) const
+  {
+    if (!(friction > 0))
+      return full;
+    const auto     load = ClosedForms::normal_then_shear(t, -full.side * shear_ratio * friction * full.force);
+    HalfPlaneField field = full;
+    field.force          = load.normal_fraction * full.force;
+    field.size           = std::sqrt(load.normal_fraction) * full.size;
+    field.shear =
+        ClosedForms::shear_state(ClosedForms::ContactShape::line, load.shear, full.force, friction, full.size)
+            .tractions;
+    return field;
   }
 
   dealii::Tensor<1, 3>

@@ -41,6 +41,14 @@ namespace Amontons
     return here.ur * c.outward + (here.uz - state(*this, 0, 0).uz) * c.inward;
   }
 
+  HalfSpaceField
+  HalfSpaceField::opposite() const
+  {
+    HalfSpaceField other = *this;
+    other.side           = -side;
+    return other;
+  }
+
   // tt (I - e_z e_z) + (rr-tt) e_r e_r + zz e_z e_z + 2 rz sym(e_r e_z); rr = tt on the axis
   dealii::SymmetricTensor<2, 3>
   HalfSpaceField::stress(const Point<3> &p) const

@@ -2,6 +2,7 @@
 #include <amontons/scene/half_space_field.h>
 #include <amontons/scene/reference_builders.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -58,11 +59,35 @@ namespace Amontons
            R::half_space_box},
           {{"half_plane_box",
             "hertz_line of half-width a, with displacements and stresses; the lower body (E1, nu1) ends at y "
-            "from below, "
-            "the upper one from above",
+            "from below, the upper one from above. With friction (equal bodies): P grows until t = 1, then "
+            "the "
+            "shear force is shear_ratio friction P at t = 2, the opposite at t = 3, the same again at t = 4, "
+            "..., linear in between, on the lower body in +x; the sides need halfplane_elliptic with the "
+            "same "
+            "friction and shear_ratio",
             {"a", "R", "E1", "nu1"},
-            {{"E2", unset}, {"nu2", unset}, {"x", 0}, {"y", 0}}},
+            {{"E2", unset}, {"nu2", unset}, {"friction", unset}, {"shear_ratio", 0}, {"x", 0}, {"y", 0}}},
            R::half_plane_box},
+          {{"cattaneo_mindlin",
+            "hertz_line with friction and a shear force Q (on the slave, in +x) after the normal one: first "
+            "loading, or with Q_max on the way from Q_max to -Q_max (reversals odd; default 1) or back "
+            "(even); "
+            "dissipation from the beginning; exact for elastically similar bodies",
+            {"P", "R", "E1", "nu1", "friction", "Q"},
+            {{"Q_max", unset}, {"reversals", unset}, {"E2", unset}, {"nu2", unset}, {"x", 0}, {"y", 0}}},
+           R::cattaneo_mindlin},
+          {{"mindlin_sphere",
+            "hertz_point with friction and a shear force Q, as in cattaneo_mindlin; without slip across the "
+            "force, which is exact for nu = 0",
+            {"P", "R", "E1", "nu1", "friction", "Q"},
+            {{"Q_max", unset},
+             {"reversals", unset},
+             {"E2", unset},
+             {"nu2", unset},
+             {"x", 0},
+             {"y", 0},
+             {"z", 0}}},
+           R::mindlin_sphere},
           {{"flat_punch_line",
             "sharp rigid punch of half-width a, load P per thickness; compared up to 0.9 a",
             {"P", "a"},
@@ -118,10 +143,17 @@ namespace Amontons
           "boundary values: displacement of a half plane under Hertz's pressure of resultant P and "
           "half-width a about "
           "(x0, y0), where it is zero; side = -1: body below y0, +1: above; Q: shear force on this body in "
-          "+x with the "
-          "stick half-width c (Cattaneo; c = 0: sliding)",
+          "+x with the stick half-width c (Cattaneo; c = 0: sliding). With friction: at time t of the load "
+          "program of half_plane_box",
           {"P", "a"},
-          {{"x0", 0}, {"y0", 0}, {"side", -1}, {"Q", 0}, {"c", 0}, {"plane_stress", 0}}};
+          {{"x0", 0},
+           {"y0", 0},
+           {"side", -1},
+           {"Q", 0},
+           {"c", 0},
+           {"friction", unset},
+           {"shear_ratio", 0},
+           {"plane_stress", 0}}};
       return declaration;
     }
 
@@ -149,21 +181,37 @@ namespace Amontons
       return get("side") < 0 ? -1 : 1;
     }
 
-    HalfPlaneField
+    // Cattaneo's ellipses of half-widths a and c < a, with the resultants Q/(1-(c/a)^2) and -Q
+    // (c/a)^2/(1-(c/a)^2).
+    std::vector<ClosedForms::EllipticTraction>
+    constant_shear(const ClosedFormArguments &get)
+    {
+      const double Q = get("Q"), c = get("c"), a = get("a"), square = c * c / (a * a);
+      if (!(c >= 0 && c < a))
+        get.fail("the stick half-width c is not in [0, a)", "0 <= c < a");
+      std::vector<ClosedForms::EllipticTraction> shear;
+      if (Q != 0)
+        shear.push_back({Q / (1 - square), a, 0});
+      if (Q != 0 && c > 0)
+        shear.push_back({-Q * square / (1 - square), c, 0});
+      if (Q != 0 && get.is_given("friction"))
+        get.fail("found Q and friction",
+                 "Q (and c) for a constant field, friction and shear_ratio for a load program");
+      return shear;
+    }
+
+    HalfPlaneLoading
     half_plane_field(const ClosedFormArguments &get, const MaterialData &material)
     {
       HalfPlaneField field;
       field.material     = material;
       field.force        = get("P");
       field.size         = get("a");
-      field.shear        = get("Q");
-      field.stick        = get("c");
+      field.shear        = constant_shear(get);
       field.centre       = Point<3>(get("x0"), get("y0"), 0);
       field.side         = side(get);
       field.plane_stress = get("plane_stress") != 0;
-      if (!(field.stick >= 0 && field.stick < field.size))
-        get.fail("the stick half-width c is not in [0, a)", "0 <= c < a");
-      return field;
+      return half_plane_loading(get, field);
     }
 
     HalfSpaceField
@@ -213,8 +261,8 @@ namespace Amontons
       }
     if (data.name == half_plane_elliptic().name)
       {
-        const auto field = half_plane_field({data, half_plane_elliptic()}, material);
-        return [field](const Point<3> &p, const double) { return field.displacement(p); };
+        const auto loading = half_plane_field({data, half_plane_elliptic()}, material);
+        return [loading](const Point<3> &p, const double t) { return loading.at(t).displacement(p); };
       }
     unknown(data, {half_plane_elliptic().name, half_space_hertz().name});
   }
@@ -223,7 +271,10 @@ namespace Amontons
   displacement_field_corners(const FieldData &data, const double end_time)
   {
     std::vector<double> corners;
-    for (double t = 1; data.parameters.count("friction") > 0 && t <= end_time; ++t)
+    const auto          ratio = data.parameters.find("shear_ratio");
+    const bool          shear = ratio != data.parameters.end() && ratio->second != 0;
+    const double        last  = std::min(end_time, shear ? 1e4 : 1.);
+    for (double t = 1; data.parameters.count("friction") > 0 && t <= last; ++t)
       corners.push_back(t);
     return corners;
   }

@@ -5,6 +5,8 @@
 
 #include <amontons/base/closed_forms.h>
 
+#include <vector>
+
 namespace Amontons
 {
   namespace ClosedForms
@@ -45,5 +47,58 @@ namespace Amontons
     double
     mindlin_dissipation_per_cycle(
         const double Q, const double P, const double mu, const double a, const double compliance);
+
+    // ---- Histories of the shear force under a constant normal force P; Mindlin and Deresiewicz, [J]
+    // sec. 7.4.
+
+    enum class ContactShape
+    {
+      line,
+      sphere
+    };
+
+    // How the shear force came to Q. reversals = 0: first loading; odd: on the way from Q_max to -Q_max;
+    // even: on the way back. |Q| <= |Q_max| <= mu P.
+    struct ShearHistory
+    {
+      double       Q = 0, Q_max = 0;
+      unsigned int reversals = 0;
+    };
+
+    // With p_s the Hertz pressure scaled to s, of resultant P (s/a)^2 (sphere: ^3), and s(Q) the stick size
+    // of the first loading:
+    //   first loading: q = mu [p_a - p_s(Q)];  on the way from Q_max: q = mu [-p_a + 2 p_s((Q_max-Q)/2) -
+    //   p_s(Q_max)],
+    // and the way back is the mirror image. Elliptic tractions of these resultants and sizes:
+    struct ShearState
+    {
+      std::vector<EllipticTraction> tractions;
+      double                        stick_size;
+    };
+    ShearState
+    shear_state(const ContactShape  shape,
+                const ShearHistory &history,
+                const double        P,
+                const double        mu,
+                const double        a);
+    double
+    shear_traction(const double r, const ContactShape shape, const ShearState &state);
+
+    // Work of friction from the beginning, where one cycle +-Q costs W(Q). The first loading to Q costs
+    // W(Q)/4. On the way from Q_max to Q the slip is twice that of a first loading to (Q_max-Q)/2 while the
+    // traction of the sliding part is mu p again, which costs W((Q_max-Q)/2)/2.
+    double
+    shear_dissipation(const ShearHistory &history, const std::function<double(double)> &cost_of_cycle);
+
+    // Normal force first, then shear to and fro, all linear in t: the normal force is the fraction t of P on
+    // [0, 1] and P from then on; the shear force is 0 at t = 1, Q_max at t = 2, -Q_max at t = 3, Q_max at t =
+    // 4, ...
+    struct NormalThenShear
+    {
+      double       normal_fraction;
+      ShearHistory shear;
+    };
+    NormalThenShear
+    normal_then_shear(const double t, const double Q_max);
   } // namespace ClosedForms
 } // namespace Amontons

@@ -33,7 +33,7 @@ namespace Amontons
     std::map<std::string, Sides> sides; // by body
   };
 
-  // Displacement and stress of two bodies that are halves under the same Hertz pressure: `lower` is the field
+  // Displacement and stress of two bodies that are halves under opposite tractions: `lower` is the field
   // of the one below but for its material; E1, nu1 and E2, nu2 (a body without them is rigid) are read from
   // the arguments. Field: HalfPlaneField or HalfSpaceField.
   template <typename Field>
@@ -45,8 +45,7 @@ namespace Amontons
                        ReferenceSolution           &s)
   {
     lower.material   = {get("E1"), get("nu1")};
-    Field upper      = lower;
-    upper.side       = 1;
+    Field      upper = lower.opposite();
     const bool rigid = !get.is_given("E2");
     if (!rigid)
       upper.material = {get("E2"), get("nu2")};

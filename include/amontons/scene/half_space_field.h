@@ -23,6 +23,8 @@ namespace Amontons
     displacement(const Point<3> &p) const;
     dealii::SymmetricTensor<2, 3>
     stress(const Point<3> &p) const;
+    HalfSpaceField
+    opposite() const; // the other body of the same material
   };
 
   // The axis of the scenes' contact normal: z in three dimensions, else y.

@@ -2,7 +2,7 @@
 // reference_solution.cc says which parameters each of them reads.
 #pragma once
 
-#include <amontons/base/closed_forms.h>
+#include <amontons/base/closed_forms_friction.h>
 #include <amontons/scene/closed_form_arguments.h>
 #include <amontons/scene/reference_solution.h>
 
@@ -14,6 +14,13 @@ namespace Amontons
 
   ReferenceSolution
   hertz_solution(const ClosedFormArguments &get, const ClosedForms::Hertz &hertz);
+
+  // From the pressure of `s`: shear force, stick size and shear traction of this history.
+  void
+  set_shear(const ClosedForms::ShearHistory &history,
+            const ClosedForms::ContactShape  shape,
+            const double                     mu,
+            ReferenceSolution               &s);
 
   namespace ReferenceBuilders
   {
@@ -27,9 +34,16 @@ namespace Amontons
     // Hertz point contact of the radius a, with the displacements and stresses of both half spaces.
     ReferenceSolution
     half_space_box(const ClosedFormArguments &get, const Scene &scene);
-    // Hertz line contact of the half-width a, with the displacements and stresses of both half planes.
+    // Hertz line contact of the half-width a, with the displacements and stresses of both half planes; with
+    // friction: at the end time of the load program of HalfPlaneLoading. The shear is that on the slave in
+    // +x: Slave = automatic stands for the lower body.
     ReferenceSolution
     half_plane_box(const ClosedFormArguments &get, const Scene &scene);
+    // Line contact and sphere with a shear force: first loading, or on the way back after reversals.
+    ReferenceSolution
+    cattaneo_mindlin(const ClosedFormArguments &get, const Scene &scene);
+    ReferenceSolution
+    mindlin_sphere(const ClosedFormArguments &get, const Scene &scene);
     ReferenceSolution
     flat_punch_line(const ClosedFormArguments &get, const Scene &scene);
     ReferenceSolution

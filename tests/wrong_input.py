@@ -183,12 +183,18 @@ def scenes():
     change("slave = master", "= lower/top", "= upper/bottom", "slave = master", ranks=2, part="set Second")
     change("self contact", "= lower/top", "= upper/top", "self contact is not supported", part="set Second = upper/top")
     change("unknown closed form", "0; -0.01", "halfplane_eliptic(P = 1, a = 1)", "halfplane_eliptic.*did you mean 'halfplane_elliptic'")
+    change("closed form with too much shear", "0; -0.01", "halfplane_elliptic(P = 1, a = 1, friction = 0.3, shear_ratio = -1)", "-1 < shear_ratio < 1")
     change("closed form without a parameter", "0; -0.01", "halfplane_elliptic(P = 1)", "'a' is missing", ranks=2)
     reference = BASE + "subsection Reference\n  set Solution = %s\nend\n"
     for name, solution, words in [("unknown", "hertz_lin(P = 1)", "did you mean 'hertz_line'"),
                                   ("missing parameter", "hertz_line(P = 1, R = 1, E1 = 1)", "'nu1' is missing"),
                                   ("unknown parameter", "hertz_line(P = 1, R = 1, E1 = 1, nu1 = 0.3, Q = 1)", "the parameter 'Q'"),
-                                  ("negative", "hertz_line(P = -1, R = 1, E1 = 1, nu1 = 0.3)", "P = -1.*positive")]:
+                                  ("negative", "hertz_line(P = -1, R = 1, E1 = 1, nu1 = 0.3)", "P = -1.*positive"),
+                                  ("sliding", "cattaneo_mindlin(P = 1, R = 1, E1 = 1, nu1 = 0.3, friction = 0.3, Q = 0.4)", "friction cannot carry"),
+                                  ("no shear force", "mindlin_sphere(P = 1, R = 1, E1 = 1, nu1 = 0.3, friction = 0.3)", "'Q' is missing"),
+                                  ("reversals", "cattaneo_mindlin(P = 1, R = 1, E1 = 1, nu1 = 0.3, friction = 0.3, Q = 0.1, reversals = 1)", "reversals without Q_max"),
+                                  ("half planes with friction", "half_plane_box(a = 1, R = 1, E1 = 1, nu1 = 0.3, friction = 0.3)", "not elastically similar"),
+                                  ("shear ratio", "half_plane_box(a = 1, R = 1, E1 = 1, nu1 = 0.3, shear_ratio = 0.3)", "shear_ratio without friction")]:
         text = reference % solution
         case("reference: " + name, text, rf"^scene\.prm:{line_of(text, 'Solution')}: .*{words}")
     text = BASE + "subsection Reference\n  set Solution = uniform(p = 1, width = 1)\n  set Contact = midle\nend\n"

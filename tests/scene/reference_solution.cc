@@ -105,6 +105,59 @@ namespace
                     1);
   }
 
+  // Digits of references.md, for both contacts at |Q| = mu P/2.
+  void
+  friction()
+  {
+    const Scene                         scene;
+    const std::map<std::string, double> equal = {{"P", 1000},
+                                                 {"R", 10},
+                                                 {"E1", 200e3},
+                                                 {"nu1", .3},
+                                                 {"E2", 200e3},
+                                                 {"nu2", .3},
+                                                 {"friction", .3},
+                                                 {"Q", -150}};
+
+    const auto line = make_reference_solution({"cattaneo_mindlin", equal, {}}, scene);
+    check::is_close(*line.normal_force, 1000, 1e-14, "line: P");
+    check::is_close(*line.contact_size, .3403892, 1e-6, "line: a");
+    check::is_close(*line.peak_pressure, 1870.270, 1e-6, "line: p0");
+    check::is_close(*line.tangential_force, -150, 1e-14, "line: Q");
+    check::is_close(*line.stick_size / *line.contact_size, .707107, 1e-6, "line: c/a");
+    check::is_close(*line.dissipation, .02964258 / 4, 1e-6, "line: first loading");
+    check::is_close(line.shear_traction(.3), -.3 * line.pressure(.3), 1e-12, "line: sliding part");
+    check::is_close(line.shear_traction(0), -.3 * 1870.270 * (1 - .707107), 2e-6, "line: centre");
+    auto cycle         = equal;
+    cycle["Q_max"]     = -150;
+    cycle["reversals"] = 2;
+    const auto full    = make_reference_solution({"cattaneo_mindlin", cycle, {}}, scene);
+    check::is_close(*full.dissipation, .02964258 * 5 / 4, 1e-6, "line: a cycle later");
+    check::is_close(full.shear_traction(.1), line.shear_traction(.1), 1e-12, "line: the same traction");
+    cycle.erase("reversals");
+    cycle["Q"]      = 0;
+    const auto back = make_reference_solution({"cattaneo_mindlin", cycle, {}}, scene);
+    check::is_close(
+        back.shear_traction(.3), .3 * back.pressure(.3), 1e-12, "line: unloaded, not free of traction");
+    check::is_close(
+        *back.stick_size / *back.contact_size, std::sqrt(.75), 1e-12, "line: unloaded, stick size");
+
+    const auto sphere = make_reference_solution({"mindlin_sphere", equal, {}}, scene);
+    check::is_close(*sphere.contact_size, .4086651, 1e-6, "sphere: a");
+    check::is_close(*sphere.peak_pressure, 2858.948, 1e-6, "sphere: p0");
+    check::is_close(*sphere.stick_size / *sphere.contact_size, .793701, 1e-6, "sphere: c/a");
+    check::is_close(*sphere.dissipation, .05142120 / 4, 1e-6, "sphere: first loading");
+    check::is_close(sphere.shear_traction(.35), -.3 * sphere.pressure(.35), 1e-12, "sphere: sliding part");
+    check::is_true(sphere.approach.has_value() && !line.approach, "only the sphere has an approach");
+    auto rigid = equal;
+    rigid.erase("E2");
+    rigid.erase("nu2");
+    check::is_close(*make_reference_solution({"mindlin_sphere", rigid, {}}, scene).dissipation,
+                    .05142120 / 8 * std::cbrt(2.),
+                    1e-6,
+                    "sphere on a rigid plane: half of the compliance, a smaller by 2^(-1/3)");
+  }
+
   std::string
   message(const FieldData &data)
   {
@@ -136,6 +189,23 @@ namespace
              "do not touch in a point");
     contains(message({"hertz_elliptic", {{"P", 1}, {"E1", 1}, {"nu1", 0}, {"R1y", 0}}, where}), "R1y = 0");
     contains(message({"half_space_box", {{"a", 1}, {"R", 1}, {"E1", 1}, {"nu1", 0}}, where}), "Kind = 3D");
+
+    const auto sheared = [&](const std::map<std::string, double> &more) {
+      std::map<std::string, double> all = {
+          {"P", 10}, {"R", 1}, {"E1", 1}, {"nu1", 0}, {"friction", .5}, {"Q", 3}};
+      all.insert(more.begin(), more.end());
+      for (const auto &[name, value] : more)
+        all[name] = value;
+      return message({"cattaneo_mindlin", all, where});
+    };
+    check::is_true(sheared({}).empty() && sheared({{"Q_max", -4}, {"reversals", 3}}).empty(),
+                   "right histories");
+    contains(sheared({{"Q", 6}}), "friction cannot carry; allowed: |Q|, |Q_max| <= friction P");
+    contains(sheared({{"Q_max", -6}}), "friction cannot carry");
+    contains(sheared({{"Q_max", 2}}), "|Q| > |Q_max|");
+    contains(sheared({{"reversals", 2}}), "reversals without Q_max");
+    contains(sheared({{"Q_max", 4}, {"reversals", 1.5}}), "no integer");
+    contains(sheared({{"friction", 0}}), "friction = 0");
   }
 } // namespace
 
@@ -146,6 +216,7 @@ main()
     for (const bool plane_stress : {false, true})
       field(side, plane_stress);
   box();
+  friction();
   messages();
 
   Scene      plane;

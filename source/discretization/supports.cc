@@ -4,7 +4,6 @@
 #include <amontons/discretization/elimination.h>
 #include <amontons/scene/reference_solution.h>
 
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 
 namespace Amontons
@@ -87,7 +86,11 @@ namespace Amontons
   Discretization<dim>::make_supports(const double t) const
   {
     Constraints constraints(relevant);
-    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+    for (const auto &line : hanging_nodes.get_lines())
+      {
+        constraints.add_line(line.index);
+        constraints.add_entries(line.index, line.entries);
+      }
     constrain_carriers(constraints, t);
     constrain_rigid_bodies(constraints);
     for (const auto &condition : scene.conditions)

@@ -1,203 +1,276 @@
 #include <amontons/base/gather.h>
-#include <amontons/base/points.h>
+#include <amontons/contact/covered_shares.h>
 #include <amontons/contact/dual_basis.h>
 #include <amontons/contact/face_basis.h>
-#include <amontons/contact/face_overlap.h>
 #include <amontons/contact/mortar_integrator.h>
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/numerics/rtree.h>
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/map.hpp>
 
 #include <algorithm>
-#include <sstream>
 
 namespace Amontons
 {
   namespace
   {
-    // What the lines along the normals meet within `reach`.
+    // What one multiplier collects over the faces at its node.
     template <int dim>
-    BoundingBox<dim>
-    swept_box(const ContactSurface<dim> &slave, const unsigned int face, const double reach)
+    struct RowSums
     {
-      std::vector<Point<dim>> points;
-      for (const unsigned int node : slave.faces[face].nodes)
-        for (const double sign : {-1., 1.})
-          points.push_back(slave.nodes[node].X + sign * reach * slave.nodes[node].normal);
-      BoundingBox<dim> box(points);
-      box.extend(0.1 * slave.faces[face].size); // curvature between the nodes
-      return box;
-    }
+      double                          area         = 0; // int psi
+      double                          smallest_gap = std::numeric_limits<double>::max(), face_size = 0;
+      Tensor<1, dim>                  normal, gap; // int psi n, int psi g n
+      std::map<unsigned int, double>  traces;      // int psi B_j
+      std::map<NodeDofs<dim>, double> master;      // int psi N_q
 
+      RowSums &
+      operator+=(const RowSums &other)
+      {
+        area += other.area;
+        smallest_gap = std::min(smallest_gap, other.smallest_gap);
+        face_size    = std::max(face_size, other.face_size);
+        normal += other.normal;
+        gap += other.gap;
+        for (const auto &[j, value] : other.traces)
+          traces[j] += value;
+        for (const auto &[dofs, value] : other.master)
+          master[dofs] += value;
+        return *this;
+      }
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &area &smallest_gap &face_size &normal &gap &traces &master;
+      }
+    };
+
+    // The integrals over some of the faces.
     template <int dim>
-    double
-    measure_of(const bool axisymmetric, const Point<dim> &x)
+    struct FaceSums
     {
-      return axisymmetric ? 2 * numbers::PI * x[0] : 1.;
-    }
+      std::map<unsigned int, RowSums<dim>>                    rows;
+      std::map<std::pair<unsigned int, unsigned int>, double> trace_mass;
 
-    // The gap that counts at a point: declared, closed by `Adjust`, or geometric.
-    template <int dim>
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &rows &trace_mass;
+      }
+    };
+
+    // Takes over entries that `map` has not, and adds to those that it has.
+    template <typename Map>
     void
-    apply_declared_gap(const PairData &pair, const double face_size, OverlapPoint<dim> &p)
+    add_to(Map &map, Map &other)
     {
-      if (pair.initial_gap)
-        {
-          p.gap = pair.initial_gap->value(as_3d(p.x_slave), 0);
-          return;
-        }
-      if (std::abs(p.gap) <= std::max(pair.adjust, 1e-10 * face_size))
-        p.gap = 0;
-      if (p.gap < -1e-4 * face_size && !pair.tied)
-        {
-          std::ostringstream found;
-          found << "the bodies overlap by " << -p.gap << " near (" << p.x_slave << ")";
-          throw InputError(
-              pair.where,
-              found.str(),
-              "declare an interference with 'Initial gap' (negative), close mesh gaps up to a size with "
-              "'Adjust', declare round boundaries in 'Curved boundaries', or move the bodies apart");
-        }
+      map.merge(other);
+      for (const auto &[key, value] : other)
+        map[key] += value;
     }
-  } // namespace
 
-  namespace
-  {
-    // Where the other side has a step, a node sees both of its levels; psi changes sign, so the far one would
-    // count for as much as the near one. What lies farther from a face, by more than half its size, than what
-    // is opposite of it or of the faces beside it cannot close with it: the strain would be too large.
+    // The parts of all ranks, added in their order: the same on all of them, to the last digit.
     template <int dim>
-    std::vector<OverlapPoint<dim>>
-    without_steps(const ContactSurface<dim> &slave, std::vector<OverlapPoint<dim>> points)
+    FaceSums<dim>
+    sum_over_ranks(FaceSums<dim> mine, const MPI_Comm communicator)
     {
-      std::vector<double> closest(slave.nodes.size(), std::numeric_limits<double>::max());
-      for (const auto &p : points)
-        for (const unsigned int node : slave.faces[p.slave_face].unknowns)
-          closest[node] = std::min(closest[node], p.gap);
-      std::vector<OverlapPoint<dim>> result;
-      for (auto begin = points.begin(), end = begin; begin != points.end(); begin = end)
+      auto           parts = gather_on_all(communicator, std::move(mine));
+      FaceSums<dim> &sums  = parts[0];
+      for (unsigned int rank = 1; rank < parts.size(); ++rank)
         {
-          double gap = std::numeric_limits<double>::max(), beside = gap;
-          for (; end != points.end() && end->slave_face == begin->slave_face &&
-                 end->master_face == begin->master_face;
-               ++end)
-            gap = std::min(gap, end->gap);
-          const auto &face = slave.faces[begin->slave_face];
-          for (const unsigned int node : face.unknowns)
-            beside = std::min(beside, closest[node]);
-          if (gap <= beside + 0.5 * face.size)
-            result.insert(result.end(), begin, end);
+          add_to(sums.rows, parts[rank].rows);
+          add_to(sums.trace_mass, parts[rank].trace_mass);
         }
-      return result;
+      return std::move(sums);
     }
-  } // namespace
 
-  template <int dim>
-  std::vector<OverlapPoint<dim>>
-  find_overlaps(const PairData            &pair,
-                const ContactSurface<dim> &slave,
+    // Unknowns of the master at a point,
+    template <int dim>
+    std::vector<NodeDofs<dim>>
+    master_dofs(const Discretization<dim> &discretization,
                 const MasterSide<dim>     &master,
-                const double               reach,
-                const bool                 axisymmetric,
-                const MPI_Comm             communicator)
-  {
-    std::vector<OverlapPoint<dim>> points;
+                const OverlapPoint<dim>   &p)
+    {
+      std::vector<NodeDofs<dim>> dofs;
+      if (master.surface != nullptr)
+        for (const unsigned int node : master.surface->faces[p.master_face].nodes)
+          dofs.push_back(master.surface->nodes[node].dofs);
+      else
+        dofs.assign(discretization.carrier_dofs[master.carrier].begin(),
+                    discretization.carrier_dofs[master.carrier].end());
+      return dofs;
+    }
 
-    std::vector<std::pair<BoundingBox<dim>, unsigned int>> boxes;
-    if (master.surface != nullptr)
-      for (unsigned int m = 0; m < master.surface->faces.size(); ++m)
-        boxes.emplace_back(BoundingBox<dim>(master.surface->faces[m].geometry), m);
-    const auto         tree = pack_rtree(boxes);
-    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
-
-    std::vector<unsigned int> candidates;
-    for (unsigned int s = 0; s < slave.faces.size(); ++s)
-      if (slave.faces[s].rank == rank)
-        {
-          if (master.surface == nullptr)
-            {
-              overlap_obstacle(slave, s, *master.obstacle, reach, points);
-              continue;
-            }
-          candidates.clear();
-          const auto box = swept_box(slave, s, reach);
-          for (auto it = tree.qbegin(boost::geometry::index::intersects(box)); it != tree.qend(); ++it)
-            candidates.push_back(it->second);
-          std::sort(candidates.begin(), candidates.end());
-          overlap_faces(slave, s, *master.surface, candidates, reach, points);
-        }
-    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
-      {
-        const auto parts = gather_on_all(communicator, points);
-        points.clear();
-        for (const auto &part : parts)
-          points.insert(points.end(), part.begin(), part.end());
-      }
-    if (!pair.initial_gap)
-      points = without_steps(slave, std::move(points));
-    for (auto &p : points)
-      {
-        apply_declared_gap(pair, slave.faces[p.slave_face].size, p);
-        p.weight *= measure_of(axisymmetric, p.x_slave);
-      }
-    return points;
-  }
-
-  namespace
-  {
-    // int B_i over the covered part in proportion to that over the whole faces, by slave node; and the faces
-    // that are covered whole, up to quadrature on curved ones.
+    // and their shape values there.
     template <int dim>
     std::vector<double>
-    covered_shares(const ContactSurface<dim>            &slave,
-                   const std::vector<OverlapPoint<dim>> &points,
-                   const bool                            axisymmetric,
-                   std::set<unsigned int>               &whole_faces)
+    master_values(const Discretization<dim> &discretization,
+                  const MasterSide<dim>     &master,
+                  const OverlapPoint<dim>   &p)
     {
-      std::vector<double> covered(slave.nodes.size(), 0.), whole(slave.nodes.size(), 0.),
-          covered_area(slave.faces.size(), 0.);
-      const auto add = [&](std::vector<double>    &sums,
-                           const SurfaceFace<dim> &face,
-                           const Point<dim - 1>   &xi,
-                           const double            weight) {
-        const auto B = traces_of_unknowns(bernstein_values<dim - 1>(slave.degree, xi), face.subdivision);
-        for (unsigned int j = 0; j < B.size(); ++j)
-          sums[face.unknowns[j]] += weight * B[j];
-      };
+      if (master.surface != nullptr)
+        return lagrange_values<dim - 1>(master.surface->degree, p.xi_master);
+      const auto N = discretization.carrier_weights(master.carrier, p.x_master);
+      return {N.begin(), N.end()};
+    }
+
+    // Adds int psi_i N_q over points [begin, end) of a slave face, all above one face of the master (or above
+    // the obstacle). rows: by node of the slave face, null without a multiplier.
+    template <int dim>
+    void
+    add_master(const Discretization<dim>         &discretization,
+               const MasterSide<dim>             &master,
+               const PointsView<dim>             &points,
+               const unsigned int                 begin,
+               const unsigned int                 end,
+               const FullMatrix<double>          &psi,
+               const std::vector<RowSums<dim> *> &rows)
+    {
+      const auto         dofs = master_dofs(discretization, master, points[begin]);
+      FullMatrix<double> M(rows.size(), dofs.size());
+      for (unsigned int q = begin; q < end; ++q)
+        {
+          const auto N = master_values(discretization, master, points[q]);
+          for (unsigned int i = 0; i < rows.size(); ++i)
+            for (unsigned int k = 0; k < dofs.size(); ++k)
+              M(i, k) += psi(i, q) * points[q].weight * N[k];
+        }
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        for (unsigned int k = 0; rows[i] != nullptr && k < dofs.size(); ++k)
+          rows[i]->master[dofs[k]] += M(i, k);
+    }
+
+    // Adds int psi, int psi n, int psi g n.
+    template <int dim>
+    void
+    add_points(const PointsView<dim>             &points,
+               const double                       face_size,
+               const FullMatrix<double>          &psi,
+               const std::vector<RowSums<dim> *> &rows)
+    {
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        for (unsigned int q = 0; rows[i] != nullptr && q < points.size(); ++q)
+          {
+            RowSums<dim> &row    = *rows[i];
+            const double  weight = psi(i, q) * points[q].weight;
+            row.area += weight;
+            row.normal += weight * points[q].normal;
+            row.gap += weight * points[q].gap * points[q].normal;
+            row.smallest_gap = std::min(row.smallest_gap, points[q].gap);
+            row.face_size    = std::max(row.face_size, face_size);
+          }
+    }
+
+    template <int dim>
+    DualBasis<dim - 1>
+    dual_basis_of(const ContactSurface<dim> &slave,
+                  const PointsView<dim>     &points,
+                  const std::vector<bool>   &carries)
+    {
+      const auto                 &face = slave.faces[points[0].slave_face];
+      std::vector<Point<dim - 1>> xi;
+      std::vector<double>         weights;
+      std::vector<bool>           carries_here;
       for (const auto &p : points)
         {
-          add(covered, slave.faces[p.slave_face], p.xi_slave, p.weight);
-          covered_area[p.slave_face] += p.weight;
+          xi.push_back(p.xi_slave);
+          weights.push_back(p.weight);
         }
-      const QGauss<dim - 1> gauss(slave.degree + 2);
-      for (unsigned int f = 0; f < slave.faces.size(); ++f)
-        if (std::any_of(slave.faces[f].unknowns.begin(),
-                        slave.faces[f].unknowns.end(),
-                        [&](const unsigned int i) { return covered[i] > 0; }))
+      for (const unsigned int node : face.unknowns)
+        carries_here.push_back(carries[node]);
+      return make_dual_basis<dim - 1>(slave.degree, xi, weights, carries_here, face.subdivision);
+    }
+
+    // Adds the integrals over the covered part of one face.
+    template <int dim>
+    void
+    add_face(const Discretization<dim> &discretization,
+             const ContactSurface<dim> &slave,
+             const MasterSide<dim>     &master,
+             const PointsView<dim>     &points,
+             const std::vector<bool>   &carries,
+             FaceSums<dim>             &sums)
+    {
+      const auto                 &face  = slave.faces[points[0].slave_face];
+      const auto                 &nodes = face.unknowns;
+      const auto                  basis = dual_basis_of(slave, points, carries);
+      std::vector<RowSums<dim> *> rows;
+      for (const unsigned int node : nodes)
+        rows.push_back(carries[node] ? &sums.rows[node] : nullptr);
+
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        for (unsigned int j = 0; j < nodes.size(); ++j)
           {
-            double face_area = 0;
-            for (unsigned int q = 0; q < gauss.size(); ++q)
-              {
-                double jacobian;
-                slave.face_normal(f, gauss.point(q), &jacobian);
-                const double weight =
-                    gauss.weight(q) * jacobian * measure_of(axisymmetric, slave.position(f, gauss.point(q)));
-                add(whole, slave.faces[f], gauss.point(q), weight);
-                face_area += weight;
-              }
-            if (covered_area[f] > 0.999 * face_area)
-              whole_faces.insert(f);
+            sums.trace_mass[{nodes[i], nodes[j]}] += basis.mass(i, j);
+            if (rows[i] != nullptr && basis.traces(i, j) != 0)
+              rows[i]->traces[nodes[j]] += basis.traces(i, j);
           }
-      for (unsigned int i = 0; i < whole.size(); ++i)
-        covered[i] /= std::max(whole[i], 1e-300);
-      return covered;
+      add_points(points, face.size, basis.psi, rows);
+      for (unsigned int begin = 0, end = 0; begin < points.size(); begin = end)
+        {
+          while (end < points.size() && points[end].master_face == points[begin].master_face)
+            ++end;
+          add_master(discretization, master, points, begin, end, basis.psi, rows);
+        }
+    }
+
+    // Nodes that could carry a multiplier but for their small share, with those on their faces that do.
+    template <int dim>
+    std::map<unsigned int, std::vector<unsigned int>>
+    find_slivers(const ContactSurface<dim>  &slave,
+                 const FacesWithPoints<dim> &points,
+                 const std::vector<bool>    &could_carry,
+                 const std::vector<bool>    &carries)
+    {
+      std::map<unsigned int, std::vector<unsigned int>> slivers;
+      for (unsigned int f = 0; f < slave.faces.size(); ++f)
+        if (points.meets(f))
+          for (const unsigned int i : slave.faces[f].unknowns)
+            if (could_carry[i] && !carries[i])
+              for (const unsigned int j : slave.faces[f].unknowns)
+                if (carries[j])
+                  slivers[i].push_back(j);
+      return slivers;
+    }
+
+    // area = int psi_i,  area normal = int psi_i n,  area gap = normal . int psi_i g n (the normal that the
+    // jump is multiplied with, so that a uniform interference is met by the uniform displacement),
+    // int psi_i B_j (slave),  int psi_i N_q (master). closest: the smallest gap of all points.
+    template <int dim>
+    CouplingRow<dim>
+    make_row(const ContactSurface<dim> &slave,
+             const unsigned int         node,
+             const RowSums<dim>        &sums,
+             const double               closest)
+    {
+      CouplingRow<dim> row;
+      row.node   = node;
+      row.area   = sums.area;
+      row.normal = sums.normal / sums.area;
+      row.gap    = row.normal * sums.gap / sums.area;
+      // psi changes sign, and where the surface turns away from the other body gaps grow without bound:
+      // what is open all around stays open.
+      if (sums.smallest_gap - closest > 0.1 * sums.face_size)
+        row.gap = std::max(row.gap, sums.smallest_gap);
+      std::map<unsigned int, double> slave_weights;
+      for (const auto &[j, trace] : sums.traces)
+        {
+          row.traces.emplace_back(j, trace);
+          for (const auto &[k, weight] : slave.nodes[j].control)
+            slave_weights[k] += weight * trace / sums.area;
+        }
+      for (const auto &[k, weight] : slave_weights)
+        if (std::abs(weight) > 1e-14)
+          row.slave.emplace_back(slave.nodes[k].dofs, weight);
+      for (const auto &[dofs, weight] : sums.master)
+        if (std::abs(weight) > 1e-14 * sums.area)
+          row.master.emplace_back(dofs, weight / sums.area);
+      return row;
     }
   } // namespace
 
-  // Row i collects, over the faces at its node,
-  //   area = int psi_i,  area normal = int psi_i n,  area gap = normal . int psi_i g n (the normal that the
-  //   jump is multiplied with, so that a uniform interference is met by the uniform displacement),  int psi_i
-  //   B_j (slave),  int psi_i N_q (master).
   template <int dim>
   Coupling<dim>
   integrate_coupling(const Discretization<dim>     &discretization,
@@ -206,142 +279,41 @@ namespace Amontons
                      std::vector<OverlapPoint<dim>> points,
                      const std::vector<bool>       &carries_multiplier)
   {
-    struct Sums
-    {
-      double                          area         = 0;
-      double                          smallest_gap = std::numeric_limits<double>::max(), face_size = 0;
-      Tensor<1, dim>                  normal, gap; // gap: int psi g n
-      std::map<unsigned int, double>  traces;
-      std::map<NodeDofs<dim>, double> master;
-    };
-    std::map<unsigned int, Sums> sums;
-    Coupling<dim>                coupling;
+    const MPI_Comm             communicator = discretization.geometry.communicator;
+    const FacesWithPoints<dim> points_of(slave.faces.size(), points, communicator);
+    Coupling<dim>              coupling;
     // A node of which next to nothing is covered leaves its share to the others, as if supports owned it: a
     // force on so small an area is rounding. (Dropping it would break the patch test.)
     const double smallest_share = 1e-3;
-    const auto   shares =
-        covered_shares(slave, points, discretization.scene.kind == Kind::axisymmetric, coupling.whole_faces);
+    const bool   axisymmetric   = discretization.scene.kind == Kind::axisymmetric;
+    const auto   shares  = covered_shares(slave, points_of, axisymmetric, communicator, coupling.whole_faces);
+    auto         carries = carries_multiplier;
+    for (unsigned int i = 0; i < carries.size(); ++i)
+      carries[i] = carries_multiplier[i] && shares[i] > smallest_share;
+    coupling.slivers = find_slivers(slave, points_of, carries_multiplier, carries);
 
-    for (std::size_t begin = 0, end; begin < points.size(); begin = end)
-      {
-        for (end = begin; end < points.size() && points[end].slave_face == points[begin].slave_face;)
-          ++end;
-        const auto                 &face  = slave.faces[points[begin].slave_face];
-        const auto                 &nodes = face.unknowns;
-        std::vector<Point<dim - 1>> xi;
-        std::vector<double>         weights;
-        std::vector<bool>           carries;
-        for (std::size_t q = begin; q < end; ++q)
-          {
-            xi.push_back(points[q].xi_slave);
-            weights.push_back(points[q].weight);
-          }
-        for (const unsigned int node : nodes)
-          carries.push_back(carries_multiplier[node] && shares[node] > smallest_share);
-        for (unsigned int i = 0; i < nodes.size(); ++i)
-          if (carries_multiplier[nodes[i]] && !carries[i])
-            for (unsigned int j = 0; j < nodes.size(); ++j)
-              if (carries[j])
-                coupling.slivers[nodes[i]].push_back(nodes[j]);
-        const auto basis = make_dual_basis<dim - 1>(slave.degree, xi, weights, carries, face.subdivision);
-
-        for (unsigned int i = 0; i < nodes.size(); ++i)
-          {
-            for (unsigned int j = 0; j < nodes.size(); ++j)
-              coupling.trace_mass[{nodes[i], nodes[j]}] += basis.mass(i, j);
-            if (!carries[i])
-              continue;
-            Sums &row = sums[nodes[i]];
-            for (unsigned int j = 0; j < nodes.size(); ++j)
-              if (basis.traces(i, j) != 0)
-                row.traces[nodes[j]] += basis.traces(i, j);
-          }
-        for (std::size_t q = begin; q < end; ++q)
-          {
-            std::vector<std::pair<NodeDofs<dim>, double>> columns;
-            if (master.surface != nullptr)
-              {
-                const auto N = lagrange_values<dim - 1>(master.surface->degree, points[q].xi_master);
-                for (unsigned int k = 0; k < N.size(); ++k)
-                  columns.emplace_back(
-                      master.surface->nodes[master.surface->faces[points[q].master_face].nodes[k]].dofs,
-                      N[k]);
-              }
-            else
-              {
-                const auto N = discretization.carrier_weights(master.carrier, points[q].x_master);
-                for (unsigned int k = 0; k <= dim; ++k)
-                  columns.emplace_back(discretization.carrier_dofs[master.carrier][k], N[k]);
-              }
-            for (unsigned int i = 0; i < nodes.size(); ++i)
-              if (carries[i])
-                {
-                  Sums        &row    = sums[nodes[i]];
-                  const double weight = basis.psi(i, q - begin) * points[q].weight;
-                  row.area += weight;
-                  row.gap += weight * points[q].gap * points[q].normal;
-                  row.smallest_gap = std::min(row.smallest_gap, points[q].gap);
-                  row.face_size    = std::max(row.face_size, slave.faces[points[q].slave_face].size);
-                  row.normal += weight * points[q].normal;
-                  for (const auto &[dofs, N] : columns)
-                    row.master[dofs] += weight * N;
-                }
-          }
-      }
+    FaceSums<dim> mine;
+    for (unsigned int f = 0; f < slave.faces.size(); ++f)
+      if (points_of.meets(f) && points_of.is_mine(f))
+        add_face(discretization, slave, master, points_of[f], carries, mine);
+    auto sums = sum_over_ranks(std::move(mine), communicator);
 
     double closest = std::numeric_limits<double>::max();
     for (const auto &p : points)
       closest = std::min(closest, p.gap);
-    for (const auto &[node, row] : sums)
-      {
-        CouplingRow<dim> result;
-        result.node   = node;
-        result.area   = row.area;
-        result.normal = row.normal / row.area;
-        result.gap    = result.normal * row.gap / row.area;
-        // psi changes sign, and where the surface turns away from the other body gaps grow without bound:
-        // what is open all around stays open.
-        if (row.smallest_gap - closest > 0.1 * row.face_size)
-          result.gap = std::max(result.gap, row.smallest_gap);
-        std::map<unsigned int, double> slave_weights;
-        for (const auto &[j, trace] : row.traces)
-          {
-            result.traces.emplace_back(j, trace);
-            for (const auto &[k, weight] : slave.nodes[j].control)
-              slave_weights[k] += weight * trace / row.area;
-          }
-        for (const auto &[k, weight] : slave_weights)
-          if (std::abs(weight) > 1e-14)
-            result.slave.emplace_back(slave.nodes[k].dofs, weight);
-        for (const auto &[dofs, weight] : row.master)
-          if (std::abs(weight) > 1e-14 * row.area)
-            result.master.emplace_back(dofs, weight / row.area);
-        coupling.rows.push_back(result);
-      }
-    coupling.points = std::move(points);
+    for (const auto &[node, row] : sums.rows)
+      coupling.rows.push_back(make_row(slave, node, row, closest));
+    coupling.trace_mass = std::move(sums.trace_mass);
+    coupling.points     = std::move(points);
     return coupling;
   }
 
-  template std::vector<OverlapPoint<2>>
-  find_overlaps(const PairData &,
-                const ContactSurface<2> &,
-                const MasterSide<2> &,
-                const double,
-                const bool,
-                const MPI_Comm);
   template Coupling<2>
   integrate_coupling(const Discretization<2> &,
                      const ContactSurface<2> &,
                      const MasterSide<2> &,
                      std::vector<OverlapPoint<2>>,
                      const std::vector<bool> &);
-  template std::vector<OverlapPoint<3>>
-  find_overlaps(const PairData &,
-                const ContactSurface<3> &,
-                const MasterSide<3> &,
-                const double,
-                const bool,
-                const MPI_Comm);
   template Coupling<3>
   integrate_coupling(const Discretization<3> &,
                      const ContactSurface<3> &,

@@ -11,11 +11,15 @@ namespace Amontons
   // Utilities::MPI::all_gather without its compression, which takes longer than any network.
   template <typename T>
   std::vector<T>
-  gather_on_all(const MPI_Comm communicator, const T &object)
+  gather_on_all(const MPI_Comm communicator, T object)
   {
     const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    std::vector<T>     objects;
     if (n_ranks == 1)
-      return {object};
+      {
+        objects.push_back(std::move(object));
+        return objects;
+      }
     const std::vector<char> mine = dealii::Utilities::pack(object, false);
     const int               size = mine.size();
     std::vector<int>        sizes(n_ranks), begins(n_ranks + 1, 0);
@@ -24,10 +28,30 @@ namespace Amontons
     std::vector<char> all(begins.back());
     MPI_Allgatherv(
         mine.data(), size, MPI_CHAR, all.data(), sizes.data(), begins.data(), MPI_CHAR, communicator);
-    std::vector<T> objects;
     for (unsigned int rank = 0; rank < n_ranks; ++rank)
-      objects.push_back(
-          dealii::Utilities::unpack<T>(all.cbegin() + begins[rank], all.cbegin() + begins[rank + 1], false));
+      if (rank == dealii::Utilities::MPI::this_mpi_process(communicator))
+        objects.push_back(std::move(object));
+      else
+        objects.push_back(dealii::Utilities::unpack<T>(
+            all.cbegin() + begins[rank], all.cbegin() + begins[rank + 1], false));
     return objects;
+  }
+
+  // compute(0), ..., compute(n - 1) on all ranks: each computes every n_ranks-th, so that neighbours, which
+  // cost about the same, are shared out.
+  template <typename Compute>
+  auto
+  compute_in_turn(const MPI_Comm communicator, const unsigned int n, const Compute &compute)
+  {
+    using Result               = decltype(compute(0u));
+    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+
+    std::vector<Result> mine, all;
+    for (unsigned int i = dealii::Utilities::MPI::this_mpi_process(communicator); i < n; i += n_ranks)
+      mine.push_back(compute(i));
+    auto parts = gather_on_all(communicator, std::move(mine));
+    for (unsigned int i = 0; i < n; ++i)
+      all.push_back(std::move(parts[i % n_ranks][i / n_ranks]));
+    return all;
   }
 } // namespace Amontons

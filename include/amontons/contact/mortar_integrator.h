@@ -20,8 +20,8 @@ namespace Amontons
 
   // All overlaps of the pair whose gap is at most `reach`; gaps as the pair declares them (`Initial gap`,
   // `Adjust`). Throws InputError where the bodies overlap without a declared interference. `pair` gives names
-  // for messages. Collective: each rank searches for its own slave faces, and all get all points, in the
-  // order of the slave faces.
+  // for messages. Collective: each rank searches for every n-th slave face, wherever its cell is (often one
+  // rank has all of them), and all get all points, in the order of the slave faces.
   template <int dim>
   std::vector<OverlapPoint<dim>>
   find_overlaps(const PairData            &pair,
@@ -31,7 +31,9 @@ namespace Amontons
                 const bool                 axisymmetric,
                 const MPI_Comm             communicator);
 
-  // carries_multiplier: by slave node, false where supports own the node whole.
+  // carries_multiplier: by slave node, false where supports own the node whole. `points` in the order of the
+  // slave faces. Collective: each rank integrates over its part of the points, and all get all rows, equal to
+  // the last digit.
   template <int dim>
   Coupling<dim>
   integrate_coupling(const Discretization<dim>     &discretization,

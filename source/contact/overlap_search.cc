@@ -1,0 +1,145 @@
+#include <amontons/base/gather.h>
+#include <amontons/base/points.h>
+#include <amontons/contact/covered_shares.h>
+#include <amontons/contact/face_overlap.h>
+#include <amontons/contact/mortar_integrator.h>
+
+#include <deal.II/numerics/rtree.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace Amontons
+{
+  namespace
+  {
+    // What the lines along the normals meet within `reach`.
+    template <int dim>
+    BoundingBox<dim>
+    swept_box(const ContactSurface<dim> &slave, const unsigned int face, const double reach)
+    {
+      std::vector<Point<dim>> points;
+      for (const unsigned int node : slave.faces[face].nodes)
+        for (const double sign : {-1., 1.})
+          points.push_back(slave.nodes[node].X + sign * reach * slave.nodes[node].normal);
+      BoundingBox<dim> box(points);
+      box.extend(0.1 * slave.faces[face].size); // curvature between the nodes
+      return box;
+    }
+
+    // The gap that counts at a point: declared, closed by `Adjust`, or geometric.
+    template <int dim>
+    void
+    apply_declared_gap(const PairData &pair, const double face_size, OverlapPoint<dim> &p)
+    {
+      if (pair.initial_gap)
+        {
+          p.gap = pair.initial_gap->value(as_3d(p.x_slave), 0);
+          return;
+        }
+      if (std::abs(p.gap) <= std::max(pair.adjust, 1e-10 * face_size))
+        p.gap = 0;
+      if (p.gap < -1e-4 * face_size && !pair.tied)
+        {
+          std::ostringstream found;
+          found << "the bodies overlap by " << -p.gap << " near (" << p.x_slave << ")";
+          throw InputError(
+              pair.where,
+              found.str(),
+              "declare an interference with 'Initial gap' (negative), close mesh gaps up to a size with "
+              "'Adjust', declare round boundaries in 'Curved boundaries', or move the bodies apart");
+        }
+    }
+  } // namespace
+
+  namespace
+  {
+    // Where the other side has a step, a node sees both of its levels; psi changes sign, so the far one would
+    // count for as much as the near one. What lies farther from a face, by more than half its size, than what
+    // is opposite of it or of the faces beside it cannot close with it: the strain would be too large.
+    template <int dim>
+    std::vector<OverlapPoint<dim>>
+    without_steps(const ContactSurface<dim> &slave, std::vector<OverlapPoint<dim>> points)
+    {
+      std::vector<double> closest(slave.nodes.size(), std::numeric_limits<double>::max());
+      for (const auto &p : points)
+        for (const unsigned int node : slave.faces[p.slave_face].unknowns)
+          closest[node] = std::min(closest[node], p.gap);
+      auto kept = points.begin();
+      for (auto begin = points.begin(), end = begin; begin != points.end(); begin = end)
+        {
+          double gap = std::numeric_limits<double>::max(), beside = gap;
+          for (; end != points.end() && end->slave_face == begin->slave_face &&
+                 end->master_face == begin->master_face;
+               ++end)
+            gap = std::min(gap, end->gap);
+          const auto &face = slave.faces[begin->slave_face];
+          for (const unsigned int node : face.unknowns)
+            beside = std::min(beside, closest[node]);
+          if (gap <= beside + 0.5 * face.size)
+            kept = kept == begin ? end : std::move(begin, end, kept);
+        }
+      points.erase(kept, points.end());
+      return points;
+    }
+  } // namespace
+
+  template <int dim>
+  std::vector<OverlapPoint<dim>>
+  find_overlaps(const PairData            &pair,
+                const ContactSurface<dim> &slave,
+                const MasterSide<dim>     &master,
+                const double               reach,
+                const bool                 axisymmetric,
+                const MPI_Comm             communicator)
+  {
+    std::vector<std::pair<BoundingBox<dim>, unsigned int>> boxes;
+    if (master.surface != nullptr)
+      for (unsigned int m = 0; m < master.surface->faces.size(); ++m)
+        boxes.emplace_back(BoundingBox<dim>(master.surface->faces[m].geometry), m);
+    const auto tree = pack_rtree(boxes);
+
+    std::vector<unsigned int> candidates;
+    const auto                find = [&](const unsigned int s) {
+      std::vector<OverlapPoint<dim>> points;
+      if (master.surface == nullptr)
+        {
+          overlap_obstacle(slave, s, *master.obstacle, reach, points);
+          return points;
+        }
+      candidates.clear();
+      const auto box = swept_box(slave, s, reach);
+      for (auto it = tree.qbegin(boost::geometry::index::intersects(box)); it != tree.qend(); ++it)
+        candidates.push_back(it->second);
+      std::sort(candidates.begin(), candidates.end());
+      overlap_faces(slave, s, *master.surface, candidates, reach, points);
+      return points;
+    };
+    std::vector<OverlapPoint<dim>> points;
+    for (const auto &of_face : compute_in_turn(communicator, slave.faces.size(), find))
+      points.insert(points.end(), of_face.begin(), of_face.end());
+    if (!pair.initial_gap)
+      points = without_steps(slave, std::move(points));
+    for (auto &p : points)
+      {
+        apply_declared_gap(pair, slave.faces[p.slave_face].size, p);
+        p.weight *= area_factor(axisymmetric, p.x_slave);
+      }
+    return points;
+  }
+
+  template std::vector<OverlapPoint<2>>
+  find_overlaps(const PairData &,
+                const ContactSurface<2> &,
+                const MasterSide<2> &,
+                const double,
+                const bool,
+                const MPI_Comm);
+  template std::vector<OverlapPoint<3>>
+  find_overlaps(const PairData &,
+                const ContactSurface<3> &,
+                const MasterSide<3> &,
+                const double,
+                const bool,
+                const MPI_Comm);
+} // namespace Amontons

@@ -37,32 +37,44 @@ namespace Amontons
   std::vector<ContactInterface<dim>>
   make_interfaces(const Discretization<dim> &discretization, const std::vector<bool> &first_is_slave)
   {
-    const Scene                       &scene = discretization.scene;
-    std::vector<ContactInterface<dim>> interfaces;
+    const Scene &scene = discretization.scene;
+    // Slave and master, if meshed, of one pair after the other.
+    std::vector<BoundaryName> names;
     for (unsigned int i = 0; i < scene.pairs.size(); ++i)
       {
-        const PairData       &pair = scene.pairs[i];
+        const PairData &pair = scene.pairs[i];
+        names.push_back(pair.second && !first_is_slave[i] ? *pair.second : pair.first);
+        if (pair.second)
+          names.push_back(first_is_slave[i] ? *pair.second : pair.first);
+      }
+    std::vector<OwnedFaces<dim>> own;
+    for (const auto &name : names)
+      own.emplace_back(discretization, name);
+
+    std::vector<ContactInterface<dim>> interfaces;
+    unsigned int                       n    = 0;
+    const auto                         next = [&]() {
+      auto surface = std::make_unique<ContactSurface<dim>>(discretization, names[n], std::move(own[n]));
+      ++n;
+      return surface;
+    };
+    for (const auto &pair : scene.pairs)
+      {
         ContactInterface<dim> interface;
-        interface.pair     = &pair;
-        const auto surface = [&](const BoundaryName &name) {
-          return std::make_unique<ContactSurface<dim>>(discretization, name);
-        };
+        interface.pair  = &pair;
+        interface.slave = next();
         if (pair.second)
           {
-            interface.slave          = surface(first_is_slave[i] ? pair.first : *pair.second);
-            interface.master_surface = surface(first_is_slave[i] ? *pair.second : pair.first);
+            interface.master_surface = next();
             interface.master.surface = interface.master_surface.get();
           }
         else
-          {
-            interface.slave = surface(pair.first);
-            for (const auto &obstacle : scene.obstacles)
-              if (obstacle.name == pair.obstacle)
-                {
-                  interface.master.obstacle = &obstacle;
-                  interface.master.carrier  = discretization.geometry.carrier(obstacle.motion.name);
-                }
-          }
+          for (const auto &obstacle : scene.obstacles)
+            if (obstacle.name == pair.obstacle)
+              {
+                interface.master.obstacle = &obstacle;
+                interface.master.carrier  = discretization.geometry.carrier(obstacle.motion.name);
+              }
         interfaces.push_back(std::move(interface));
       }
     return interfaces;

@@ -3,9 +3,11 @@
 #include <amontons/contact/contact_surface.h>
 #include <amontons/contact/face_basis.h>
 
-#include <deal.II/base/mpi.templates.h>
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
+
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/map.hpp>
 
 #include <set>
 
@@ -13,21 +15,6 @@ namespace Amontons
 {
   namespace
   {
-    // What a rank tells the others about its faces: all numbers of all faces, one after another.
-    struct FacePackage
-    {
-      std::vector<types::global_dof_index> dofs;
-      std::vector<double>                  positions; // nodes, then the lattice
-      std::vector<double>                  signs;
-
-      template <class Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        archive &dofs &positions &signs;
-      }
-    };
-
     using DofLine = std::vector<std::pair<types::global_dof_index, double>>;
 
     // The degree + 1 Lagrange polynomials of equidistant nodes and their derivatives.
@@ -136,19 +123,7 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  ContactSurface<dim>::ContactSurface(const Discretization<dim> &discretization, const BoundaryName &name)
-      : body(discretization.geometry.boundary(name, discretization.scene).body),
-        degree(discretization.fe.degree), n_dofs(discretization.dof_handler.n_dofs())
-  {
-    collect_faces(discretization, name);
-    find_parents(discretization);
-    make_controls();
-    make_normals(discretization);
-  }
-
-  template <int dim>
-  void
-  ContactSurface<dim>::collect_faces(const Discretization<dim> &discretization, const BoundaryName &name)
+  OwnedFaces<dim>::OwnedFaces(const Discretization<dim> &discretization, const BoundaryName &name)
   {
     std::set<types::boundary_id> boundaries = {
         discretization.geometry.boundary(name, discretization.scene).id};
@@ -157,24 +132,24 @@ namespace Amontons
           discretization.geometry.boundary({name.body, further, name.where}, discretization.scene).id);
     const auto                          &fe   = discretization.fe;
     const auto                          &base = fe.base_element(0);
-    const MappingQ<dim>                  true_geometry(geometry_degree);
+    const MappingQ<dim>                  true_geometry(ContactSurface<dim>::geometry_degree);
     const FE_Nothing<dim>                nothing;
-    const auto                           fine = lattice<dim - 1>(geometry_degree);
+    const auto                           fine = lattice<dim - 1>(ContactSurface<dim>::geometry_degree);
     std::vector<types::global_dof_index> cell_dofs(fe.n_dofs_per_cell());
-    // By face number: the nodes, then the lattice.
+    // By face number: the nodes; the same as points, then the lattice.
+    std::array<std::vector<unsigned int>, 2 * dim>      nodes_of;
     std::array<std::unique_ptr<FEValues<dim>>, 2 * dim> points_of;
 
-    FacePackage package;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary() && boundaries.count(cell->face(f)->boundary_id()) > 0)
             {
-              const auto on_face = nodes_on_face(base, f);
               if (points_of[f] == nullptr)
                 {
+                  nodes_of[f] = nodes_on_face(base, f);
                   std::vector<Point<dim>> points;
-                  for (const unsigned int i : on_face)
+                  for (const unsigned int i : nodes_of[f])
                     points.push_back(base.unit_support_point(i));
                   for (const auto &xi : fine)
                     points.push_back(on_unit_cell<dim>(f, xi));
@@ -183,25 +158,50 @@ namespace Amontons
                 }
               points_of[f]->reinit(typename Triangulation<dim>::cell_iterator(cell)); // without its element
               for (const auto &p : points_of[f]->get_quadrature_points())
-                append(package.positions, p);
+                append(numbers.positions, p);
               cell->get_dof_indices(cell_dofs);
-              for (const unsigned int i : on_face)
+              for (const unsigned int i : nodes_of[f])
                 for (unsigned int c = 0; c < dim; ++c)
-                  package.dofs.push_back(cell_dofs[fe.component_to_system_index(c, i)]);
-              package.signs.push_back(orientation<dim>(f));
-              owned.emplace_back(cell, f);
+                  numbers.dofs.push_back(cell_dofs[fe.component_to_system_index(c, i)]);
+              numbers.signs.push_back(orientation<dim>(f));
+              cells.emplace_back(cell, f);
             }
+  }
 
+  template <int dim>
+  ContactSurface<dim>::ContactSurface(const Discretization<dim> &discretization, const BoundaryName &name)
+      : ContactSurface(discretization, name, OwnedFaces<dim>(discretization, name))
+  {
+  }
+
+  template <int dim>
+  ContactSurface<dim>::ContactSurface(const Discretization<dim> &discretization,
+                                      const BoundaryName        &name,
+                                      OwnedFaces<dim>            own)
+      : body(discretization.geometry.boundary(name, discretization.scene).body),
+        degree(discretization.fe.degree), owned(std::move(own.cells)),
+        n_dofs(discretization.dof_handler.n_dofs())
+  {
+    collect_faces(gather_on_all(discretization.geometry.communicator, std::move(own.numbers)));
+    find_parents(discretization);
+    make_controls();
+    make_normals(discretization);
+  }
+
+  template <int dim>
+  void
+  ContactSurface<dim>::collect_faces(const std::vector<FaceNumbers> &parts)
+  {
     Point<dim - 1> middle;
     for (unsigned int d = 0; d < dim - 1; ++d)
       middle[d] = 0.5;
     const unsigned int                              n_nodes = Utilities::fixed_power<dim - 1>(degree + 1);
     std::map<types::global_dof_index, unsigned int> node_of_dof;
 
-    const auto packages = gather_on_all(discretization.geometry.communicator, package);
-    for (unsigned int rank = 0; rank < packages.size(); ++rank)
+    const auto fine = lattice<dim - 1>(geometry_degree);
+    for (unsigned int rank = 0; rank < parts.size(); ++rank)
       {
-        const auto &part     = packages[rank];
+        const auto &part     = parts[rank];
         std::size_t position = 0, dof = 0;
         for (unsigned int i = 0; i < part.signs.size(); ++i)
           {
@@ -227,9 +227,9 @@ namespace Amontons
             for (unsigned int k = 0; k < fine.size() && face.straight; ++k)
               face.straight = interpolate<1, dim>(face.geometry, fine[k]).X.distance(face.geometry[k]) <=
                               1e-14 * (face.size + face.geometry[k].norm());
-            faces.push_back(face);
+            faces.push_back(std::move(face));
             faces.back().centre = this->position(faces.size() - 1, middle);
-            mean_size += face.size;
+            mean_size += faces.back().size;
           }
       }
     mean_size /= std::max<std::size_t>(1, faces.size());
@@ -259,7 +259,7 @@ namespace Amontons
             lines[dof] = *discretization.hanging_nodes.get_constraint_entries(dof);
       }
     std::set<types::global_dof_index> missing;
-    for (const auto &part : Utilities::MPI::all_gather(comm, lines))
+    for (const auto &part : gather_on_all(comm, lines))
       for (const auto &[dof, line] : part)
         {
           lines[dof] = line;
@@ -285,7 +285,7 @@ namespace Amontons
                         discretization.mapping.transform_unit_to_real_cell(cell, base.unit_support_point(i));
                   }
             }
-        for (const auto &part : Utilities::MPI::all_gather(comm, found))
+        for (const auto &part : gather_on_all(comm, found))
           for (const auto &[node_dofs, X] : part)
             if (node_of_dof.emplace(node_dofs[0], nodes.size()).second)
               {
@@ -424,7 +424,7 @@ namespace Amontons
                     node != node_of_dof.end())
                   plane_normals[node->second].push_back(normal / normal.norm());
             }
-    for (const auto &part : Utilities::MPI::all_gather(discretization.geometry.communicator, plane_normals))
+    for (const auto &part : gather_on_all(discretization.geometry.communicator, plane_normals))
       for (const auto &[i, normals] : part)
         for (const auto &normal : normals)
           {
@@ -521,6 +521,8 @@ namespace Amontons
     return set;
   }
 
+  template struct OwnedFaces<2>;
+  template struct OwnedFaces<3>;
   template class ContactSurface<2>;
   template class ContactSurface<3>;
 } // namespace Amontons

@@ -41,6 +41,31 @@ namespace Amontons
     unsigned int              owned_index; // place in `owned` there
   };
 
+  // What ranks tell each other about their faces: all numbers of all faces, one after another.
+  struct FaceNumbers
+  {
+    std::vector<types::global_dof_index> dofs;
+    std::vector<double>                  positions; // nodes, then the lattice
+    std::vector<double>                  signs;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &dofs &positions &signs;
+    }
+  };
+
+  // The part of a surface that this rank's cells have.
+  template <int dim>
+  struct OwnedFaces
+  {
+    OwnedFaces(const Discretization<dim> &discretization, const BoundaryName &name);
+
+    std::vector<std::pair<typename DoFHandler<dim>::active_cell_iterator, unsigned int>> cells; // face number
+    FaceNumbers                                                                          numbers;
+  };
+
   template <int dim>
   class ContactSurface
   {
@@ -52,6 +77,8 @@ namespace Amontons
 
     // Collective.
     ContactSurface(const Discretization<dim> &discretization, const BoundaryName &name);
+    // With `own` of several surfaces made before, ranks that have faces of one only work at the same time.
+    ContactSurface(const Discretization<dim> &discretization, const BoundaryName &name, OwnedFaces<dim> own);
 
     Point<dim>
     position(const unsigned int face, const Point<dim - 1> &xi) const;
@@ -88,7 +115,7 @@ namespace Amontons
 
   private:
     void
-    collect_faces(const Discretization<dim> &discretization, const BoundaryName &name);
+    collect_faces(const std::vector<FaceNumbers> &parts);
     void
     find_parents(const Discretization<dim> &discretization);
     void

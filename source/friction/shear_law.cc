@@ -52,7 +52,7 @@ namespace Amontons
     if (std::abs(law.constant) <= 1e-12 * bound.value)
       law.constant = 0;
     if (dim == 3)
-      law.stiffness = std::min(100 * c, bound.value * c / std::max(norm - bound.value, 1e-100));
+      law.stiffness = std::min(1e4 * c, bound.value * c / std::max(norm - bound.value, 1e-100));
     return law;
   }
 

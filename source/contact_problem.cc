@@ -138,6 +138,8 @@ namespace Amontons
         while (widen_reach());
         if (!refine_now(program) || !refine())
           return true;
+        if (has_history && program.time() > 0 && !rebalance(program))
+          return false;
       }
   }
 
@@ -159,6 +161,22 @@ namespace Amontons
                   mesh_number,
                   geometry.triangulation.n_global_active_cells() - geometry.carriers.size(),
                   discretization->dof_handler.n_dofs());
+    const auto   report        = iterate();
+    const double solve_seconds = seconds.wall_time();
+    collect_fields();
+    estimate();
+    summarise_mesh(program, report, solve_seconds);
+    add_notes(report);
+    summary.message = report.message;
+    last_report     = report;
+    return report.converged;
+  }
+
+  // The semismooth Newton iteration at state.t on the present mesh.
+  template <int dim>
+  NewtonReport
+  ContactProblem<dim>::iterate()
+  {
     if (state.displacement.size() != discretization->dof_handler.n_dofs())
       state.displacement = discretization->make_relevant_vector();
     {
@@ -169,7 +187,7 @@ namespace Amontons
     }
     SemismoothNewton<dim> newton(parameters.newton, parameters.linear_solver, *discretization, timer);
     unsigned int          iteration = 0;
-    const auto            report    = newton.solve(
+    return newton.solve(
         *elasticity, interfaces, supports, loads, state, [&](const NewtonReport::Iteration &step) {
           IterationLine line;
           line.iteration         = ++iteration;
@@ -181,14 +199,6 @@ namespace Amontons
           line.krylov_iterations = step.krylov;
           terminal.iteration(line);
         });
-    const double solve_seconds = seconds.wall_time();
-    collect_fields();
-    estimate();
-    summarise_mesh(program, report, solve_seconds);
-    add_notes(report);
-    summary.message = report.message;
-    last_report     = report;
-    return report.converged;
   }
 
   template <int dim>
@@ -232,7 +242,18 @@ namespace Amontons
     TimerOutput::Scope scope(timer, "error estimate");
     recovery = std::make_unique<StressRecovery<dim>>(*discretization, *elasticity);
     recovery->recover(state.displacement);
+    const auto before = error;
     error = estimate_error(*discretization, *elasticity, *recovery, interfaces, fields, state.displacement);
+    // What the load history needs is the worst of its increments.
+    const auto keep_largest = [](const Vector<float> &old, Vector<float> &now) {
+      for (unsigned int c = 0; c < now.size() && old.size() == now.size(); ++c)
+        now[c] = std::max(now[c], old[c]);
+    };
+    if (has_history)
+      {
+        keep_largest(before.cell_indicators, error.cell_indicators);
+        keep_largest(before.contact_indicators, error.contact_indicators);
+      }
     terminal.estimate({error.bulk, error.contact});
   }
 
@@ -333,6 +354,34 @@ namespace Amontons
     vtu.write_contact(interfaces, fields, state.t);
   }
 
+  // The balance of W, the stored energy and the contact work, and dissipation >= 0, relative to the work.
+  template <int dim>
+  void
+  ContactProblem<dim>::add_energy_checks()
+  {
+    const double negative = work.largest_work > 0 ? -work.smallest_dissipation / work.largest_work : 0;
+    summary.checks["energy_balance"]       = work.energy_error;
+    summary.checks["negative_dissipation"] = negative;
+    std::ostringstream text;
+    text.precision(3);
+    if (work.energy_error > 1e-6)
+      text << "the energy balance is violated by " << work.energy_error << " of the work";
+    if (negative > 1e-9)
+      text << (text.str().empty() ? "" : "; ") << "an increment had a negative dissipation, " << negative
+           << " of the work";
+    if (text.str() != "")
+      summary.notes.push_back("warning: " + text.str());
+    if (transfer_residual > 0)
+      {
+        std::ostringstream note;
+        note.precision(3);
+        note << "states transferred to refined meshes were up to " << transfer_residual
+             << " of the forces out of equilibrium; solving them again changed the stored energy by "
+             << work.transferred_energy << " in all";
+        summary.notes.push_back(note.str());
+      }
+  }
+
   template <int dim>
   void
   ContactProblem<dim>::finish()
@@ -355,8 +404,7 @@ namespace Amontons
         summary.checks          = check_physics(answer());
         if (has_history)
           {
-            summary.checks["energy_balance"]         = work.energy_error;
-            summary.checks["negative_dissipation"]   = -work.smallest_dissipation / std::max(work.external_work, 1e-300);
+            add_energy_checks();
           }
       }
     if (parameters.refinement.target_error > 0 && !(estimated_error() <= parameters.refinement.target_error))

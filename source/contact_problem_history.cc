@@ -35,6 +35,7 @@ namespace Amontons
   ContactProblem<dim>::start_history()
   {
     work.restart();
+    error = ErrorEstimate<dim>();
     state.committed = LA::Vector();
     last_converged  = SolutionState();
   }
@@ -116,6 +117,31 @@ namespace Amontons
                       !program.is_last())
       return false;
     return !(refinement.target_error > 0 && estimated_error() <= refinement.target_error);
+  }
+
+  // After a refinement on the way: the state that the increment starts from is not in equilibrium on the new
+  // mesh. It is solved again there, without a change of the load; what that changes is reported.
+  template <int dim>
+  bool
+  ContactProblem<dim>::rebalance(const LoadProgram &program)
+  {
+    const double t = state.t;
+    set_time(program.time());
+    state.displacement = state.committed;
+    last_converged     = SolutionState();
+    terminal.note("equilibrium of the transferred state at t = " + std::to_string(state.t));
+    const auto report = iterate();
+    if (!report.converged)
+      {
+        summary.message = "after refinement at t = " + std::to_string(state.t) + ": " + report.message;
+        return false;
+      }
+    transfer_residual = std::max(transfer_residual, report.start_residual);
+    work.rebase(answer());
+    state.committed = state.displacement;
+    set_time(t);
+    carry_active_set();
+    return true;
   }
 
   template <int dim>

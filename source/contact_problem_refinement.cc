@@ -43,7 +43,7 @@ namespace Amontons
         if (!any_closed)
           continue;
         const bool short_here = reaches[i] > 0 && needed > 0.75 * reaches[i];
-        if (short_here || reaches[i] == 0 || 4 * needed < reaches[i])
+        if (short_here || reaches[i] == 0 || (!has_history && 4 * needed < reaches[i]))
           reaches[i] = 2 * needed + 1e-3 * interfaces[i].slave->mean_size;
         too_short = too_short || short_here;
       }

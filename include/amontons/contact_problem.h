@@ -72,6 +72,10 @@ namespace Amontons
     solve_increment(const LoadProgram &program);
     bool
     solve_on_mesh(const LoadProgram &program);
+    NewtonReport
+    iterate();
+    bool
+    rebalance(const LoadProgram &program);
     bool
     replay_refined();
     bool
@@ -102,6 +106,8 @@ namespace Amontons
     add_notes(const NewtonReport &report);
     void
     write_increment();
+    void
+    add_energy_checks();
     void
     finish();
     Answer<dim>
@@ -137,6 +143,7 @@ namespace Amontons
     std::vector<PathPoint>                   path;
     WorkDone<dim>                            work;
     unsigned int                             cycle = 0; // refinements so far
+    double transfer_residual = 0; // largest, of the transferred state on its new mesh
     NewtonReport                             last_report;
     std::vector<SurfaceFields<dim>>          fields;
     std::unique_ptr<StressRecovery<dim>>     recovery;

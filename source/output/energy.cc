@@ -54,6 +54,31 @@ namespace Amontons
 
   template <int dim>
   void
+  WorkDone<dim>::rebase(const Answer<dim> &answer)
+  {
+    const double stored = stored_energy(answer);
+    transferred_energy += stored - energy;
+    energy   = stored;
+    external = external_forces(answer);
+    remember_tractions(answer);
+  }
+
+  template <int dim>
+  void
+  WorkDone<dim>::remember_tractions(const Answer<dim> &answer)
+  {
+    tractions.assign(answer.interfaces.size(), {});
+    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
+      {
+        const auto &rows = answer.interfaces[i].coupling.rows;
+        tractions[i].resize(answer.interfaces[i].slave->nodes.size());
+        for (unsigned int r = 0; r < rows.size(); ++r)
+          tractions[i][rows[r].node] = {answer.state.pressures[i][r], answer.state.shears[i][r]};
+      }
+  }
+
+  template <int dim>
+  void
   WorkDone<dim>::add(const Answer<dim> &answer)
   {
     const SolutionState &state   = answer.state;
@@ -68,27 +93,27 @@ namespace Amontons
     external = now;
 
     double contact = 0, friction = 0;
-    tractions.resize(answer.interfaces.size());
+    if (tractions.empty())
+      tractions.resize(answer.interfaces.size());
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       {
         const auto &rows = answer.interfaces[i].coupling.rows;
-        tractions[i].resize(rows.size());
+        tractions[i].resize(answer.interfaces[i].slave->nodes.size());
         for (unsigned int r = 0; r < rows.size(); ++r)
           {
-            auto        &[old_pressure, old_shear] = tractions[i][r];
-            const double p                         = state.pressures[i][r];
-            const auto  &q                         = state.shears[i][r];
-            const auto   change                    = change_of_jump(rows[r], state);
+            const auto &[old_pressure, old_shear] = tractions[i][rows[r].node];
+            const double p                        = state.pressures[i][r];
+            const auto  &q                        = state.shears[i][r];
+            const auto   change                   = change_of_jump(rows[r], state);
             for (unsigned int d = 0; d < dim; ++d)
               {
                 const double mean = 0.5 * ((p + old_pressure) * rows[r].normal[d] + q[d] + old_shear[d]);
                 contact += rows[r].area * mean * change[d];
               }
             friction += rows[r].area * (q * state.slips[i][r]);
-            old_pressure = p;
-            old_shear    = q;
           }
       }
+    remember_tractions(answer);
     const double stored = stored_energy(answer);
     external_work += work;
     contact_work += contact;

@@ -117,8 +117,9 @@ namespace Amontons
             const auto   limit  = bound(k, p);
             const auto   q      = trial(k, answers[k]);
             const double excess = q.norm() - limit.value;
-            const bool   slips =
-              q.norm() > 0 && (old == ContactState::slip ? excess > -tolerance : excess > tolerance);
+            const bool   turned = old == ContactState::slip && q * laws[k].direction < 0;
+            const bool   slips  = !turned && q.norm() > 0 &&
+                               (old == ContactState::slip ? excess > -tolerance : excess > tolerance);
             states[k] = slips ? ContactState::slip : ContactState::stick;
             if (slips)
               laws[k] = linearise_slip(q, p, limit, nodes[k].c);

@@ -344,7 +344,10 @@ namespace Amontons
             return false;
           }
         if (report.iterations.empty())
-          report.one_linear_solve_seconds = clock.wall_time();
+          {
+            report.one_linear_solve_seconds = clock.wall_time();
+            report.start_residual           = rhs.l2_norm();
+          }
         u += du;
         constraints->trial().distribute(u);
         state.displacement = u;
@@ -464,6 +467,7 @@ namespace Amontons
       void
       finish()
       {
+        report.start_residual = force_scale > 0 ? report.start_residual / force_scale : 0;
         if (report.iterations.empty() || !std::isfinite(report.iterations.back().residual))
           {
             state.displacement = discretization.make_relevant_vector();

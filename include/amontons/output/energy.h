@@ -23,14 +23,22 @@ namespace Amontons
     void
     add(const Answer<dim> &answer);
 
+    // After a transfer to another mesh, which changed the state: goes on from answer.state. Collective.
+    void
+    rebase(const Answer<dim> &answer);
+
+    double transferred_energy = 0; // stored energy that transfers added (or took)
     double external_work = 0, contact_work = 0, dissipation = 0;
     double smallest_dissipation = 0; // of an increment
     // |W - change of stored energy - C| over the largest of the work so far
-    double energy_error = 0;
+    double energy_error = 0, largest_work = 0;
 
   private:
-    double                                              energy = 0, largest_work = 0;
+    void
+    remember_tractions(const Answer<dim> &answer);
+
+    double                                              energy = 0;
     LA::Vector                                          external; // e of the last state
-    std::vector<std::vector<std::pair<double, Tensor<1, 3>>>> tractions; // (pressure, shear) by pair and row
+    std::vector<std::vector<std::pair<double, Tensor<1, 3>>>> tractions; // (pressure, shear) by pair and node
   };
 } // namespace Amontons

@@ -247,11 +247,12 @@ namespace Amontons
   }
 
   template <int dim>
-  std::string
-  FloatingBodies<dim>::unheld_by(const std::vector<const LinearEquation *> &equations) const
+  std::vector<std::vector<double>>
+  FloatingBodies<dim>::unheld_motions(const std::vector<const LinearEquation *> &equations) const
   {
+    std::vector<std::vector<double>> motions;
     if (!any())
-      return "";
+      return motions;
     std::vector<const LinearEquation *> holding = equations;
     std::vector<LinearEquation>         pins(pinned.size());
     for (unsigned int i = 0; i < pinned.size(); ++i)
@@ -260,17 +261,41 @@ namespace Amontons
         holding.push_back(&pins[i]);
       }
     const auto left = null_space(with_equations(holding), 1e-12);
-    if (left.m() == 0)
-      return "";
-    std::string text;
-    for (unsigned int k = 0; k < left.n(); ++k)
+    for (unsigned int k = 0; left.m() > 0 && k < left.n(); ++k)
       {
         std::vector<double> q(n_modes);
+        double              work = 0;
         for (unsigned int i = 0; i < n_modes; ++i)
-          q[i] = left(i, k);
-        text += (text.empty() ? "" : "; ") + describe(q);
+          {
+            q[i] = left(i, k);
+            work += force[i] * q[i];
+          }
+        for (double &value : q)
+          value *= work < 0 ? -1 : 1;
+        motions.push_back(q);
       }
+    return motions;
+  }
+
+  template <int dim>
+  std::string
+  FloatingBodies<dim>::unheld_by(const std::vector<const LinearEquation *> &equations) const
+  {
+    std::string text;
+    for (const auto &q : unheld_motions(equations))
+      text += (text.empty() ? "" : "; ") + describe(q);
     return text;
+  }
+
+  template <int dim>
+  double
+  FloatingBodies<dim>::evaluate_on(const LinearEquation &equation, const std::vector<double> &motion) const
+  {
+    const auto e   = violation(equation.coefficients);
+    double     sum = 0;
+    for (unsigned int i = 0; i < n_modes; ++i)
+      sum += e[i] * motion[i];
+    return sum;
   }
 
   template <int dim>

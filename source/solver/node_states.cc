@@ -128,7 +128,7 @@ namespace Amontons
   }
 
   template <int dim>
-  std::string
+  std::vector<std::vector<double>>
   NodeStates<dim>::unheld() const
   {
     std::vector<ContactEquation> all;
@@ -138,7 +138,38 @@ namespace Amontons
     std::vector<const LinearEquation *> pointers;
     for (const auto &equation : all)
       pointers.push_back(&equation.equation);
-    return floating.unheld_by(pointers);
+    return floating.unheld_motions(pointers);
+  }
+
+  // Of the nodes that slip, by (slip v . m/|m|^2, trial/bound), where m is the jump of the motion. The number
+  // of nodes if none moves with it.
+  template <int dim>
+  unsigned int
+  NodeStates<dim>::least_slip_along(const std::vector<double>          &motion,
+                                    const std::vector<NodeAnswer<dim>> &answers,
+                                    const double                        tolerance) const
+  {
+    unsigned int              best = nodes.size();
+    std::pair<double, double> least;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (nodes[k].frictional && states[k] == ContactState::slip)
+        {
+          Tensor<1, dim> m;
+          for (unsigned int d = 0; d < dim; ++d)
+            m[d] = floating.evaluate_on(nodes[k].components[d].equation, motion);
+          m = nodes[k].tangential(m);
+          if (m.norm() < 1e-6)
+            continue;
+          const double slip  = answers[k].slip * m / m.norm_square();
+          const double ratio = trial(k, answers[k]).norm() /
+                               std::max(bound(k, answers[k].pressure).value, tolerance);
+          if (best == nodes.size() || std::make_pair(slip, ratio) < least)
+            {
+              least = {slip, ratio};
+              best  = k;
+            }
+        }
+    return best;
   }
 
   template <int dim>
@@ -148,23 +179,18 @@ namespace Amontons
     n_held = 0;
     if (!any_friction || !floating.any())
       return;
-    motion = unheld();
-    if (motion.empty())
-      return;
-    std::vector<std::pair<double, unsigned int>> by_ratio;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (nodes[k].frictional && states[k] == ContactState::slip)
-        by_ratio.emplace_back(trial(k, answers[k]).norm() /
-                                std::max(bound(k, answers[k].pressure).value, tolerance),
-                              k);
-    std::sort(by_ratio.begin(), by_ratio.end());
-    const unsigned int most = std::min<std::size_t>(by_ratio.size(), 2 * dim);
-    for (unsigned int i = 0; i < most; ++i)
+    auto motions = unheld();
+    motion.clear();
+    for (const auto &q : motions)
+      motion += (motion.empty() ? "" : "; ") + floating.describe(q);
+    while (!motions.empty())
       {
-        states[by_ratio[i].second] = ContactState::stick;
-        ++n_held;
-        if (unheld().empty())
+        const unsigned int k = least_slip_along(motions[0], answers, tolerance);
+        if (k == nodes.size())
           return;
+        states[k] = ContactState::stick;
+        ++n_held;
+        motions = unheld();
       }
   }
 

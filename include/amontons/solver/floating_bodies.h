@@ -54,6 +54,15 @@ namespace Amontons
     std::string
     unheld_by(const std::vector<const LinearEquation *> &equations) const;
 
+    // The motions behind unheld_by, as coefficients of the bodies' motions, in the direction that loads drive.
+    std::vector<std::vector<double>>
+    unheld_motions(const std::vector<const LinearEquation *> &equations) const;
+    std::string
+    describe(const std::vector<double> &motion) const;
+    // sum coefficient u for the displacements u of a motion.
+    double
+    evaluate_on(const LinearEquation &equation, const std::vector<double> &motion) const;
+
     // Throws InputError if loads work on a motion that neither supports nor any node that may close can hold;
     // else returns a sentence about motions that nothing holds (and nothing drives), or "".
     std::string
@@ -74,8 +83,6 @@ namespace Amontons
     is_driven(const std::vector<double> &q) const;
     FullMatrix<double>
     with_equations(const std::vector<const LinearEquation *> &equations) const;
-    std::string
-    describe(const std::vector<double> &q) const;
     Where
     place_of(const std::vector<double> &q) const; // of the body or motion that moves most
 

@@ -20,9 +20,9 @@ namespace Amontons
   // Open or closed as ActiveSetUpdate says. A closed node with friction slips along trial/|trial|, trial =
   // shear + c slip, where |trial| exceeds the bound phi(p), and sticks elsewhere; nodes that close and nodes
   // whose slip turns round stick first. Two things keep this from running in circles or away:
-  // - where the nodes that slip would leave a rigid motion of a body without hold, those that are closest to
-  //   sticking are held until others have found their states; if the bound is still exceeded there, friction
-  //   cannot hold the body (held_too_much);
+  // - where the nodes that slip would leave a rigid motion of a body without hold, the node that slipped least
+  //   along it is held (moved back rigidly until it rests, all nodes slip the right way); if the bound is
+  //   exceeded there when nothing else changes, friction cannot hold the body (held_too_much);
   // - when a set of states comes back, bounds are frozen: with given bounds (Tresca) the problem is that of
   //   minimising a convex energy; each time it is solved, the bounds follow the pressures, until they agree.
   template <int dim>
@@ -95,8 +95,12 @@ namespace Amontons
                            const double                        rounding);
     void
     hold_motions(const std::vector<NodeAnswer<dim>> &answers, const double tolerance);
-    std::string
+    std::vector<std::vector<double>>
     unheld() const;
+    unsigned int
+    least_slip_along(const std::vector<double>          &motion,
+                     const std::vector<NodeAnswer<dim>> &answers,
+                     const double                        tolerance) const;
     void
     watch_for_cycles(const std::vector<NodeAnswer<dim>> &answers, const unsigned int n_changes);
     Tensor<1, dim>

@@ -1,14 +1,21 @@
 #!/usr/bin/env python3
-"""Runs a scene and checks its summary: run_scene.py AMONTONS OUTPUT RANKS SCENE [--set X]... [--check "path OP value"]...
+"""Runs a scene and checks its summary: run_scene.py AMONTONS OUTPUT RANKS SCENE [--set X]... [--check "path OP value"]... [--fails]
 
-path: dots through objects, numbers through arrays ("pairs.0.peak_pressure", "meshes.-1.reference.errors.contact_size");
-"all(newton.1:.iterations)" style slices: "newton.1:.iterations" holds for every element.  OP: <= >= == or ~ (with "value rel tolerance").
+path: dots through objects, numbers through arrays ("pairs.0.peak_pressure", "meshes.-1.reference.errors.contact_size"); what follows a slice
+("newton.1:.iterations") or a choice ("contact.X=1.pressure", "contact.state=slip.tx") holds for every element. "contact" and "history" are the rows of the two tables.
+A '|' in X stands for ';', at which CMake splits.
+OP: <= >= == abs<= is (a word) has (words in a text), or ~ with "value relative-tolerance".  --fails: the program must end with exit code 1.
 """
+import csv
 import json
 import os
 import shutil
 import subprocess
 import sys
+
+
+def matches(value, wanted):
+    return value == wanted if isinstance(value, str) else abs(value - float(wanted)) < 1e-9
 
 
 def values(node, path):
@@ -19,38 +26,62 @@ def values(node, path):
         if ":" in head:
             low, high = (int(s) if s else None for s in head.split(":"))
             return [v for item in node[low:high] for v in values(item, rest)]
+        if "=" in head:
+            key, wanted = head.split("=")
+            return [v for item in node if matches(item[key], wanted) for v in values(item, rest)]
         return values(node[int(head)], rest)
     return values(node[head], rest)
+
+
+def rows(path):
+    def number(text):
+        try:
+            return float(text)
+        except (TypeError, ValueError):
+            return text
+
+    if not os.path.exists(path):
+        return []
+    with open(path) as file:
+        return [{key: number(text) for key, text in row.items()} for row in csv.DictReader(file)]
 
 
 def holds(value, operator, numbers):
     if operator == "is":
         return str(value) == numbers[0]
+    if operator == "has":
+        return " ".join(numbers) in value
     target = float(numbers[0])
     if value is None:
         return False
     if operator == "~":
         return abs(value - target) <= float(numbers[1]) * abs(target)
-    return {"<=": value <= target, ">=": value >= target, "==": value == target}[operator]
+    return {"<=": value <= target, "abs<=": abs(value) <= target, ">=": value >= target, "==": value == target}[operator]
 
 
 def main():
     executable, output, ranks, scene = sys.argv[1:5]
+    arguments, expected = sys.argv[5:], 0
+    if "--fails" in arguments:
+        arguments.remove("--fails")
+        expected = 1
     sets, checks = [], []
-    for flag, text in zip(sys.argv[5::2], sys.argv[6::2]):
+    for flag, text in zip(arguments[::2], arguments[1::2]):
         (sets if flag == "--set" else checks).append(text)
     shutil.rmtree(output, ignore_errors=True)
     command = [executable, scene, "--output", output, "--quiet"]
     for text in sets:
-        command += ["--set", text]
+        command += ["--set", text.replace("|", ";")]
     environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
     if int(ranks) > 1:
         command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", ranks] + command
     code = subprocess.run(command, env=environment, timeout=1200).returncode
-    if code != 0:
+    if code != expected:
         sys.exit(f"{' '.join(command)}: exit code {code}")
     with open(os.path.join(output, "summary.json")) as file:
         summary = json.load(file)
+    for table in "contact", "history":
+        summary[table] = rows(os.path.join(output, table + ".csv"))
     failed = 0
     for check in checks:
         words = check.split()

@@ -230,6 +230,74 @@ add_scene_test(NAME just_touching SCENE verification/just_touching.prm CHECK "st
 add_scene_test(NAME no_contact SCENE verification/no_contact.prm CHECK "status is converged" ${ITERATIONS} "pairs.0.peak_pressure <= 1e-12")
 add_scene_test(NAME lifted SCENE verification/tension.prm CHECK "status is converged" "newton.0.iterations <= 12" "pairs.0.peak_pressure <= 1e-12")
 
+# ---- Friction
+
+# What every run with friction keeps.
+set(LAWS "checks.energy_balance <= 1e-6" "checks.negative_dissipation <= 1e-9" "checks.coulomb_cone <= 1e-6" "checks.force_balance <= 1e-8")
+
+# Patch tests: at t = 1 all sticks, at t = 2 all slips. A turned scene turns the loads with it (c, s: cosine and sine of the angle).
+set(STICKS "End time=1" "Output times=")
+set(STUCK ${EXACT} ${LAWS} "pairs.0.n_slip == 0" "pairs.0.n_open == 0" "contact.:.slip_x abs<= 1e-12" "contact.:.slip_y abs<= 1e-12"
+    "meshes.-1.dissipation abs<= 1e-12")
+set(SLID ${EXACT} ${LAWS} "pairs.0.n_stick == 0" "pairs.0.n_open == 0" "newton.:.iterations <= 5" "meshes.-1.dissipation ~ 0.15 1e-9")
+set(TO_MU "1.5*table(0: 0, 1: 0.9, 1.5: 1)")
+foreach(degree 1 2)
+  foreach(slave first second)
+    set(both "Discretization/Degree=${degree}" "Contact interface/Slave=${slave}")
+    set(name patch_friction_q${degree}_${slave})
+    # the shear on the slave
+    set(q 1.5)
+    set(below 1.35)
+    if(slave STREQUAL first)
+      set(q -1.5)
+      set(below -1.35)
+    endif()
+    add_scene_test(NAME ${name}_sticks SCENE verification/patch_friction.prm SET ${both} ${STICKS} CHECK ${STUCK} "contact.:.tx ~ ${below} 1e-10")
+    add_scene_test(NAME ${name}_slips SCENE verification/patch_friction.prm SET ${both}
+                   CHECK ${SLID} "contact.:.tx ~ ${q} 1e-10" "contact.:.slip_y abs<= 1e-12" "meshes.:2.pairs.0.n_slip == 0")
+    add_scene_test(NAME ${name}_held_by_friction SCENE verification/patch_friction.prm
+                   SET ${both} ${STICKS} "Boundary condition top/Type=traction" "Boundary condition top/Value=1.35*t|-5*t" CHECK ${STUCK})
+    add_scene_test(NAME ${name}_1_to_10 SCENE verification/patch_friction.prm SET ${both} "Body upper/Cells=1,3" "Body lower/Cells=10,5"
+                   CHECK ${SLID} "contact.:.tx ~ ${q} 1e-10")
+    add_scene_test(NAME ${name}_10_to_1 SCENE verification/patch_friction.prm SET ${both} "Body upper/Cells=10,3" "Body lower/Cells=1,5"
+                   CHECK ${SLID} "contact.:.tx ~ ${q} 1e-10")
+    foreach(angle 17 45)
+      set(c "cos(${angle}*pi/180)")
+      set(s "sin(${angle}*pi/180)")
+      set(U "table(0: 0, 1: 0.06831, 1.5: 0.0759, 2: 0.1259)")
+      set(V "table(0: 0, 1: 0.09371428571428571)")
+      set(turned "Body upper/Rotate=${angle}" "Body lower/Rotate=${angle}" "Boundary condition top/Value=${c}*${U}+${s}*${V}|${s}*${U}-${c}*${V}"
+          "Boundary condition right/Value=-${s}*${TO_MU}|${c}*${TO_MU}" "Boundary condition left/Value=${s}*${TO_MU}|-${c}*${TO_MU}")
+      add_scene_test(NAME ${name}_sticks_turned_${angle} SCENE verification/patch_friction.prm SET ${both} ${STICKS} ${turned} CHECK ${STUCK})
+      add_scene_test(NAME ${name}_slips_turned_${angle} SCENE verification/patch_friction.prm SET ${both} ${turned} CHECK ${SLID})
+    endforeach()
+    # The error estimate of an exact solution is rounding: it refines here and there.
+    foreach(history replay transfer)
+      add_scene_test(NAME ${name}_hanging_nodes_${history} SCENE verification/patch_friction.prm
+                     SET ${both} "Refinement/Cycles=2" "Refinement/History=${history}" CHECK ${SLID} "contact.:.tx ~ ${q} 1e-10")
+    endforeach()
+
+    # In space; slip of 0.05 over an area of 3. The direction of slip makes the problem nonlinear: solved to 1e-12, since the tolerance of 1e-9
+    # would leave 1e-9 in the pressure.
+    set(both "Discretization/Degree=${degree}" "Contact interface/Slave=${slave}" "Contact solver/Tolerance=1e-12")
+    # hanging nodes carry no traction of their own and have no slip
+    set(collinear ${EXACT} ${LAWS} "pairs.0.n_stick == 0" "pairs.0.n_open == 0" "newton.:.iterations <= 7" "meshes.-1.dissipation ~ 0.225 1e-9")
+    if(slave STREQUAL first)
+      list(APPEND collinear "contact.:.tx ~ -1.299038105676658 1e-9" "contact.:.ty ~ -0.75 1e-9" "contact.state=slip.slip_x ~ 0.04330127018922193 1e-9"
+           "contact.state=slip.slip_y ~ 0.025 1e-9")
+    else()
+      list(APPEND collinear "contact.:.tx ~ 1.299038105676658 1e-9" "contact.:.ty ~ 0.75 1e-9" "contact.state=slip.slip_x ~ -0.04330127018922193 1e-9"
+           "contact.state=slip.slip_y ~ -0.025 1e-9")
+    endif()
+    set(name patch_friction_3d_q${degree}_${slave})
+    add_scene_test(NAME ${name}_sticks SCENE verification/patch_friction_3d.prm SET ${both} ${STICKS} CHECK ${STUCK})
+    add_scene_test(NAME ${name}_slips SCENE verification/patch_friction_3d.prm SET ${both} CHECK ${collinear})
+    if(degree EQUAL 1)
+      add_scene_test(NAME ${name}_hanging_nodes SCENE verification/patch_friction_3d.prm SET ${both} "Refinement/Cycles=2" CHECK ${collinear})
+    endif()
+  endforeach()
+endforeach()
+
 # ---- The same answer: ranks, complementarity factor
 
 foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight

@@ -1,9 +1,9 @@
-# Scenes with the checks of their answers: add_scene_test(NAME name SCENE file RANKS n SET "Section/Name=value"... CHECK "path OP value"...)
+# Scenes with the checks of their answers: add_scene_test(NAME name SCENE file RANKS n SET "Section/Name=value"... CHECK "path OP value"... [FAILS])
 # and add_comparison_test(NAME name SCENE file SET ... RUN "ranks | Section/Name=value"... OPTIONS ...). Files are relative to parameters/.
 set(SCENE_QUIET "Output/VTU=false" "Output/Report=false")
 
 function(add_scene_test)
-  cmake_parse_arguments(T "" "NAME;SCENE;RANKS" "SET;CHECK" ${ARGN})
+  cmake_parse_arguments(T "FAILS" "NAME;SCENE;RANKS" "SET;CHECK" ${ARGN})
   if(NOT T_RANKS)
     set(T_RANKS 1)
   endif()
@@ -14,6 +14,9 @@ function(add_scene_test)
   foreach(text IN LISTS T_CHECK)
     list(APPEND arguments --check "${text}")
   endforeach()
+  if(T_FAILS)
+    list(APPEND arguments --fails)
+  endif()
   add_test(NAME scenes/${T_NAME}
            COMMAND python3 ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/run_scene.py $<TARGET_FILE:amontons> ${CMAKE_BINARY_DIR}/scenes/${T_NAME}
                    ${T_RANKS} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../parameters/${T_SCENE} ${arguments})
@@ -296,6 +299,33 @@ foreach(degree 1 2)
       add_scene_test(NAME ${name}_hanging_nodes SCENE verification/patch_friction_3d.prm SET ${both} "Refinement/Cycles=2" CHECK ${collinear})
     endif()
   endforeach()
+endforeach()
+
+# The last edges of open, slip and stick: no more than one node apart, on the finest faces of 0.04 to 0.16.
+add_scene_test(NAME greco SCENE greco.prm
+               CHECK ${LAWS} "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "pairs.0.normal_force.1 ~ 2000 1e-8"
+                     "pairs.0.tangential_force.0 ~ -1405.37 1e-3" "probes.0.points.0.displacement.0 ~ 28.603e-3 3e-3"
+                     "probes.0.points.1.displacement.0 ~ 27.226e-3 3e-3" "probes.0.points.4.displacement.0 ~ 22.868e-3 3e-3"
+                     "probes.0.points.6.displacement.0 ~ 19.8075e-3 3e-3" "probes.0.points.9.displacement.0 ~ 15.414e-3 3e-3"
+                     "contact.state=open.X <= 3.35" "contact.state=slip.X >= 3.25" "contact.state=slip.X <= 30" "contact.state=stick.X >= 29.6")
+add_comparison_test(NAME greco_1_5_50_increments SCENE greco.prm SET "Refinement/Cycles=2" OPTIONS --any-iterations
+                    RUN 1 "1 | Increments=5" "1 | Increments=50")
+foreach(mu 0 0.1 0.3 0.7 1.5 2)
+  add_scene_test(NAME greco_mu_${mu} SCENE greco.prm SET "Contact base/Friction coefficient=${mu}" "Refinement/Cycles=4"
+                 CHECK "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "checks.force_balance <= 1e-8" "status is converged")
+endforeach()
+
+foreach(mu 0.1501 0.2 0.3 0.5 1 2)
+  add_scene_test(NAME floating_slab_mu_${mu} SCENE floating_slab.prm SET "Contact base/Friction coefficient=${mu}"
+                 CHECK ${LAWS} "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "pairs.0.normal_force.1 ~ 800 1e-8"
+                       "pairs.0.tangential_force.0 ~ -120 1e-8")
+endforeach()
+# The reference has four digits: half a unit of the last is 3e-4.
+add_scene_test(NAME floating_slab_pressures SCENE floating_slab.prm SET "Refinement/Strategy=uniform"
+               CHECK "contact.X=1.pressure ~ 184.2 3e-4" "contact.X=2.pressure ~ 186.45 3e-4" "contact.X=3.pressure ~ 196.4 3e-4")
+foreach(mu 0.14 0.1499)
+  add_scene_test(NAME floating_slab_mu_${mu} SCENE floating_slab.prm FAILS SET "Contact base/Friction coefficient=${mu}"
+                 CHECK "status has not converged" "message has friction cannot hold the rigid motion along x")
 endforeach()
 
 # ---- The same answer: ranks, complementarity factor

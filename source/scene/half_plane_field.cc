@@ -1,7 +1,4 @@
 #include <amontons/scene/half_plane_field.h>
-#include <amontons/base/closed_forms_friction.h>
-
-#include <cmath>
 
 namespace Amontons
 {
@@ -38,33 +35,6 @@ namespace Amontons
     for (ClosedForms::EllipticTraction &traction : other.shear)
       traction.force *= -1;
     return other;
-  }
-
-  HalfPlaneLoading
-  half_plane_loading(const ClosedFormArguments &get, const HalfPlaneField &full)
-  {
-    const bool given = get.is_given("friction");
-    if (!given && get("shear_ratio") != 0)
-      get.fail("found shear_ratio without friction", "both, or none");
-    if (!(std::abs(get("shear_ratio")) < 1))
-      get.fail("found a shear force that friction cannot carry",
-               "-1 < shear_ratio < 1 (shear_ratio = Q/(friction P))");
-    return {full, given ? get("friction") : 0., get("shear_ratio")};
-  }
-
-  HalfPlaneField
-  HalfPlaneLoading::at(const double t) const
-  {
-    if (!(friction > 0))
-      return full;
-    const auto     load = ClosedForms::normal_then_shear(t, -full.side * shear_ratio * friction * full.force);
-    HalfPlaneField field = full;
-    field.force          = load.normal_fraction * full.force;
-    field.size           = std::sqrt(load.normal_fraction) * full.size;
-    field.shear =
-        ClosedForms::shear_state(ClosedForms::ContactShape::line, load.shear, full.force, friction, full.size)
-            .tractions;
-    return field;
   }
 
   dealii::Tensor<1, 3>

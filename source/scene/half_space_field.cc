@@ -28,6 +28,8 @@ namespace Amontons
     ClosedForms::HalfSpaceState
     state(const HalfSpaceField &field, const double r, const double depth)
     {
+      if (field.force == 0)
+        return {};
       return ClosedForms::half_space_hertz(
           r, depth, field.material.young, field.material.poisson, field.force, field.size);
     }
@@ -38,7 +40,17 @@ namespace Amontons
   {
     const auto c    = cylindrical(*this, p);
     const auto here = state(*this, c.r, c.depth);
-    return here.ur * c.outward + (here.uz - state(*this, 0, 0).uz) * c.inward;
+    auto       u    = here.ur * c.outward + (here.uz - state(*this, 0, 0).uz) * c.inward;
+    for (const auto &traction : shear)
+      {
+        const auto part = [&](const Tensor<1, 3> &x, const double depth) {
+          return ClosedForms::half_space_shear(
+              x[0], x[1], depth, material.young, material.poisson, traction.force, traction.size);
+        };
+        const auto at_p = part(p - centre, c.depth), origin = part(Tensor<1, 3>(), 0);
+        u += Tensor<1, 3>({at_p.x - origin.x, at_p.y, side * at_p.z});
+      }
+    return u;
   }
 
   HalfSpaceField
@@ -46,6 +58,8 @@ namespace Amontons
   {
     HalfSpaceField other = *this;
     other.side           = -side;
+    for (auto &traction : other.shear)
+      traction.force *= -1;
     return other;
   }
 
@@ -53,6 +67,7 @@ namespace Amontons
   dealii::SymmetricTensor<2, 3>
   HalfSpaceField::stress(const Point<3> &p) const
   {
+    Assert(shear.empty(), dealii::ExcNotImplemented());
     const auto                    c = cylindrical(*this, p);
     const auto                    s = state(*this, c.r, c.depth);
     dealii::SymmetricTensor<2, 3> result;

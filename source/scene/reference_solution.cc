@@ -1,3 +1,4 @@
+#include <amontons/scene/half_body_loading.h>
 #include <amontons/scene/half_plane_field.h>
 #include <amontons/scene/half_space_field.h>
 #include <amontons/scene/reference_builders.h>
@@ -52,10 +53,16 @@ namespace Amontons
            R::hertz_elliptic},
           {{"half_space_box",
             "hertz_point of radius a, with displacements and stresses; the lower body (E1, nu1) ends at z "
-            "(axisymmetric: y) "
-            "from below, the upper one from above",
+            "(axisymmetric: y) from below, the upper one from above; with friction as half_plane_box, in 3D "
+            "(Mindlin, exact for nu = 0; no stresses); the sides need halfspace_hertz with the same",
             {"a", "R", "E1", "nu1"},
-            {{"E2", unset}, {"nu2", unset}, {"x", 0}, {"y", 0}, {"z", 0}}},
+            {{"E2", unset},
+             {"nu2", unset},
+             {"friction", unset},
+             {"shear_ratio", 0},
+             {"x", 0},
+             {"y", 0},
+             {"z", 0}}},
            R::half_space_box},
           {{"half_plane_box",
             "hertz_line of half-width a, with displacements and stresses; the lower body (E1, nu1) ends at y "
@@ -165,10 +172,9 @@ namespace Amontons
           "boundary values: displacement of a half space under Hertz's pressure of resultant P and radius a "
           "about "
           "(x0, y0, z0), where it is zero; its surface is normal to z (axisymmetric: y); side = -1: body "
-          "below it, "
-          "+1: above",
+          "below it, +1: above. With friction: at time t of the load program of half_space_box",
           {"P", "a"},
-          {{"x0", 0}, {"y0", 0}, {"z0", 0}, {"side", -1}}};
+          {{"x0", 0}, {"y0", 0}, {"z0", 0}, {"side", -1}, {"friction", unset}, {"shear_ratio", 0}}};
       return declaration;
     }
 
@@ -200,7 +206,7 @@ namespace Amontons
       return shear;
     }
 
-    HalfPlaneLoading
+    HalfBodyLoading<HalfPlaneField>
     half_plane_field(const ClosedFormArguments &get, const MaterialData &material)
     {
       HalfPlaneField field;
@@ -211,10 +217,10 @@ namespace Amontons
       field.centre       = Point<3>(get("x0"), get("y0"), 0);
       field.side         = side(get);
       field.plane_stress = get("plane_stress") != 0;
-      return half_plane_loading(get, field);
+      return read_loading(get, field);
     }
 
-    HalfSpaceField
+    HalfBodyLoading<HalfSpaceField>
     half_space_field(const ClosedFormArguments &get, const MaterialData &material, const Kind kind)
     {
       HalfSpaceField field;
@@ -224,7 +230,9 @@ namespace Amontons
       field.centre   = Point<3>(get("x0"), get("y0"), get("z0"));
       field.side     = side(get);
       field.axis     = normal_axis(kind);
-      return field;
+      if (field.axis != 2 && get("shear_ratio") != 0)
+        get.fail("found a shear force", "shear_ratio = 0 in axisymmetric scenes");
+      return read_loading(get, field);
     }
 
     [[noreturn]] void
@@ -256,8 +264,8 @@ namespace Amontons
   {
     if (data.name == half_space_hertz().name)
       {
-        const auto field = half_space_field({data, half_space_hertz()}, material, kind);
-        return [field](const Point<3> &p, const double) { return field.displacement(p); };
+        const auto loading = half_space_field({data, half_space_hertz()}, material, kind);
+        return [loading](const Point<3> &p, const double t) { return loading.at(t).displacement(p); };
       }
     if (data.name == half_plane_elliptic().name)
       {

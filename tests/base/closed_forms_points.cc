@@ -102,6 +102,79 @@ namespace
     check::is_true(std::isfinite(edge.ur) && std::isfinite(edge.rr) && std::isfinite(edge.rz), "edge");
     is_close(above.uz, edge.uz, 1e-15, "points outside of the body");
   }
+  // Boussinesq's and Cerruti's point forces ([J] sec. 3.2, 3.6) over the circle: r = a sin t, midpoint rules.
+  Displacement
+  shear_by_quadrature(const double x,
+                      const double y,
+                      const double z,
+                      const double E,
+                      const double nu,
+                      const double Q,
+                      const double a)
+  {
+    const double G = E / 2 / (1 + nu);
+    const int    n = 400, m = 200;
+    Displacement u{0, 0, 0};
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k < m; ++k)
+        {
+          const double t = pi / 2 * (i + .5) / n, angle = 2 * pi * (k + .5) / m;
+          const double X = x - a * std::sin(t) * std::cos(angle), Y = y - a * std::sin(t) * std::sin(angle);
+          const double rho = std::sqrt(X * X + Y * Y + z * z), sum = rho + z;
+          const double f = 3 * Q / (2 * pi) * std::cos(t) * std::cos(t) * std::sin(t) * pi / 2 / n * 2 * pi /
+                           m / (4 * pi * G);
+          u.x +=
+              f * (1 / rho + X * X / std::pow(rho, 3) + (1 - 2 * nu) * (1 / sum - X * X / (rho * sum * sum)));
+          u.y += f * (X * Y / std::pow(rho, 3) - (1 - 2 * nu) * X * Y / (rho * sum * sum));
+          u.z += f * (X * z / std::pow(rho, 3) + (1 - 2 * nu) * X / (rho * sum));
+        }
+    return u;
+  }
+
+  // The same half space under Mindlin's shear: point forces, and [J] (3.91) on the loaded circle.
+  void
+  sheared_half_space()
+  {
+    const double E = 7, Q = 2, a = 1.3;
+    for (const double nu : {0., .27, .5})
+      {
+        const double points[][3] = {{3, 0, 0},
+                                    {4, 2, 2},
+                                    {-3, .5, 4},
+                                    {0, 0, 4},
+                                    {.001, .002, 3},
+                                    {0, 4, 4},
+                                    {1, -3, 0},
+                                    {.3, .2, 1}};
+        for (const auto &p : points)
+          {
+            const Displacement u = half_space_shear(p[0], p[1], p[2], E, nu, Q, a),
+                               v = shear_by_quadrature(p[0], p[1], p[2], E, nu, Q, a);
+            is_close(u.x, v.x, 1e-5, "u_x of the quadrature");
+            is_close(u.y, v.y, 1e-5, "u_y of the quadrature", u.x);
+            is_close(u.z, v.z, 1e-5, "u_z of the quadrature", u.x);
+          }
+        const double scale = 3 * Q / (2 * a * a) / (32 * E / 2 / (1 + nu) * a);
+        for (const double x : {-.7, 0., .0003, .5, .9})
+          for (const double y : {0., .0005, .9})
+            {
+              const Displacement u = half_space_shear(x, y, 0, E, nu, Q, a);
+              is_close(u.x,
+                       scale * (4 * (2 - nu) * a * a - (4 - 3 * nu) * x * x - (4 - nu) * y * y),
+                       1e-9,
+                       "u_x on the circle");
+              is_close(u.y, scale * 2 * nu * x * y, 1e-9, "u_y on the circle", u.x);
+            }
+        for (const double z : {0., .8, 5.}) // both sides of the change of formulas near the axis
+          {
+            const double r = 3e-3 * std::hypot(a, z);
+            is_close(half_space_shear(r * (1 - 1e-9), 0, z, E, nu, Q, a).x,
+                     half_space_shear(r * (1 + 1e-9), 0, z, E, nu, Q, a).x,
+                     1e-9,
+                     "near the axis");
+          }
+      }
+  }
 } // namespace
 
 int
@@ -109,5 +182,6 @@ main()
 {
   elliptic();
   half_space();
+  sheared_half_space();
   return check::result();
 }

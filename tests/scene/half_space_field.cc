@@ -103,11 +103,94 @@ namespace
     const FieldData boundary{"halfspace_hertz", {{"P", *s.normal_force}, {"a", 1}, {"side", 1}}, {}};
     Point<3>        p(4, 0, 0);
     p[axis] = 2;
-    check::is_close((make_displacement_field(boundary, {1, .3}, kind)(p, 0) - s.displacement("above", p)).norm(),
-                    0,
-                    1e-15,
-                    "field",
-                    1);
+    check::is_close(
+        (make_displacement_field(boundary, {1, .3}, kind)(p, 0) - s.displacement("above", p)).norm(),
+        0,
+        1e-15,
+        "field",
+        1);
+  }
+
+  // Two half spaces without lateral contraction, sheared to and fro: they stick for r < c, the gap stays
+  // closed, the tractions' work on the slip is the dissipation.
+  void
+  sheared_box()
+  {
+    Scene scene;
+    scene.kind = Kind::three_dimensional;
+    for (const char *const name : {"below", "above"})
+      {
+        BodyData body;
+        body.name     = name;
+        body.lower    = Point<3>(-4, -4, body.name == "below" ? -4 : 0);
+        body.upper    = Point<3>(4, 4, body.name == "below" ? 0 : 4);
+        body.material = {1, 0};
+        scene.bodies.push_back(body);
+      }
+    const double mu        = .3;
+    const auto   reference = [&](const double t) {
+      scene.end_time = t;
+      return make_reference_solution({"half_space_box",
+                                      {{"a", 1},
+                                       {"R", 50},
+                                       {"E1", 1},
+                                       {"nu1", 0},
+                                       {"E2", 1},
+                                       {"nu2", 0},
+                                       {"friction", mu},
+                                       {"shear_ratio", .5}},
+                                      {}},
+                                     scene);
+    };
+    const auto relative = [](const ReferenceSolution &s, const Point<3> &p) {
+      return s.displacement("below", p) - s.displacement("above", p);
+    };
+    check::is_close(*reference(2).stick_size, std::cbrt(.5), 1e-12, "c");
+    check::is_close(*reference(.3).contact_size, std::cbrt(.3), 1e-12, "a before the shear");
+    check::is_true(!reference(2).stress && reference(1).stress, "no stresses under shear");
+    const auto last_turn = [](const double t) { return t <= 2 ? std::min(t, 1.) : std::ceil(t) - 1; };
+    for (const double t : {.3, 1., 1.6, 2., 2.4, 3., 3.7, 4.})
+      {
+        const auto s = reference(t), begin = reference(last_turn(t));
+        for (const Point<3> &p :
+             {Point<3>(.3, .1, 0), Point<3>(0, -.6, 0), Point<3>(-.5, .6, 0), Point<3>(.9, 0, 0)})
+          {
+            const double r = p.norm();
+            const auto   u = relative(s, p), slip = u - relative(begin, p);
+            if (r < *s.contact_size)
+              check::is_close(u[2], r * r / 100, 1e-13, "closed", 1);
+            check::is_close(slip[1], 0, 1e-14, "no slip across", 1);
+            if (r < *s.stick_size)
+              check::is_close(slip[0], 0, 1e-14, "stick", 1);
+            else if (r < *s.contact_size)
+              check::is_true(slip[0] * s.shear_traction(r) < 0, "slip against the traction");
+          }
+        const FieldData boundary{
+            "halfspace_hertz",
+            {{"P", *reference(1).normal_force}, {"a", 1}, {"side", 1}, {"friction", mu}, {"shear_ratio", .5}},
+            {}};
+        const Point<3> p(4, -1, 2);
+        const auto     field = make_displacement_field(boundary, {1, 0});
+        check::is_close((field(p, t) - s.displacement("above", p)).norm(), 0, 1e-15, "field", 1);
+        check::is_close(field(p, 0).norm(), 0, 1e-15, "nothing at t = 0", 1);
+      }
+    const unsigned int n_r = 100, n_t = 60;
+    const double       pi   = dealii::numbers::PI;
+    double             work = 0;
+    for (unsigned int i = n_t; i < 4 * n_t; ++i)
+      {
+        const auto before = reference(double(i) / n_t), after = reference((i + 1.) / n_t),
+                   middle = reference((i + .5) / n_t);
+        for (unsigned int k = 0; k < n_r; ++k)
+          {
+            const double   phi = pi / 2 * (k + .5) / n_r, r = std::sin(phi);
+            const Point<3> p(r, 0, 0);
+            work -= middle.shear_traction(r) * (relative(after, p)[0] - relative(before, p)[0]) * 2 * pi * r *
+                    std::cos(phi) * pi / 2 / n_r;
+          }
+        if ((i + 1) % (n_t / 2) == 0 && i > n_t)
+          check::is_close(work, *after.dissipation, 4e-3, "work of friction", 1e-8);
+      }
   }
 
   // An ellipsoid of semi-axes 6 (x), 10 (y), 5 (z) on a plane, and cylinders along x and at 60 degrees;
@@ -157,6 +240,7 @@ main()
       space_field(side, axis);
   space_box(Kind::three_dimensional);
   space_box(Kind::axisymmetric);
+  sheared_box();
   ellipses();
   return check::result();
 }

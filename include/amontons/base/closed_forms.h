@@ -133,6 +133,21 @@ namespace Amontons
     half_space_hertz(
         const double r, const double z, const double E, const double nu, const double P, const double a);
 
+    // The same under the shear traction (3Q/(2 pi a^2)) sqrt(1-r^2/a^2) in +x: displacements, which vanish far
+    // away; [J] sec. 3.6.
+    struct Displacement
+    {
+      double x, y, z; // z into the body
+    };
+    Displacement
+    half_space_shear(const double x,
+                     const double y,
+                     const double z,
+                     const double E,
+                     const double nu,
+                     const double Q,
+                     const double a);
+
     // ---- Punches without rounded edges, and general profiles.
 
     // p = P / (pi sqrt(a^2-x^2)); [J] (2.64)

@@ -1,8 +1,8 @@
 // The exact field of a half plane under elliptic pressure and shear, in global axes.
 #pragma once
 
-#include <amontons/base/closed_forms.h>
-#include <amontons/scene/closed_form_arguments.h>
+#include <amontons/base/closed_forms_friction.h>
+#include <amontons/scene/scene.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -14,6 +14,8 @@ namespace Amontons
   // relative to that of the contact.
   struct HalfPlaneField
   {
+    static constexpr auto shape = ClosedForms::ContactShape::line;
+
     MaterialData                               material;
     double                                     force = 0, size = 1;
     std::vector<ClosedForms::EllipticTraction> shear;
@@ -33,21 +35,4 @@ namespace Amontons
     ClosedForms::HalfPlaneState
     state(const double x, const double z) const;
   };
-
-  // A half plane under the load program ClosedForms::normal_then_shear: P of half-width a grows until t = 1;
-  // then the shear force Q = shear_ratio mu P (Cattaneo) comes and goes. Q > 0 pushes the lower body in +x
-  // and the upper one in -x. In elastically similar bodies, the relative displacement of the two surfaces
-  // along them is zero where they stick, as it is at the centre. friction = 0: `full` at all times.
-  struct HalfPlaneLoading
-  {
-    HalfPlaneField full; // all of the normal force, no shear
-    double         friction = 0, shear_ratio = 0;
-
-    HalfPlaneField
-    at(const double t) const;
-  };
-
-  // Reads `friction` and `shear_ratio`; the field is left as it is. Throws InputError.
-  HalfPlaneLoading
-  half_plane_loading(const ClosedFormArguments &get, const HalfPlaneField &full = {});
 } // namespace Amontons

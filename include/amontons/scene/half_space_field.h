@@ -1,7 +1,7 @@
-// The exact field of a half space under Hertz's pressure on a circle, in global axes.
+// The exact field of a half space under Hertz's pressure and Mindlin's shear on a circle, in global axes.
 #pragma once
 
-#include <amontons/base/closed_forms.h>
+#include <amontons/base/closed_forms_friction.h>
 #include <amontons/scene/scene.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -10,21 +10,26 @@ namespace Amontons
 {
   // The surface is normal to the coordinate axis `axis` (2: z; 1: y, the axis of revolution of axisymmetric
   // scenes) and goes through the centre of the contact, where the displacement is zero. side = -1: the body
-  // is below, 1: above. Points outside of the body are taken to the surface.
+  // is below, 1: above. Points outside of the body are taken to the surface. The shear tractions push this
+  // body in +x; only axis = 2 has them.
   struct HalfSpaceField
   {
-    MaterialData material;
-    double       force = 0, size = 1;
-    Point<3>     centre;
-    unsigned int axis = 2;
-    int          side = -1;
+    static constexpr auto shape = ClosedForms::ContactShape::sphere;
+
+    MaterialData                               material;
+    double                                     force = 0, size = 1;
+    std::vector<ClosedForms::EllipticTraction> shear;
+    Point<3>                                   centre;
+    unsigned int                               axis = 2;
+    int                                        side = -1;
 
     dealii::Tensor<1, 3>
     displacement(const Point<3> &p) const;
     dealii::SymmetricTensor<2, 3>
-    stress(const Point<3> &p) const;
+    stress(const Point<3> &p) const; // without shear only
+    // The other body of the same material: the opposite tractions.
     HalfSpaceField
-    opposite() const; // the other body of the same material
+    opposite() const;
   };
 
   // The axis of the scenes' contact normal: z in three dimensions, else y.

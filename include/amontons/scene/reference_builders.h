@@ -22,6 +22,21 @@ namespace Amontons
             const double                     mu,
             ReferenceSolution               &s);
 
+  // The same for two halves (HalfPlaneField, HalfSpaceField), of this history on the lower body: the shear is
+  // that on the slave in +x, where Slave = automatic stands for the lower body. Throws InputError for bodies
+  // that are not elastically similar.
+  template <typename Field>
+  void
+  set_shear_of_halves(const ClosedFormArguments           &get,
+                      const Scene                         &scene,
+                      ClosedForms::ShearHistory            history,
+                      const Field                         &lower,
+                      ReferenceSolution                   &s,
+                      const std::function<double(double)> &cost_of_cycle);
+  // (2-nu1)/G1 + (2-nu2)/G2
+  double
+  mindlin_compliance(const ClosedFormArguments &get);
+
   namespace ReferenceBuilders
   {
     ReferenceSolution
@@ -34,9 +49,8 @@ namespace Amontons
     // Hertz point contact of the radius a, with the displacements and stresses of both half spaces.
     ReferenceSolution
     half_space_box(const ClosedFormArguments &get, const Scene &scene);
-    // Hertz line contact of the half-width a, with the displacements and stresses of both half planes; with
-    // friction: at the end time of the load program of HalfPlaneLoading. The shear is that on the slave in
-    // +x: Slave = automatic stands for the lower body.
+    // Hertz line contact of the half-width a, with the displacements and stresses of both half planes. Both
+    // boxes with friction: at the end time of the load program of HalfBodyLoading.
     ReferenceSolution
     half_plane_box(const ClosedFormArguments &get, const Scene &scene);
     // Line contact and sphere with a shear force: first loading, or on the way back after reversals.

@@ -10,6 +10,7 @@ namespace Amontons
   ContactProblem<dim>::run_load_program()
   {
     LoadProgram program(scene, has_history);
+    NewtonReport failure;
     start_history();
     while (!program.finished())
       {
@@ -19,9 +20,13 @@ namespace Amontons
           {
             program.accept(last_report.iterations.size());
             commit(program);
+            failure = NewtonReport();
           }
-        else if (has_history && program.cut_back())
-          roll_back(state.t);
+        else if (has_history && !failed_alike(failure) && program.cut_back())
+          {
+            roll_back(state.t);
+            failure = last_report;
+          }
         else
           return false;
         if (!program.finished())
@@ -63,7 +68,12 @@ namespace Amontons
     if (program.finished())
       return;
     state.committed = state.displacement;
-    last_converged  = state;
+    if (has_history && parameters.refinement.history == "transfer")
+      {
+        collect_fields();
+        make_traction_field();
+      }
+    last_converged = state;
     for (unsigned int i = 0; program.at_corner() && i < interfaces.size(); ++i)
       for (auto &s : state.states[i])
         if (interfaces[i].pair->has_friction() && s == ContactState::slip)
@@ -74,21 +84,32 @@ namespace Amontons
   void
   ContactProblem<dim>::roll_back(const double failed_time)
   {
-    std::ostringstream note;
-    note << "increments were cut back before t = " << failed_time << ": " << summary.message;
-    summary.notes.push_back(note.str());
+    std::ostringstream text;
+    text << "increments were cut back first before t = " << failed_time << ": " << summary.message;
+    if (n_cut_backs++ == 0)
+      summary.notes.push_back(text.str());
     summary.meshes.pop_back();
-    const bool same_mesh = last_converged.displacement.size() == state.displacement.size();
-    const auto carried   = state.traction;
-    if (same_mesh)
+    if (last_converged.displacement.size() == state.displacement.size())
       state = last_converged;
     else
       {
         state              = SolutionState();
         state.displacement = discretization->make_relevant_vector();
       }
-    state.traction = carried;
-    state.t        = -1; // the supports are still those of the failed time
+    state.t = -1; // the supports are still those of the failed time
+  }
+
+  // The iteration went the same way as with an increment twice as long: smaller ones will not change it (loads
+  // that do not depend on t, or that all grow alike from zero).
+  template <int dim>
+  bool
+  ContactProblem<dim>::failed_alike(const NewtonReport &before) const
+  {
+    const auto &a = before.iterations, &b = last_report.iterations;
+    return !a.empty() && a.size() == b.size() &&
+           std::equal(a.begin(), a.end(), b.begin(), [](const auto &x, const auto &y) {
+             return x.n_open == y.n_open && x.n_slip == y.n_slip && x.n_changes == y.n_changes;
+           });
   }
 
   // With history, `Replay`: the whole load program on the refined mesh.
@@ -127,8 +148,12 @@ namespace Amontons
   {
     const double t = state.t;
     set_time(program.time());
-    state.displacement = state.committed;
-    last_converged     = SolutionState();
+    const LA::Vector traction_at_end = state.traction;
+    const auto       peaks_at_end    = state.peaks;
+    state.displacement               = state.committed;
+    state.traction                   = last_converged.traction;
+    state.peaks                      = last_converged.peaks;
+    carry_active_set();
     terminal.note("equilibrium of the transferred state at t = " + std::to_string(state.t));
     const auto report = iterate();
     if (!report.converged)
@@ -139,6 +164,9 @@ namespace Amontons
     transfer_residual = std::max(transfer_residual, report.start_residual);
     work.rebase(answer());
     state.committed = state.displacement;
+    last_converged  = state;
+    state.traction  = traction_at_end;
+    state.peaks     = peaks_at_end;
     set_time(t);
     carry_active_set();
     return true;

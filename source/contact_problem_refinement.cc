@@ -74,7 +74,8 @@ namespace Amontons
         return false;
       }
     make_traction_field();
-    std::vector<LA::Vector *> moving = {&state.displacement, &state.traction, &state.committed};
+    std::vector<LA::Vector *> moving = {
+        &state.displacement, &state.traction, &state.committed, &last_converged.traction};
     for (auto &point : path)
       {
         moving.push_back(&point.displacement);

@@ -69,6 +69,8 @@ namespace Amontons
     void
     roll_back(const double failed_time);
     bool
+    failed_alike(const NewtonReport &before) const;
+    bool
     solve_increment(const LoadProgram &program);
     bool
     solve_on_mesh(const LoadProgram &program);
@@ -143,6 +145,7 @@ namespace Amontons
     std::vector<PathPoint>                   path;
     WorkDone<dim>                            work;
     unsigned int                             cycle = 0; // refinements so far
+    unsigned int n_cut_backs = 0;
     double transfer_residual = 0; // largest, of the transferred state on its new mesh
     NewtonReport                             last_report;
     std::vector<SurfaceFields<dim>>          fields;

@@ -113,12 +113,14 @@ namespace Amontons
   }
 
   void
-  LinearSolver::matrix_changed(const LA::SparseMatrix &, const bool much)
+  LinearSolver::matrix_changed(const unsigned int n_nodes)
   {
     factorisation_is_old = true;
-    if (much)
+    if (n_nodes == all_rows)
       direct.reset();
-    amg_is_old = amg_is_old || much;
+    else
+      n_changed += n_nodes;
+    amg_is_old = amg_is_old || n_nodes == all_rows;
   }
 
   void
@@ -155,7 +157,7 @@ namespace Amontons
   LinearSolver::solve_directly(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs)
   {
     LinearSolveReport report;
-    if (direct && factorisation_is_old)
+    if (direct && factorisation_is_old && n_changed <= (symmetric ? 20 : 6))
       {
         // Beyond about 20 solves a new factorisation is cheaper (2D: one costs some 10 to 20 of them).
         ReductionControl control(20, 0, symmetric ? 1e-13 : 1e-12);
@@ -177,6 +179,7 @@ namespace Amontons
     if (factorisation_is_old)
       direct->factorise();
     factorisation_is_old = false;
+    n_changed            = 0;
     direct->vmult(x, rhs);
     ++report.iterations;
     report.success = !direct->failed && std::isfinite(x.l2_norm());

@@ -231,6 +231,29 @@ namespace Amontons
           largest = std::max(largest, pressure[node]);
       return largest;
     }
+    // Hanging nodes have no row: what is shown there is interpolated; they are closed where a parent is.
+    template <int dim>
+    void
+    fill_hanging_nodes(const ContactSurface<dim> &slave, SurfaceFields<dim> &fields)
+    {
+      for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+        if (!slave.nodes[i].parents.empty())
+          {
+            double gap = 0, largest = 0;
+            for (const auto &[parent, weight] : slave.nodes[i].parents)
+              {
+                gap += weight * fields.gap[parent];
+                fields.slip[i] += weight * fields.slip[parent];
+                if (fields.state[parent] != ContactState::open && std::abs(weight) > largest)
+                  {
+                    largest         = std::abs(weight);
+                    fields.state[i] = fields.state[parent];
+                  }
+              }
+            fields.gap[i] = gap;
+          }
+    }
+
     // Of the displacements, slave against master, along the surface.
     template <int dim>
     Tensor<1, dim>
@@ -307,6 +330,7 @@ namespace Amontons
           }
         fields.slip[row.node] = tangential_jump(row, displacement);
       }
+    fill_hanging_nodes(slave, fields);
     // Resultants need the projection that keeps all moments; what is shown and compared is >= 0 if it is a
     // contact pressure.
     fields.pressure = control_to_nodal(slave, project(interface, pressures));

@@ -252,7 +252,7 @@ namespace Amontons
                         : !floating.pins().empty() ? &pins
                                                    : nullptr,
                         slip_stiffness());
-        solver.matrix_changed(system.matrix(), report.iterations.empty());
+        solver.matrix_changed(report.iterations.empty() ? LinearSolver::all_rows : report.iterations.back().n_changes);
       }
 
       bool

@@ -270,18 +270,16 @@ test_transfer()
     return Tensor<1, 2>({X[0] * X[0] - X[0] * X[1], 0.5 * X[1] * X[1]});
   });
   problem.set(u);
-  SolutionState state;
-  state.displacement = problem.displacement;
-  state.traction     = problem.displacement;
+  LA::Vector     first = problem.displacement, second = problem.displacement, empty;
   for (const auto &cell : problem.geometry.triangulation.active_cell_iterators())
     if (cell->is_locally_owned() && cell->center()[0] > 1.5)
       cell->set_refine_flag();
   problem.recovery.reset();
   refine_and_transfer<2>(
-      *problem.discretization, problem.geometry, {&state.displacement, &state.traction}, [&]() { problem.discretization->distribute_dofs(); });
+      *problem.discretization, problem.geometry, {&first, &second, &empty}, [&]() { problem.discretization->distribute_dofs(); });
   problem.recovery = std::make_unique<StressRecovery<2>>(*problem.discretization, *problem.elasticity);
   problem.set(u);
-  for (const LA::Vector *moved : {&state.displacement, &state.traction})
+  for (const LA::Vector *moved : {&first, &second})
     {
       LA::Vector difference(problem.discretization->locally_owned, MPI_COMM_WORLD);
       LA::Vector other(problem.discretization->locally_owned, MPI_COMM_WORLD);
@@ -330,6 +328,7 @@ test_contact_terms()
     {
       std::vector<SurfaceFields<2>> fields(1);
       fields[0].pressure.assign(interface.slave->nodes.size(), p + d);
+      fields[0].traction.resize(interface.slave->nodes.size());
       const auto            estimate = estimate_error<2>(*problem.discretization,
                                               *problem.elasticity,
                                               *problem.recovery,

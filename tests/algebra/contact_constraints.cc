@@ -1,5 +1,5 @@
 // Condensation gives the solution and the multipliers of the full saddle point system: chains of pairs,
-// corners with two rows, oblique supports, nodes that supports own.
+// corners with two rows, oblique supports, nodes that supports own, friction.
 #include "check.h"
 
 #include <amontons/algebra/condensed_system.h>
@@ -104,13 +104,13 @@ check_case(const std::string                  &what,
   supports.close();
   const ContactConstraints contact(supports, equations);
 
-  // K u + sum_c a_c mu_c = f, a_c . u = value_c, over supports and equations
-  std::vector<const LinearEquation *> all;
+  // K u + sum_c b_c mu_c = f, a_c . u = value_c, over supports and equations; b: force coefficients
+  std::vector<const ContactEquation *> all;
   for (const auto &e : supports_as_equations)
-    all.push_back(&e.equation);
+    all.push_back(&e);
   for (unsigned int i = 0; i < equations.size(); ++i)
     if (has_pivot[i])
-      all.push_back(&equations[i].equation);
+      all.push_back(&equations[i]);
   const unsigned int  m = n + all.size();
   Matrix              saddle(m, m);
   std::vector<double> right = f;
@@ -119,26 +119,29 @@ check_case(const std::string                  &what,
       saddle(i, j) = K(i, j);
   for (unsigned int c = 0; c < all.size(); ++c)
     {
-      right.push_back(all[c]->value);
-      for (const auto &[dof, coefficient] : all[c]->coefficients)
-        saddle(n + c, dof) = saddle(dof, n + c) = coefficient;
+      right.push_back(all[c]->equation.value);
+      for (const auto &[dof, coefficient] : all[c]->equation.coefficients)
+        saddle(n + c, dof) = coefficient;
+      for (const auto &[dof, coefficient] : all[c]->force_coefficients())
+        saddle(dof, n + c) = coefficient;
     }
   const auto expected = solve(saddle, right);
 
-  // C^T K C x = C^T (f - K k), with ones on the diagonal of constrained DoFs
-  Matrix              C, KC(n, n), CKC(n, n);
-  std::vector<double> k;
-  dense(contact.all(), C, k);
+  // B^T K C x = B^T (f - K k), with ones on the diagonal of constrained DoFs; C: trial, B: test functions
+  Matrix              C, B, KC(n, n), CKC(n, n);
+  std::vector<double> k, zero;
+  dense(contact.test(), B, zero);
+  dense(contact.trial(), C, k);
   K.mmult(KC, C);
-  C.Tmmult(CKC, KC);
+  B.Tmmult(CKC, KC);
   for (unsigned int i = 0; i < n; ++i)
-    if (contact.all().is_constrained(i))
+    if (contact.trial().is_constrained(i))
       CKC(i, i) = 1;
   auto       r  = f;
   const auto Kk = times(K, k);
   for (unsigned int i = 0; i < n; ++i)
     r[i] -= Kk[i];
-  auto u = times(C, solve(CKC, times(C, r, true)));
+  auto u = times(C, solve(CKC, times(B, r, true)));
   for (unsigned int i = 0; i < n; ++i)
     {
       u[i] += k[i];
@@ -165,7 +168,7 @@ check_case(const std::string                  &what,
         mu[i], has_pivot[i] ? expected[place++] : 0, 1e-8, what + ": multiplier " + std::to_string(i), 1);
 
   // condense() is C^T
-  for (const Constraints *constraints : {&std::as_const(supports), &contact.all()})
+  for (const Constraints *constraints : {&std::as_const(supports), &contact.trial(), &contact.test()})
     {
       dense(*constraints, C, k);
       const auto from_dense = times(C, raw, true);
@@ -230,10 +233,57 @@ check_cases()
              {true, true});
 }
 
+// A slipping node: test functions obey (n + mu d) . Delta = 0.
+ContactEquation
+slipping(ContactEquation                                  equation,
+         const std::map<types::global_dof_index, double> &along,
+         const double                                     mu)
+{
+  equation.test = equation.equation.coefficients;
+  for (const auto &[dof, weight] : along)
+    equation.test[dof] += mu * weight;
+  equation.candidates = {equation.candidates[0] / 2 * 2, equation.candidates[0] / 2 * 2 + 1};
+  return equation;
+}
+
+void
+check_friction()
+{
+  const double s      = std::sqrt(0.5);
+  const auto   simple = make({{1, -1.}, {3, 0.4}, {5, 0.6}}, 0.1, {0, 1});
+  const std::map<types::global_dof_index, double> along = {{0, 1.}, {2, -0.4}, {4, -0.6}};
+  for (const double mu : {0.1, 1., -3.})
+    {
+      const std::string what = "slip, mu = " + std::to_string(mu) + ": ";
+      const auto        slip = slipping(simple, along, mu);
+      check_case(what + "one node", {}, {slip}, {true});
+      const auto chained = slipping(make({{3, -1.}, {5, 0.3}, {7, 0.7}}, 0.2, {2, 3}),
+                                    {{2, 1.}, {4, -0.3}, {6, -0.7}},
+                                    -mu);
+      const auto third   = make({{4, 0.1}, {5, -1.}, {9, 0.25}, {11, 0.75}}, -0.1, {4, 5});
+      check_case(what + "chain", {}, {slip, chained, third}, {true, true, true});
+      check_case(what + "chain from its end", {}, {third, chained, slip}, {true, true, true});
+      check_case(what + "oblique support", {make({{2, 0.6}, {3, 0.8}}, 0, {3})}, {slip, third}, {true, true});
+      check_case(what + "moved master", {make({{3, 1.}}, 0.2, {3})}, {slip}, {true});
+      check_case(what + "dragged node", {make({{0, 1.}}, 0.3, {0})}, {slip, chained}, {true, true});
+      // a normal of 45 degrees, where mu = -1 along (1, -1) leaves one component of the test functions only
+      const auto inclined = slipping(make({{0, s}, {1, s}, {2, -s}, {3, -s}}, 0.1, {0, 1}),
+                                     {{0, s}, {1, -s}, {2, -s}, {3, s}},
+                                     mu);
+      check_case(what + "inclined", {}, {inclined, chained}, {true, true});
+      // stick beside slip
+      check_case(what + "beside stick",
+                 {},
+                 {make({{2, 1.}, {8, -1.}}, 0.1, {2}), make({{3, 1.}, {9, -1.}}, 0.2, {3}), slip},
+                 {true, true, true});
+    }
+}
+
 int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_cases();
+  check_friction();
   return check::result();
 }

@@ -42,11 +42,12 @@ namespace Amontons
     void
     set_near_null_space(std::vector<std::vector<double>> modes);
 
-    // The matrix has changed; `much`: the preconditioner must be rebuilt, else it is kept (a few nodes
-    // changed state). The matrix object and its sparsity pattern must stay the same over the life of this
+    // The matrix has changed in the rows of this many nodes, or altogether (all_rows): the preconditioner must
+    // be rebuilt, else it is kept while it serves. The matrix object and its sparsity pattern must stay the same over the life of this
     // object.
     void
-    matrix_changed(const LA::SparseMatrix &matrix, const bool much);
+    matrix_changed(const unsigned int n_nodes);
+    static constexpr unsigned int all_rows = static_cast<unsigned int>(-1);
 
     // Solves to |r| <= tolerance; the direct solver ignores it. x: owned, initial guess 0.
     LinearSolveReport
@@ -68,6 +69,7 @@ namespace Amontons
     struct Factorisation;
     std::unique_ptr<Factorisation> direct;
     bool                           factorisation_is_old = true;
+    unsigned int                   n_changed            = 0; // nodes, since the factorisation
 
     LinearSolveReport
     solve_directly(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs);

@@ -1,0 +1,66 @@
+// Increments land on the output times and corners, shrink after failures and grow again.
+#include "check.h"
+
+#include <amontons/solver/load_program.h>
+
+using namespace Amontons;
+
+std::vector<double>
+run(LoadProgram program, const unsigned int iterations = 3)
+{
+  std::vector<double> times;
+  while (!program.finished() && times.size() < 1000)
+    {
+      times.push_back(program.next());
+      program.accept(iterations);
+    }
+  return times;
+}
+
+bool
+holds(const std::vector<double> &times, const double t)
+{
+  return std::find(times.begin(), times.end(), t) != times.end();
+}
+
+int
+main()
+{
+  Scene scene;
+  scene.end_time = 3;
+  check::is_true(run(LoadProgram(scene, false)) == std::vector<double>{3.}, "no history: one increment");
+  check::is_close(run(LoadProgram(scene, true)).size(), 10, 0, "history: ten increments");
+
+  scene.corner_times = {1, 2.5};
+  scene.output_times = {0.3, 3};
+  const auto automatic = run(LoadProgram(scene, true));
+  check::is_close(automatic.size(), 40, 0, "ten for each piece");
+  for (const double t : {0.3, 1., 2.5, 3.})
+    check::is_true(holds(automatic, t), "lands on " + std::to_string(t));
+  check::is_true(run(LoadProgram(scene, false)) == std::vector<double>({0.3, 3.}), "no history: no corners");
+
+  scene.n_increments = 3;
+  const auto three   = run(LoadProgram(scene, true));
+  check::is_close(three.size(), 5, 0, "increments no longer than asked for");
+  check::is_true(three.back() == 3 && holds(three, 0.3) && holds(three, 1.), "lands on the same times");
+
+  // Failures
+  scene                   = Scene();
+  scene.n_increments      = 1;
+  scene.minimum_increment = 0.1;
+  LoadProgram program(scene, true);
+  check::is_true(program.at_corner(), "the start is a corner");
+  check::is_true(program.cut_back() && program.next() == 0.5, "half");
+  check::is_true(program.cut_back() && program.next() == 0.25, "a quarter");
+  check::is_true(program.cut_back() && program.next() == 0.125, "an eighth");
+  check::is_true(program.cut_back(), "down to the smallest");
+  check::is_close(program.next(), 0.1, 1e-12, "the smallest");
+  check::is_true(!program.cut_back(), "no smaller one");
+  program.accept(3);
+  check::is_close(program.time(), 0.1, 1e-12, "accepted");
+  check::is_true(!program.at_corner(), "no corner");
+  const auto grown = run(program);
+  check::is_true(grown.size() < 6 && grown.back() == 1, "grows again");
+  check::is_true(run(program, 30).size() >= 9, "does not grow when the iteration is slow");
+  return check::result();
+}

@@ -328,6 +328,29 @@ foreach(mu 0.14 0.1499)
                  CHECK "status has not converged" "message has friction cannot hold the rigid motion along x")
 endforeach()
 
+# Cattaneo and Mindlin: end of a whole cycle, and the way back at Q = 0, where the traction is the difference of three ellipses: the error is relative
+# to a small norm. The dissipation is the whole one, of one and a quarter cycles.
+set(CM "P = 1000, R = 10, E1 = 200e3, nu1 = 0.3, E2 = 200e3, nu2 = 0.3, friction = 0.3")
+set(MINUS_P "-1000*table(0: 0, 1: 1)")
+set(KEPT ${LAWS} "newton.0:5.iterations <= 10" "newton.5:.iterations <= 5")
+foreach(case "75 0.866025 0.20" "150 0.707107 0.06" "225 0.5 0.07" "270 0.316228 0.05")
+  separate_arguments(case)
+  list(GET case 0 Q)
+  list(GET case 1 ratio)
+  list(GET case 2 back)
+  set(load "Boundary condition load/Force=${Q}*table(1: 0, 2: 1, 3: -1, 4: 1)|${MINUS_P}")
+  add_scene_test(NAME cattaneo_mindlin_${Q} SCENE cattaneo_mindlin.prm
+                 SET ${load} "Reference/Solution=cattaneo_mindlin(${CM}, Q = ${Q}, Q_max = ${Q}, reversals = 2)"
+                 CHECK ${KEPT} "reference.errors.stick_size <= 0.005" "reference.errors.dissipation <= 0.01" "reference.errors.shear_l2 <= 0.03"
+                       "reference.errors.contact_size <= 1e-3" "reference.errors.tangential_force <= 1e-8")
+  add_scene_test(NAME cattaneo_mindlin_${Q}_back_at_0 SCENE cattaneo_mindlin.prm
+                 SET ${load} "End time=2.5" "Increments=3" "Reference/Solution=cattaneo_mindlin(${CM}, Q = 0, Q_max = ${Q}, reversals = 1)"
+                 CHECK ${LAWS} "reference.errors.shear_l2 <= ${back}")
+endforeach()
+add_scene_test(NAME cattaneo_mindlin_disks SCENE verification/cattaneo_mindlin_disks.prm
+               CHECK ${LAWS} "newton.:.iterations <= 5" "reference.errors.stick_size <= 0.005" "reference.errors.dissipation <= 0.01"
+                     "reference.errors.contact_size <= 1e-3")
+
 # ---- The same answer: ranks, complementarity factor
 
 foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight

@@ -351,6 +351,27 @@ add_scene_test(NAME cattaneo_mindlin_disks SCENE verification/cattaneo_mindlin_d
                CHECK ${LAWS} "newton.:.iterations <= 5" "reference.errors.stick_size <= 0.005" "reference.errors.dissipation <= 0.01"
                      "reference.errors.contact_size <= 1e-3")
 
+# Just below the limit of sliding, and just above it.
+foreach(case "0.1 0.20202020202020204" "0.2 0.3061224489795919" "0.3 0.4123711340206186")
+  separate_arguments(case)
+  list(GET case 0 mu)
+  list(GET case 1 limit)
+  set(weight "-0.5*table(0: 0, 1: 1)")
+  set(at_mu "Contact base/Friction coefficient=${mu}")
+  foreach(factor 0.99 0.999)
+    add_scene_test(NAME incline_mu_${mu}_at_${factor} SCENE incline.prm
+                   SET ${at_mu} "Body block/Body force=${factor}*${limit}/2*table(1: 0, 2: 1)|${weight}"
+                   CHECK ${LAWS} "newton.:.iterations <= 10" "pairs.0.n_slip >= 10" "pairs.0.n_stick >= 1")
+  endforeach()
+  add_scene_test(NAME incline_mu_${mu}_at_1.001 SCENE incline.prm FAILS
+                 SET ${at_mu} "Body block/Body force=1.001*${limit}/2*table(1: 0, 2: 1)|${weight}"
+                 CHECK "status has not converged" "message has friction cannot hold the rigid motion along x")
+  # The load reaches the limit at t = 1.8: increments are cut back to 2e-4 there.
+  add_scene_test(NAME incline_mu_${mu}_sought SCENE incline.prm FAILS
+                 SET ${at_mu} "Body block/Body force=1.25*${limit}/2*table(1: 0, 2: 1)|${weight}"
+                 CHECK "message has friction cannot hold" "history.-1.t ~ 1.8 3e-4")
+endforeach()
+
 # ---- The same answer: ranks, complementarity factor
 
 foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight

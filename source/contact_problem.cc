@@ -93,7 +93,7 @@ namespace Amontons
   void
   ContactProblem<dim>::set_time(const double t)
   {
-    if (t == state.t && supports.n_constraints() > 0)
+    if (t == state.t) // rebuild() made the supports of this time
       return;
     state.t  = t;
     supports = discretization->make_supports(t);

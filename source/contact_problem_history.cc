@@ -10,7 +10,7 @@ namespace Amontons
   ContactProblem<dim>::run_load_program()
   {
     LoadProgram program(scene, has_history);
-    NewtonReport failure;
+    Failure failure;
     start_history();
     while (!program.finished())
       {
@@ -20,15 +20,19 @@ namespace Amontons
           {
             program.accept(last_report.iterations.size());
             commit(program);
-            failure = NewtonReport();
+            failure = Failure();
           }
         else if (has_history && !failed_alike(failure) && program.cut_back())
           {
+            failure = {last_report, loads, prescribed_values()};
             roll_back(state.t);
-            failure = last_report;
           }
         else
-          return false;
+          {
+            if (has_history && program.number() > 1)
+              return_to_last_converged();
+            return false;
+          }
         if (!program.finished())
           terminal.progress("load increments", program.time() / scene.end_time);
       }
@@ -59,8 +63,13 @@ namespace Amontons
         mesh.dissipation   = work.dissipation;
         if (mesh.reference && reference->dissipation)
           {
-            mesh.reference->values["dissipation"] = {{work.dissipation, *reference->dissipation}};
-            mesh.reference->errors["dissipation"] = std::abs(work.dissipation / *reference->dissipation - 1);
+            double factor = 1; // of the pair that is compared; the others are its neighbours
+            for (unsigned int i = 0; i < interfaces.size(); ++i)
+              if (i == 0 || interfaces[i].pair->name == scene.reference->pair)
+                factor = fields[i].symmetry_factor;
+            const double whole                    = factor * work.dissipation;
+            mesh.reference->values["dissipation"] = {{whole, *reference->dissipation}};
+            mesh.reference->errors["dissipation"] = std::abs(whole / *reference->dissipation - 1);
           }
         remember_path();
       }
@@ -99,17 +108,64 @@ namespace Amontons
     state.t = -1; // the supports are still those of the failed time
   }
 
-  // The iteration went the same way as with an increment twice as long: smaller ones will not change it (loads
-  // that do not depend on t, or that all grow alike from zero).
+  // Values that supports prescribe, on the owned DoFs.
+  template <int dim>
+  LA::Vector
+  ContactProblem<dim>::prescribed_values() const
+  {
+    LA::Vector values = discretization->make_owned_vector();
+    for (const auto dof : discretization->locally_owned)
+      if (supports.is_constrained(dof))
+        values(dof) = supports.get_inhomogeneity(dof);
+    values.compress(VectorOperation::insert);
+    return values;
+  }
+
+  // A smaller increment is the same problem again if neither loads nor supports depend on t; or, from rest, if
+  // they all grow alike and the iteration went the same way.
   template <int dim>
   bool
-  ContactProblem<dim>::failed_alike(const NewtonReport &before) const
+  ContactProblem<dim>::failed_alike(const Failure &before) const
   {
-    const auto &a = before.iterations, &b = last_report.iterations;
-    return !a.empty() && a.size() == b.size() &&
+    if (before.report.iterations.empty() || before.loads.size() != loads.size())
+      return false;
+    const auto   values = prescribed_values();
+    const double old = before.loads.norm_sqr() + before.values.norm_sqr(), now = loads.norm_sqr() + values.norm_sqr();
+    const double scale = old > 0 ? std::sqrt(now / old) : 1;
+    const auto   differs = [&](const LA::Vector &a, LA::Vector b) {
+      b.sadd(-scale, 1, a);
+      return b.l2_norm() > 1e-10 * a.l2_norm();
+    };
+    if (differs(loads, before.loads) || differs(values, before.values))
+      return false;
+    if (std::abs(scale - 1) < 1e-10)
+      return true;
+    const auto &a = before.report.iterations, &b = last_report.iterations;
+    return last_converged.displacement.size() == 0 && a.size() == b.size() &&
            std::equal(a.begin(), a.end(), b.begin(), [](const auto &x, const auto &y) {
              return x.n_open == y.n_open && x.n_slip == y.n_slip && x.n_changes == y.n_changes;
            });
+  }
+
+  // What is written and reported is the last increment that converged; the message says how the next one
+  // failed.
+  template <int dim>
+  void
+  ContactProblem<dim>::return_to_last_converged()
+  {
+    const double failed_time = state.t;
+    summary.meshes.pop_back();
+    state = last_converged;
+    const double t = state.t;
+    state.t        = -1;
+    set_time(t);
+    loads = assemble_loads(*discretization, t, covered_points());
+    collect_fields();
+    recovery->recover(state.displacement);
+    std::ostringstream text;
+    text << "the increment from t = " << t << " to " << failed_time << " failed (results are those of t = " << t
+         << "): " << summary.message;
+    summary.message = text.str();
   }
 
   // With history, `Replay`: the whole load program on the refined mesh.

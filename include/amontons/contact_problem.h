@@ -68,8 +68,17 @@ namespace Amontons
     commit(const LoadProgram &program);
     void
     roll_back(const double failed_time);
+    struct Failure
+    {
+      NewtonReport report;
+      LA::Vector   loads, values; // prescribed ones
+    };
     bool
-    failed_alike(const NewtonReport &before) const;
+    failed_alike(const Failure &before) const;
+    LA::Vector
+    prescribed_values() const;
+    void
+    return_to_last_converged();
     bool
     solve_increment(const LoadProgram &program);
     bool

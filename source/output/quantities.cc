@@ -299,17 +299,36 @@ namespace Amontons
     const LA::Vector condensed =
         condense(missing, answer.supports, answer.discretization.make_owned_vector());
     i = 0;
+    const unsigned int  n_moments = dim == 2 ? 1 : 3, n_bodies = answer.discretization.scene.bodies.size();
+    std::vector<double> moments(n_bodies * n_moments, 0.), levers(n_bodies, 0.);
     for (const auto dof : owned)
-      if (places[i++].body != no_body)
-        {
-          const double value = condensed(dof);
-          if (!answer.supports.is_constrained(dof))
-            sums[0] += value * value;
-          sums[1] += std::pow(answer.loads(dof), 2) + value * value;
-        }
+      {
+        const Place<dim> &place = places[i++];
+        if (place.body == no_body)
+          continue;
+        const double value = condensed(dof);
+        sums[1] += std::pow(answer.loads(dof), 2) + value * value;
+        if (answer.supports.is_constrained(dof))
+          continue;
+        sums[0] += value * value;
+        const auto moment = moment_of(place.X, place.component, value);
+        for (unsigned int k = 0; k < n_moments; ++k)
+          moments[place.body * n_moments + k] += moment[k];
+      }
     for (const auto &[dof, force] : contact_forces(answer))
       if (owned.is_element(dof))
-        sums[1] += force * force;
+        {
+          sums[1] += force * force;
+          if (const auto body = places[owned.index_within_set(dof)].body; body != no_body)
+            levers[body] += std::abs(force) * answer.discretization.geometry.body_sizes[body];
+        }
+    Utilities::MPI::sum(moments, answer.discretization.geometry.communicator, moments);
+    Utilities::MPI::sum(levers, answer.discretization.geometry.communicator, levers);
+    checks["moment_balance"] = 0;
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      for (unsigned int k = 0; k < n_moments && levers[b] > 0; ++k)
+        checks["moment_balance"] =
+            std::max(checks["moment_balance"], std::abs(moments[b * n_moments + k]) / levers[b]);
     Utilities::MPI::sum(sums, answer.discretization.geometry.communicator, sums);
     const double rounding   = 1e-12 * answer.elasticity.rounding_scale(answer.state.displacement);
     checks["force_balance"] = sums[1] > 0 ? std::sqrt(sums[0] / std::max(sums[1], rounding * rounding)) : 0;

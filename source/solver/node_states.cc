@@ -1,5 +1,7 @@
 #include <amontons/solver/node_states.h>
 
+#include <sstream>
+
 namespace Amontons
 {
   template <int dim>
@@ -31,8 +33,7 @@ namespace Amontons
         if (!nodes[k].frictional || states[k] != ContactState::slip)
           continue;
 
-        // In 3D the stiffness across the slip is not known yet: that of a node that has slipped far enough.
-        Tensor<1, dim> direction;
+        Tensor<1, dim> direction; // trial shear over its bound
         if (i < state.trials.size() && state.trials[i].size() == state.states[i].size())
           for (unsigned int d = 0; d < dim; ++d)
             direction[d] = state.trials[i][r][d];
@@ -45,7 +46,7 @@ namespace Amontons
         else
           {
             const auto limit = bound(k, p);
-            laws[k] = linearise_slip(2 * limit.value / direction.norm() * direction, p, limit, nodes[k].c);
+            laws[k] = linearise_slip(limit.value * direction, p, limit, nodes[k].c);
             if (limit.value == 0)
               laws[k].direction = direction / direction.norm();
           }
@@ -88,12 +89,13 @@ namespace Amontons
       closed[may_open[i]] = next[i];
     choose_friction_states(answers, closed, tolerance);
     hold_motions(answers, tolerance);
-    unsigned int n_changes = 0;
+    changed.clear();
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      n_changes += old[k] != states[k];
+      if (old[k] != states[k])
+        changed.push_back(k);
     if (any_friction)
-      watch_for_cycles(answers, n_changes);
-    return n_changes;
+      watch_for_cycles(answers, changed.size());
+    return changed.size();
   }
 
   template <int dim>
@@ -176,7 +178,7 @@ namespace Amontons
   void
   NodeStates<dim>::hold_motions(const std::vector<NodeAnswer<dim>> &answers, const double tolerance)
   {
-    n_held = 0;
+    held.clear();
     if (!any_friction || !floating.any())
       return;
     auto motions = unheld();
@@ -189,7 +191,7 @@ namespace Amontons
         if (k == nodes.size())
           return;
         states[k] = ContactState::stick;
-        ++n_held;
+        held.push_back(k);
         motions = unheld();
       }
   }
@@ -237,6 +239,25 @@ namespace Amontons
           is_frozen = false;
         last_change = change;
       }
+  }
+
+  template <int dim>
+  std::string
+  NodeStates<dim>::where_unsettled() const
+  {
+    const auto        &list = held.empty() ? changed : held;
+    std::ostringstream text;
+    text.precision(4);
+    for (unsigned int i = 0; i < std::min<std::size_t>(3, list.size()); ++i)
+      {
+        text << (i == 0 ? "(" : ", (") << nodes[list[i]].X[0];
+        for (unsigned int d = 1; d < dim; ++d)
+          text << ", " << nodes[list[i]].X[d];
+        text << ")";
+      }
+    if (list.size() > 3)
+      text << " and " << list.size() - 3 << " more";
+    return text.str();
   }
 
   template <int dim>

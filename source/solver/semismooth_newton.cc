@@ -2,6 +2,8 @@
 #include <amontons/solver/node_states.h>
 #include <amontons/solver/semismooth_newton.h>
 
+#include <sstream>
+
 namespace Amontons
 {
   void
@@ -121,8 +123,10 @@ namespace Amontons
       friction_exceeded() const
       {
         return "friction cannot hold the rigid " + states.held_motion() +
-               ": all nodes slip, and those that were held to see whether others would stick exceed their "
-               "bound; raise the friction coefficient, lower the load along this motion or hold it by a support";
+               ": where the nodes that slipped least were held to see whether others would stick, at " +
+               states.where_unsettled() +
+               ", the shear exceeds its bound; raise the friction coefficient, lower the load along this "
+               "motion or hold it by a support";
       }
 
       // Motions without supports, the first guess of the closed nodes, the pattern and the bulk of the
@@ -449,12 +453,15 @@ namespace Amontons
       }
 
       // While many nodes still change, systems are solved as far as that is worth; the last ones for good.
-      // Where only weak springs hold a motion, even a small residual may be a large motion.
+      // Where only weak springs hold a motion, even a small residual may be a large motion. With friction in
+      // 3D the directions of slip change after the set: as far as superlinear convergence needs.
       void
       choose_forcing(const NewtonReport::Iteration &step, const bool set_changed)
       {
         const bool rough = set_changed && step.n_changes > 0.05 * (step.n_slip + step.n_stick) && unheld.empty();
         forcing          = rough ? 1e-3 : fine_forcing();
+        if (dim == 3 && any_friction && unheld.empty())
+          forcing = std::min(1e-3, std::max(fine_forcing(), 0.03 * std::pow(step.residual, 1.5)));
       }
 
       double
@@ -493,10 +500,23 @@ namespace Amontons
         if (!report.converged && report.message.empty() && states.held_too_much() > 0)
           report.message = friction_exceeded();
         if (!report.converged && report.message.empty())
-          report.message = "no converged contact set after " + std::to_string(report.iterations.size()) +
-                           " iterations (residual " + std::to_string(report.iterations.back().residual) +
-                           ", " + std::to_string(report.iterations.back().n_changes) +
-                           " nodes still change); try a finer mesh, smaller loads or more iterations";
+          report.message = not_converged();
+      }
+
+      std::string
+      not_converged() const
+      {
+        const auto        &last = report.iterations.back();
+        std::ostringstream text;
+        text << "no converged contact states after " << report.iterations.size() << " iterations (residual "
+             << last.residual << ", " << last.n_changes << " nodes still change";
+        if (last.n_changes > 0)
+          text << ", at " << states.where_unsettled();
+        text << "); tried: all nodes at once" << (report.safeguarded ? ", single nodes" : "")
+             << (report.frozen ? ", given bounds of friction (Tresca)" : "")
+             << "; try a finer mesh, smaller loads, more iterations"
+             << (any_friction ? ", smaller increments or less friction" : "");
+        return text.str();
       }
 
       void

@@ -69,7 +69,7 @@ namespace Amontons
     struct Factorisation;
     std::unique_ptr<Factorisation> direct;
     bool                           factorisation_is_old = true;
-    unsigned int                   n_changed            = 0; // nodes, since the factorisation
+    unsigned int                   n_changed            = 0; // nodes, since the preconditioner was built
 
     LinearSolveReport
     solve_directly(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs);

@@ -80,8 +80,12 @@ namespace Amontons
     unsigned int
     held_too_much() const
     {
-      return n_held;
+      return held.size();
     }
+    // "(x, y), (x, y) and n more": where nodes are held against their bound, or else changed in the last
+    // update.
+    std::string
+    where_unsettled() const;
     const std::string &
     held_motion() const
     {
@@ -121,7 +125,7 @@ namespace Amontons
     bool                                      is_frozen   = false;
     double                                    last_change = 0; // of the bounds
     std::set<std::string>                     met;
-    unsigned int                              n_held = 0;
+    std::vector<unsigned int>                 held, changed; // in the last update
     std::string                               motion;
   };
 } // namespace Amontons

@@ -2,8 +2,8 @@
 """Runs a scene and checks its summary: run_scene.py AMONTONS OUTPUT RANKS SCENE [--set X]... [--check "path OP value"]... [--fails]
 
 path: dots through objects, numbers through arrays ("pairs.0.peak_pressure", "meshes.-1.reference.errors.contact_size"); what follows a slice
-("newton.1:.iterations") or a choice ("contact.X=1.pressure", "contact.state=slip.tx") holds for every element. "contact" and "history" are the rows of the two tables.
-A '|' in X stands for ';', at which CMake splits.
+("newton.1:.iterations") or a choice ("contact.X=1.pressure", "contact.pair=roller,state=slip.tx") holds for every element; peak(path) is the
+largest magnitude. "contact" and "history" are the rows of the two tables.  A '|' in X stands for ';', at which CMake splits.
 OP: <= >= == abs<= is (a word) has (words in a text), or ~ with "value relative-tolerance".  --fails: the program must end with exit code 1.
 """
 import csv
@@ -27,10 +27,17 @@ def values(node, path):
             low, high = (int(s) if s else None for s in head.split(":"))
             return [v for item in node[low:high] for v in values(item, rest)]
         if "=" in head:
-            key, wanted = head.split("=")
-            return [v for item in node if matches(item[key], wanted) for v in values(item, rest)]
+            wanted = [word.split("=") for word in head.split(",")]
+            return [v for item in node if all(matches(item[key], text) for key, text in wanted) for v in values(item, rest)]
         return values(node[int(head)], rest)
     return values(node[head], rest)
+
+
+def find(node, text):
+    """The values at a path; peak(path): the largest of their magnitudes."""
+    if text.startswith("peak("):
+        return [max(abs(v) for v in find(node, text[5:-1]))]
+    return values(node, text.split("."))
 
 
 def rows(path):
@@ -85,7 +92,7 @@ def main():
     failed = 0
     for check in checks:
         words = check.split()
-        found = values(summary, words[0].split("."))
+        found = find(summary, words[0])
         good = bool(found) and all(holds(v, words[1], words[2:]) for v in found)
         print(f"{'ok    ' if good else 'FAILED'} {check}   found {found if len(found) < 9 else found[:9]}")
         failed += not good

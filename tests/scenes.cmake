@@ -372,6 +372,26 @@ foreach(case "0.1 0.20202020202020204" "0.2 0.3061224489795919" "0.3 0.412371134
                  CHECK "message has friction cannot hold" "history.-1.t ~ 1.8 3e-4")
 endforeach()
 
+# NAFEMS R0094-1 and -2 with mu = 0.1. The stick zone ends between two nodes, 0.2 apart; shear has its peak there, on one node.
+add_scene_test(NAME roller_friction_20_increments SCENE nafems_roller_friction.prm
+               CHECK ${LAWS} "newton.:20.iterations <= 10" "newton.22:.iterations <= 5" "pairs.0.peak_pressure ~ 3663 2e-3"
+                     "peak(contact.pair=roller.tx) ~ 339 0.02" "contact.pair=roller,state=stick.X <= 2.2" "contact.pair=roller,state=slip.X >= 2.1")
+add_scene_test(NAME roller_friction_5_increments SCENE nafems_roller_friction.prm SET "Increments=5"
+               CHECK ${LAWS} "pairs.0.peak_pressure ~ 3663 2e-3" "contact.pair=roller,state=stick.X <= 2.2" "contact.pair=roller,state=slip.X >= 2.1")
+# One increment is wrong, as it is said to be.
+add_scene_test(NAME roller_friction_1_increment SCENE nafems_roller_friction.prm SET "Increments=1"
+               CHECK ${LAWS} "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "contact.pair=roller,state=stick.X <= 1" "contact.pair=roller,state=slip.X >= 0.8")
+# Nodes of the stick zone are 1.56 apart.
+foreach(increments 1 5)
+  add_scene_test(NAME punch_friction_${increments}_increments SCENE nafems_punch_friction.prm SET "Increments=${increments}"
+                 CHECK ${LAWS} "newton.0:${increments}.iterations <= 10" "newton.${increments}:.iterations <= 5"
+                       "probes.0.points.0.displacement.1 ~ -0.13178 1e-3" "contact.state=stick.X <= 17.2" "contact.state=slip.X >= 16.9")
+endforeach()
+# The edge of the punch is coarse here, the stick zone finer.
+add_scene_test(NAME punch_friction_stick_zone SCENE nafems_punch_friction.prm
+               SET "Increments=1" "Refinement/Strategy=uniform" "Refinement/Cycles=2"
+               CHECK ${LAWS} "contact.state=stick.X <= 17.2" "contact.state=slip.X >= 16.9")
+
 # ---- The same answer: ranks, complementarity factor
 
 foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight

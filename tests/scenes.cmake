@@ -392,6 +392,18 @@ add_scene_test(NAME punch_friction_stick_zone SCENE nafems_punch_friction.prm
                SET "Increments=1" "Refinement/Strategy=uniform" "Refinement/Cycles=2"
                CHECK ${LAWS} "contact.state=stick.X <= 17.2" "contact.state=slip.X >= 16.9")
 
+# A hysteresis loop; bar theory is 3e-4 (displacement) and 8e-4 (dissipation) off at this height.
+set(BAR ${LAWS} "newton.:3.iterations <= 10" "newton.3:.iterations <= 5")
+foreach(degree 1 2)
+  add_scene_test(NAME microslip_bar_q${degree} SCENE microslip_bar.prm SET "Discretization/Degree=${degree}"
+                 CHECK ${BAR} "probes.0.points.0.displacement.0 ~ 0.05 2e-3" "meshes.-1.dissipation ~ 0.833333 2e-3" "contact.state=slip.X >= 10"
+                       "contact.state=stick.X <= 10.3")
+endforeach()
+add_scene_test(NAME microslip_bar_back_at_0 SCENE microslip_bar.prm SET "End time=1.5" "Increments=2"
+               CHECK ${LAWS} "probes.0.points.0.displacement.0 ~ 0.025 2e-3" "pairs.0.tangential_force.0 abs<= 1e-6")
+add_scene_test(NAME microslip_bar_coulomb SCENE microslip_bar.prm SET "Contact base/Tresca bound=" "Contact base/Friction coefficient=0.01"
+               CHECK ${BAR} "probes.0.points.0.displacement.0 ~ 0.05 2e-3" "meshes.-1.dissipation ~ 0.833333 2e-3")
+
 # ---- The same answer: ranks, complementarity factor
 
 foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight

@@ -3,11 +3,12 @@
 
 path: dots through objects, numbers through arrays ("pairs.0.peak_pressure", "meshes.-1.reference.errors.contact_size"); what follows a slice
 ("newton.1:.iterations") or a choice ("contact.X=1.pressure", "contact.pair=roller,state=slip.tx") holds for every element; peak(path) is the
-largest magnitude. "contact" and "history" are the rows of the two tables.  A '|' in X stands for ';', at which CMake splits.
+largest magnitude. "contact" and "history" are the rows of the two tables, "skew" see below.  A '|' in X stands for ';', at which CMake splits.
 OP: <= >= == abs<= is (a word) has (words in a text), or ~ with "value relative-tolerance".  --fails: the program must end with exit code 1.
 """
 import csv
 import json
+import math
 import os
 import shutil
 import subprocess
@@ -53,6 +54,18 @@ def rows(path):
         return [{key: number(text) for key, text in row.items()} for row in csv.DictReader(file)]
 
 
+def skew(contact):
+    """Sine of the angle between slip and shear traction where nodes slip: a mean, weighted by area and both magnitudes."""
+    across = along = 0
+    for row in contact:
+        if row["state"] == "slip":
+            t, s = ([row[name + c] for c in "xyz"] for name in ("t", "slip_"))
+            cross = [t[1] * s[2] - t[2] * s[1], t[2] * s[0] - t[0] * s[2], t[0] * s[1] - t[1] * s[0]]
+            across += row["area"] * math.hypot(*cross)
+            along += row["area"] * math.hypot(*t) * math.hypot(*s)
+    return across / along if along > 0 else 0
+
+
 def holds(value, operator, numbers):
     if operator == "is":
         return str(value) == numbers[0]
@@ -89,6 +102,7 @@ def main():
         summary = json.load(file)
     for table in "contact", "history":
         summary[table] = rows(os.path.join(output, table + ".csv"))
+    summary["skew"] = skew(summary["contact"])
     failed = 0
     for check in checks:
         words = check.split()

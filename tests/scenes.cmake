@@ -404,6 +404,19 @@ add_scene_test(NAME microslip_bar_back_at_0 SCENE microslip_bar.prm SET "End tim
 add_scene_test(NAME microslip_bar_coulomb SCENE microslip_bar.prm SET "Contact base/Tresca bound=" "Contact base/Friction coefficient=0.01"
                CHECK ${BAR} "probes.0.points.0.displacement.0 ~ 0.05 2e-3" "meshes.-1.dissipation ~ 0.833333 2e-3")
 
+# Mindlin neglects slip across the force: exact for nu = 0, some percent otherwise.
+foreach(nu 0 0.3)
+  set(M "P = 1000, R = 10, E1 = 200e3, nu1 = ${nu}, E2 = 200e3, nu2 = ${nu}, friction = 0.3, Q = 150, Q_max = 150, reversals = 2")
+  set(material "Body upper/Poisson ratio=${nu}" "Body lower/Poisson ratio=${nu}")
+  add_scene_test(NAME mindlin_sphere_nu_${nu} SCENE mindlin_sphere.prm SET ${material} "Reference/Solution=mindlin_sphere(${M})"
+                 CHECK ${LAWS} "newton.:4.iterations <= 10" "newton.4:.iterations <= 5" "reference.errors.stick_size <= 0.02"
+                       "reference.errors.dissipation <= 0.03" "reference.errors.tangential_force <= 1e-8")
+  # The traction is a projected one, for which the mean is exact and single nodes of the edge are not.
+  add_scene_test(NAME oblique_drag_nu_${nu} SCENE verification/oblique_drag.prm SET ${material}
+                 CHECK ${LAWS} "newton.:2.iterations <= 10" "newton.2:.iterations <= 5" "pairs.0.n_stick == 0" "skew <= 1e-3"
+                       "pairs.0.tangential_force.0 ~ 259.808 1e-4" "pairs.0.tangential_force.1 ~ 150 1e-4")
+endforeach()
+
 # ---- The same answer: ranks, complementarity factor
 
 foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight

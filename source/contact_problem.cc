@@ -427,7 +427,7 @@ namespace Amontons
       picture = gather_mesh_picture(*discretization, *recovery, state.displacement);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        const auto table = contact_table(interfaces, fields);
+        const auto table = contact_table(interfaces, fields, state.t);
         std::vector<std::pair<std::string, MeshPicture>> pressure_maps;
         for (unsigned int i = 0; i < interfaces.size(); ++i)
           pressure_maps.emplace_back(interfaces[i].pair->name,

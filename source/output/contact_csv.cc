@@ -1,8 +1,10 @@
+#include <amontons/friction/shear_law.h>
 #include <amontons/output/contact_csv.h>
 #include <amontons/output/files.h>
 #include <amontons/output/json.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace Amontons
@@ -79,7 +81,10 @@ namespace Amontons
 
     template <int dim>
     ContactNode
-    make_node(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields, const unsigned int i)
+    make_node(const ContactInterface<dim> &interface,
+              const SurfaceFields<dim>    &fields,
+              const unsigned int           i,
+              const double                 t)
     {
       ContactNode node;
       node.pair = interface.pair->name;
@@ -92,6 +97,9 @@ namespace Amontons
       node.pressure = fields.pressure[i];
       node.gap      = fields.gap[i];
       node.state    = fields.state[i];
+      node.bound    = interface.pair->has_friction() ?
+                          shear_bound(*interface.pair, node.X, t, fields.pressure[i]).value :
+                          std::nan("");
       return node;
     }
 
@@ -130,7 +138,8 @@ namespace Amontons
   template <int dim>
   std::vector<ContactNode>
   contact_table(const std::vector<ContactInterface<dim>> &interfaces,
-                const std::vector<SurfaceFields<dim>>    &fields)
+                const std::vector<SurfaceFields<dim>>    &fields,
+                const double                              t)
   {
     std::vector<ContactNode> table;
     for (unsigned int p = 0; p < interfaces.size(); ++p)
@@ -145,7 +154,7 @@ namespace Amontons
         const std::size_t first = table.size();
         for (const unsigned int i : order_along_surface(nodes, faces))
           {
-            table.push_back(make_node(interfaces[p], fields[p], i));
+            table.push_back(make_node(interfaces[p], fields[p], i, t));
             if (dim == 2 && table.size() > first + 1)
               table.back().arc =
                   table[table.size() - 2].arc + table.back().X.distance(table[table.size() - 2].X);
@@ -176,7 +185,7 @@ namespace Amontons
   template std::vector<unsigned int>
   order_along_surface(const std::vector<Point<3>> &, const std::vector<std::vector<unsigned int>> &);
   template std::vector<ContactNode>
-  contact_table(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &);
+  contact_table(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &, const double);
   template std::vector<ContactNode>
-  contact_table(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &);
+  contact_table(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &, const double);
 } // namespace Amontons

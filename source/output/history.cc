@@ -78,19 +78,32 @@ namespace Amontons
   void
   write_history(const std::string &file, const std::vector<MeshSummary> &meshes, const Kind kind)
   {
-    std::string text, header;
+    // The header is that of the row with most columns; what a row does not have is nan there.
+    std::vector<std::map<std::string, double>> rows;
+    std::vector<std::string>                   header;
     for (const MeshSummary &mesh : meshes)
       {
-        std::string names, values;
-        for (const auto &[name, value] : make_row(mesh, kind))
+        const Row row = make_row(mesh, kind);
+        rows.emplace_back(row.begin(), row.end());
+        if (row.size() > header.size())
           {
-            names += (names.empty() ? "" : ",") + csv_field(name);
-            values += (values.empty() ? "" : ",") + number_text(value);
+            header.clear();
+            for (const auto &column : row)
+              header.push_back(column.first);
           }
-        if (names.size() > header.size())
-          header = names;
-        text += values + "\n";
       }
-    write_file(file, header + "\n" + text);
+    std::string text;
+    for (const std::string &name : header)
+      text += (text.empty() ? "" : ",") + csv_field(name);
+    for (const auto &row : rows)
+      {
+        text += "\n";
+        for (std::size_t c = 0; c < header.size(); ++c)
+          {
+            const auto found = row.find(header[c]);
+            text += (c == 0 ? "" : ",") + number_text(found == row.end() ? unknown : found->second);
+          }
+      }
+    write_file(file, text + "\n");
   }
 } // namespace Amontons

@@ -21,7 +21,7 @@ namespace Amontons
         "th{font-weight:600;color:#555}td.n,th.n{text-align:right}.status{display:inline-block;padding:1px "
         "10px;"
         "border-radius:10px;color:#fff;background:#b3402a;font-size:13px}.good{background:#2a8a55}"
-        ".sub{color:#666}pre{white-space:pre-wrap;margin:0}";
+        "details{margin-top:10px}summary{cursor:pointer;color:#555}.sub{color:#666}pre{white-space:pre-wrap;margin:0}";
 
     using Row = std::vector<std::string>;
 
@@ -97,21 +97,28 @@ namespace Amontons
     }
 
     std::string
-    mesh_table(const RunSummary &summary)
+    text_of(const unsigned long long n)
     {
-      const auto       mesh_number = [](const unsigned long long n) { return std::to_string(n); };
+      return std::to_string(n);
+    }
+
+    std::string
+    increment_table(const RunSummary &summary)
+    {
       std::vector<Row> rows;
       for (const MeshSummary &mesh : summary.meshes)
-        rows.push_back({mesh_number(mesh.increment),
-                        mesh_number(mesh.mesh),
-                        mesh_number(mesh.cells),
-                        mesh_number(mesh.dofs),
-                        mesh_number(mesh.iterations),
-                        mesh_number(mesh.krylov_iterations),
+        rows.push_back({text_of(mesh.increment),
+                        short_number(mesh.t),
+                        text_of(mesh.mesh),
+                        text_of(mesh.cells),
+                        text_of(mesh.dofs),
+                        text_of(mesh.iterations),
+                        text_of(mesh.krylov_iterations),
                         short_number(mesh.error_estimate.contact),
                         short_number(mesh.error_estimate.bulk),
                         short_number(mesh.seconds)});
       const Row head = {"increment",
+                        "t",
                         "mesh",
                         "cells",
                         "DoFs",
@@ -121,6 +128,56 @@ namespace Amontons
                         "stress error",
                         "seconds"};
       return rows.empty() ? "" : table(head, rows);
+    }
+
+    // Of all increments on each mesh; the errors are those of the last one.
+    std::string
+    mesh_table(const RunSummary &summary)
+    {
+      std::vector<Row> rows;
+      for (auto mesh = summary.meshes.begin(); mesh != summary.meshes.end();)
+        {
+          unsigned int increments = 0, iterations = 0, most = 0, krylov = 0;
+          auto         last = mesh;
+          for (; mesh != summary.meshes.end() && mesh->mesh == last->mesh; last = mesh++)
+            {
+              ++increments;
+              iterations += mesh->iterations;
+              krylov += mesh->krylov_iterations;
+              most = std::max(most, mesh->iterations);
+            }
+          rows.push_back({text_of(last->mesh),
+                          text_of(last->cells),
+                          text_of(last->dofs),
+                          text_of(increments),
+                          text_of(iterations),
+                          text_of(most),
+                          text_of(krylov),
+                          short_number(last->error_estimate.contact),
+                          short_number(last->error_estimate.bulk),
+                          short_number(last->seconds)});
+        }
+      return table({"mesh",
+                    "cells",
+                    "DoFs",
+                    "increments",
+                    "iterations",
+                    "most in one",
+                    "krylov",
+                    "pressure error",
+                    "stress error",
+                    "seconds"},
+                   rows);
+    }
+
+    // Long histories: by mesh, and all of it on demand.
+    std::string
+    convergence_table(const RunSummary &summary)
+    {
+      if (summary.meshes.size() <= 24)
+        return increment_table(summary);
+      return mesh_table(summary) + "<details><summary>All increments</summary>\n" + increment_table(summary) +
+             "</details>\n";
     }
 
     std::string
@@ -186,21 +243,31 @@ namespace Amontons
                const MeshPicture                                      &mesh,
                const std::vector<std::pair<std::string, MeshPicture>> &pressure_maps)
   {
-    std::vector<std::string> pressures, convergence;
+    std::vector<std::string> pressures, shears, history, convergence;
+    const auto               add = [](std::vector<std::string> &svgs, const Chart &chart) {
+      if (!chart.curves.empty())
+        svgs.push_back(svg_chart(chart));
+    };
     for (const PressureCurve &curve : curves)
-      pressures.push_back(svg_chart(pressure_chart(curve)));
+      {
+        add(pressures, pressure_chart(curve));
+        add(shears, shear_chart(curve));
+        add(shears, state_map(curve));
+      }
     for (const auto &[pair, picture] : pressure_maps)
       if (!picture.empty())
         pressures.push_back(svg_mesh(picture, Window(), "Pressure on the surface, " + pair));
-    for (const Chart &chart : {iteration_chart(summary), error_chart(summary)})
-      if (!chart.curves.empty())
-        convergence.push_back(svg_chart(chart));
+    for (const Chart &chart : history_charts(summary))
+      add(history, chart);
+    add(convergence, iteration_chart(summary));
+    add(convergence, error_chart(summary));
 
     write_file(
         file,
         head(summary) + answer_section(summary) + section("Pressure along the contact", pictures(pressures)) +
-            section("Mesh", pictures(mesh_pictures(mesh, curves))) +
-            section("Convergence", pictures(convergence) + mesh_table(summary)) +
+            section("Friction along the contact", pictures(shears)) +
+            section("Load history", pictures(history)) + section("Mesh", pictures(mesh_pictures(mesh, curves))) +
+            section("Convergence", pictures(convergence) + convergence_table(summary)) +
             section("Probes", probe_tables(summary)) +
             section("Checks", number_table("check", "value", summary.checks)) +
             section("Time", number_table("phase", "seconds", summary.timing)) + "</main></body></html>\n");

@@ -32,6 +32,61 @@ namespace Amontons
         }
     }
 
+    // The two axes beside the largest component of the mean normal.
+    std::array<unsigned int, 2>
+    axes_of_surface(const std::vector<ContactNode> &nodes)
+    {
+      Tensor<1, 3> normal;
+      for (const ContactNode &node : nodes)
+        normal += node.area * std::max(0., node.pressure) * node.normal;
+      unsigned int across = 0;
+      for (unsigned int d = 1; d < 3; ++d)
+        if (std::abs(normal[d]) > std::abs(normal[across]))
+          across = d;
+      return {{across == 0 ? 1u : 0u, across == 2 ? 1u : 2u}};
+    }
+
+    // Along the walk through the nodes.
+    Tensor<1, 3>
+    tangent(const std::vector<ContactNode> &nodes, const std::size_t i)
+    {
+      Tensor<1, 3> direction = nodes[std::min(i + 1, nodes.size() - 1)].X - nodes[i > 0 ? i - 1 : 0].X;
+      direction -= (direction * nodes[i].normal) * nodes[i].normal;
+      return direction.norm() > 0 ? direction / direction.norm() : direction;
+    }
+
+    // Of a vector in space, to the side where its largest component is positive. What is small beside that
+    // component comes from surfaces cut by symmetry planes.
+    Tensor<1, 3>
+    direction_of(const std::vector<double> &force)
+    {
+      Tensor<1, 3> direction;
+      double       largest = 0;
+      for (const double f : force)
+        largest = std::abs(f) > std::abs(largest) ? f : largest;
+      for (std::size_t d = 0; d < force.size(); ++d)
+        direction[d] = std::abs(force[d]) > 0.15 * std::abs(largest) ? force[d] : 0.;
+      return direction.norm() > 0 ? direction / std::copysign(direction.norm(), largest) : direction;
+    }
+
+    void
+    fill_shear(PressureCurve                  &curve,
+               const std::vector<ContactNode> &nodes,
+               const std::vector<double>      &tangential_force)
+    {
+      const Tensor<1, 3> force = direction_of(tangential_force);
+      curve.axes               = axes_of_surface(nodes);
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        {
+          const ContactNode &node = nodes[i];
+          curve.shear.push_back(node.traction * (curve.radial ? force : tangent(nodes, i)));
+          curve.bound.push_back(node.bound);
+          curve.states.push_back(node.state);
+          curve.places.push_back({{node.X[curve.axes[0]], node.X[curve.axes[1]]}});
+          curve.tractions.push_back({{node.traction[curve.axes[0]], node.traction[curve.axes[1]]}});
+        }
+    }
+
     // On the side or sides of the centre where there are nodes.
     void
     fill_exact(PressureCurve &curve, const ReferenceSolution &exact)
@@ -49,6 +104,8 @@ namespace Amontons
             continue;
           curve.exact_s.push_back(s);
           curve.exact_pressure.push_back(exact.pressure(std::abs(s)));
+          if (exact.shear_traction && !curve.shear.empty())
+            curve.exact_shear.push_back(exact.shear_traction(std::abs(s)));
         }
     }
 
@@ -63,6 +120,8 @@ namespace Amontons
         centre[d] = pair.centre[d];
       if (!nodes.empty())
         fill_computed(curve, nodes, centre);
+      if (!nodes.empty() && !std::isnan(nodes.front().bound))
+        fill_shear(curve, nodes, pair.tangential_force);
       // Less than three faces: the contact is closed or curved, so that its size says nothing.
       if (std::count_if(curve.s.begin(), curve.s.end(), [&](const double s) {
             return std::abs(s) <= pair.contact_size;
@@ -164,7 +223,7 @@ namespace Amontons
     std::vector<double>                        dofs, contact, bulk;
     std::map<std::string, std::vector<double>> errors;
     for (const MeshSummary &mesh : summary.meshes)
-      if (mesh.increment == summary.meshes.back().increment)
+      if (mesh.t == summary.meshes.back().t)
         {
           dofs.push_back(mesh.dofs);
           contact.push_back(mesh.error_estimate.contact);

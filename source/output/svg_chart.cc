@@ -65,6 +65,16 @@ namespace Amontons
                                      [](const double v) { return std::abs(v - std::round(v)) > 1e-9; }),
                       ticks.end());
       }
+
+      // `half` on both sides of the middle.
+      void
+      widen_to(const double half, const unsigned int n_ticks)
+      {
+        const double middle = (lower + upper) / 2;
+        lower               = middle - half;
+        upper               = middle + half;
+        ticks               = nice_ticks(lower, upper, n_ticks, false);
+      }
     };
 
     struct Frame
@@ -85,10 +95,20 @@ namespace Amontons
                 x.include(curve.x[i]);
                 y.include(curve.y[i]);
               }
-        if (!y.log)
+        if (!y.log && !chart.is_map)
           y.include(0);
-        x.finish(8, 0.02, chart.whole_numbers);
-        y.finish(6, 0.06, chart.whole_numbers);
+        if (chart.is_map && x.lower < x.upper && y.lower < y.upper)
+          {
+            const double width = chart.width - left - right, height = chart.height - title_height - bottom;
+            const double pixel = std::max((x.upper - x.lower) / width, (y.upper - y.lower) / height);
+            x.widen_to(0.52 * pixel * width, 8);
+            y.widen_to(0.52 * pixel * height, 6);
+          }
+        else
+          {
+            x.finish(8, 0.02, chart.whole_numbers);
+            y.finish(6, 0.06, chart.whole_numbers);
+          }
 
         unsigned int n_names = 0;
         std::size_t  longest = 0;
@@ -165,19 +185,30 @@ namespace Amontons
     }
 
     std::string
+    colour_of_curve(const Chart &chart, const std::size_t c)
+    {
+      return chart.curves[c].colour.empty() ? colours[c % colours.size()] : chart.curves[c].colour;
+    }
+
+    std::string
     curve_svg(const Frame &frame, const Curve &curve, const std::string &colour)
     {
       std::string path, markers;
+      bool        begins = true;
       for (std::size_t i = 0; i < curve.x.size(); ++i)
-        if (frame.takes(curve, i))
+        if (std::isnan(curve.x[i]))
+          begins = true;
+        else if (frame.takes(curve, i))
           {
             const std::string x = pixels(frame.px(curve.x[i])), y = pixels(frame.py(curve.y[i]));
-            path += (path.empty() ? "M" : "L") + x + " " + y;
+            path += (begins ? "M" : "L") + x + " " + y;
+            begins = false;
             markers += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"2.4\"/>";
           }
       std::string svg;
       if (curve.line)
-        svg += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"1.6\"/>\n";
+        svg += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + pixels(curve.width) +
+               "\"/>\n";
       if (curve.markers)
         svg += "<g fill=\"" + colour + "\">" + markers + "</g>\n";
       return svg;
@@ -194,7 +225,7 @@ namespace Amontons
           {
             const double      x      = left + frame.legend_width * (n % frame.legend_columns);
             const double      y      = title_height + 10 + legend_line * (n / frame.legend_columns);
-            const std::string colour = colours[c % colours.size()];
+            const std::string colour = colour_of_curve(frame.chart, c);
             if (curve.line)
               svg += line_between(x, y - 4, x + 20, y - 4, colour);
             if (curve.markers)
@@ -218,7 +249,7 @@ namespace Amontons
                       "height=\"100%\" fill=\"#fff\"/>\n" +
                       axes(frame);
     for (std::size_t c = 0; c < chart.curves.size(); ++c)
-      svg += curve_svg(frame, chart.curves[c], colours[c % colours.size()]);
+      svg += curve_svg(frame, chart.curves[c], colour_of_curve(chart, c));
     return svg + legend(frame) + "</svg>\n";
   }
 } // namespace Amontons

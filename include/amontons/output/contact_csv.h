@@ -21,6 +21,7 @@ namespace Amontons
     Tensor<1, 3> slip;
     ContactState state = ContactState::open;
     double       arc   = 0; // 2D: arc length along the surface, from the first node; 3D: 0
+    double       bound = 0; // friction: of the shear at this pressure; NaN without friction
   };
 
   // The nodes of a surface in the order of a walk over its faces (2D: from the free end with the smallest x;
@@ -31,11 +32,12 @@ namespace Amontons
   order_along_surface(const std::vector<Point<dim>>                &nodes,
                       const std::vector<std::vector<unsigned int>> &faces);
 
-  // All slave nodes, pair by pair, in order.
+  // All slave nodes, pair by pair, in order. t: for bounds that depend on it.
   template <int dim>
   std::vector<ContactNode>
   contact_table(const std::vector<ContactInterface<dim>> &interfaces,
-                const std::vector<SurfaceFields<dim>>    &fields);
+                const std::vector<SurfaceFields<dim>>    &fields,
+                const double                              t);
 
   // To be called on rank 0.
   void

@@ -9,8 +9,8 @@
 
 namespace Amontons
 {
-  // Pressure along one pair. 2D: over the arc length from the contact's centre; 3D: over the distance from
-  // it, as points.
+  // Pressure, and with friction shear, along one pair. 2D: over the arc length from the contact's centre; 3D:
+  // over the distance from it, as points.
   struct PressureCurve
   {
     std::string         pair;
@@ -20,6 +20,14 @@ namespace Amontons
     std::vector<double> exact_s, exact_pressure;
     Point<3>            centre;    // of the contact, current position
     double              shown = 0; // |s| up to which the picture goes; 0: all
+
+    // Friction (else empty): the traction on the slave in the direction of the arc length (3D: of the
+    // tangential force, to the side where its largest component is positive), the bound of its norm, states;
+    // 3D: places of the nodes and tractions in two coordinates. exact_shear: at exact_s, empty: not known.
+    std::vector<double>                shear, bound, exact_shear;
+    std::vector<ContactState>          states;
+    std::vector<std::array<double, 2>> places, tractions;
+    std::array<unsigned int, 2>        axes = {{0, 1}};
   };
 
   // table: contact_table(...); pairs: in the same order. `exact` describes the pair `exact_pair` (empty: the
@@ -39,6 +47,23 @@ namespace Amontons
   error_chart(const RunSummary &summary);
   Chart
   pressure_chart(const PressureCurve &curve);
+
+  // Friction: shear between its bounds, with the states of the nodes; 3D: the states from above, with the
+  // tractions as needles.
+  Chart
+  shear_chart(const PressureCurve &curve);
+  Chart
+  state_map(const PressureCurve &curve);
+
+  // The last pass of the load program through t: of a replay the rows of the last mesh, of increments that
+  // were solved on several meshes the last.
+  std::vector<const MeshSummary *>
+  last_pass(const RunSummary &summary);
+
+  // What happened over t in the last pass (none with a single increment): forces, peak pressures, sizes, work,
+  // iterations; tangential force against the displacement of probes.
+  std::vector<Chart>
+  history_charts(const RunSummary &summary);
 
   // To be called on rank 0. mesh: of gather_mesh_picture (empty: no such picture); pressure_maps: of
   // make_pressure_picture, with the names of the pairs.

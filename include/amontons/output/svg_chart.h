@@ -12,6 +12,8 @@ namespace Amontons
     std::string         name; // for the legend; empty: not listed
     std::vector<double> x, y; // points that are not finite (or not positive on a log axis) are left out
     bool                line = true, markers = false;
+    std::string         colour = ""; // empty: the next of the chart's own
+    double              width  = 1.6;
   };
 
   struct Chart
@@ -19,10 +21,12 @@ namespace Amontons
     std::string        title, x_label, y_label;
     bool               log_x = false, log_y = false; // a y axis that is not logarithmic includes 0
     bool               whole_numbers = false;        // ticks
+    bool               is_map        = false;        // x and y have the same scale, and neither includes 0
     std::vector<Curve> curves;
     int                width = 530, height = 340; // without the legend, which stands above the curves
   };
 
+  // Lines are broken where x is NaN.
   std::string
   svg_chart(const Chart &chart);
 

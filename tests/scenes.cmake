@@ -417,6 +417,19 @@ foreach(nu 0 0.3)
                        "pairs.0.tangential_force.0 ~ 259.808 1e-4" "pairs.0.tangential_force.1 ~ 150 1e-4")
 endforeach()
 
+# Thickness and stiff ends of the strip: 1 %. Slip and peeling run along 150 nodes of a strip one element thick: more than ten iterations.
+foreach(case "0.1 0.854636 1.170089" "0.3 0.624228 1.601978")
+  separate_arguments(case)
+  list(GET case 0 mu)
+  list(GET case 1 held)
+  list(GET case 2 pulled)
+  set(at_mu "Contact drum/Friction coefficient=${mu}")
+  add_scene_test(NAME capstan_mu_${mu} SCENE capstan.prm SET ${at_mu}
+                 CHECK ${LAWS} "newton.:.iterations <= 20" "reactions.0.force.1 ~ -${pulled} 0.01" "pairs.0.n_stick == 0")
+  add_scene_test(NAME capstan_mu_${mu}_held SCENE capstan.prm SET ${at_mu} "End time=1" "Increments=1"
+                 CHECK ${LAWS} "newton.:.iterations <= 12" "reactions.0.force.1 ~ -${held} 0.01")
+endforeach()
+
 # ---- The same answer: ranks, complementarity factor
 
 foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight

@@ -1,6 +1,8 @@
 // Words for people: the scene in a paragraph, the answer in lines.
 #include <amontons/output/terminal.h>
+#include <amontons/solver/load_program.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -52,11 +54,18 @@ namespace Amontons
     }
 
     std::string
+    friction_text(const PairData &pair)
+    {
+      return (pair.friction ? ", friction " + pair.friction->text() : "") +
+             (pair.tresca_bound ? ", shear up to " + pair.tresca_bound->text() : "");
+    }
+
+    std::string
     pair_text(const PairData &pair)
     {
       return pair.name + " (" + pair.first.body + "/" + pair.first.boundary + " on " +
              (pair.second ? pair.second->body + "/" + pair.second->boundary : pair.obstacle) +
-             (pair.tied ? ", tied" : "") + ")";
+             (pair.tied ? ", tied" : "") + friction_text(pair) + ")";
     }
 
     using Lines = std::vector<std::pair<std::string, std::string>>;
@@ -78,7 +87,10 @@ namespace Amontons
                                : "  contact half-width",
                            short_number(pair.contact_size) + "   (Hertz-equivalent)");
       if (pair.stick_size && pair.n_slip > 0 && pair.n_stick > 0)
-        lines.emplace_back("  stick", short_number(*pair.stick_size) + "   (size; of the bound that shear leaves)");
+        lines.emplace_back(kind == Kind::three_dimensional || kind == Kind::axisymmetric
+                               ? "  stick radius"
+                               : "  stick half-width",
+                           short_number(*pair.stick_size) + "   (Hertz-equivalent, of bound less shear)");
       lines.emplace_back("  nodes",
                          std::to_string(pair.n_open) + " open, " + std::to_string(pair.n_stick) + " stick, " +
                              std::to_string(pair.n_slip) + " slip");
@@ -127,6 +139,18 @@ namespace Amontons
     return text;
   }
 
+  unsigned int
+  planned_increments(const Scene &scene)
+  {
+    const bool  has_history = std::any_of(scene.pairs.begin(), scene.pairs.end(), [](const PairData &pair) {
+      return pair.has_friction();
+    });
+    LoadProgram program(scene, has_history);
+    while (!program.finished())
+      program.accept(1);
+    return program.number() - 1;
+  }
+
   std::string
   describe_scene(const Scene &scene, const unsigned int n_ranks)
   {
@@ -140,7 +164,7 @@ namespace Amontons
     for (std::size_t p = 0; p < scene.pairs.size(); ++p)
       text += (p == 0 ? " - " : ", ") + pair_text(scene.pairs[p]);
     text += "; " + count(scene.conditions.size(), "condition", "conditions") + "; " +
-            count(std::max(1u, scene.n_increments), "increment", "increments") + " to t = " + short_number(scene.end_time) +
+            count(planned_increments(scene), "increment", "increments") + " to t = " + short_number(scene.end_time) +
             "; " + count(n_ranks, "process", "processes") + ".";
     return text;
   }
@@ -157,6 +181,11 @@ namespace Amontons
       lines.emplace_back("estimated error of the stress", percent(summary.error_estimate.bulk));
     if (!std::isnan(summary.energy))
       lines.emplace_back("strain energy", short_number(summary.energy));
+    if (!summary.meshes.empty() && summary.meshes.back().dissipation)
+      {
+        lines.emplace_back("external work", short_number(*summary.meshes.back().external_work));
+        lines.emplace_back("work of friction", short_number(*summary.meshes.back().dissipation));
+      }
     for (const ProbeSummary &probe : summary.probes)
       add_probe(lines, probe);
     if (summary.reference)

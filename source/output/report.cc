@@ -243,7 +243,7 @@ namespace Amontons
                const MeshPicture                                      &mesh,
                const std::vector<std::pair<std::string, MeshPicture>> &pressure_maps)
   {
-    std::vector<std::string> pressures, shears, history, convergence;
+    std::vector<std::string> pressures, history, convergence;
     const auto               add = [](std::vector<std::string> &svgs, const Chart &chart) {
       if (!chart.curves.empty())
         svgs.push_back(svg_chart(chart));
@@ -251,8 +251,8 @@ namespace Amontons
     for (const PressureCurve &curve : curves)
       {
         add(pressures, pressure_chart(curve));
-        add(shears, shear_chart(curve));
-        add(shears, state_map(curve));
+        add(pressures, shear_chart(curve));
+        add(pressures, state_map(curve));
       }
     for (const auto &[pair, picture] : pressure_maps)
       if (!picture.empty())
@@ -264,8 +264,7 @@ namespace Amontons
 
     write_file(
         file,
-        head(summary) + answer_section(summary) + section("Pressure along the contact", pictures(pressures)) +
-            section("Friction along the contact", pictures(shears)) +
+        head(summary) + answer_section(summary) + section("Along the contact", pictures(pressures)) +
             section("Load history", pictures(history)) + section("Mesh", pictures(mesh_pictures(mesh, curves))) +
             section("Convergence", pictures(convergence) + convergence_table(summary)) +
             section("Probes", probe_tables(summary)) +

@@ -127,10 +127,21 @@ namespace Amontons
       return chart;
     }
 
+    // All of it is zero at t = 0, the state of rest.
+    void
+    begin_at_rest(Chart &chart)
+    {
+      for (Curve &curve : chart.curves)
+        {
+          curve.x.insert(curve.x.begin(), 0.);
+          curve.y.insert(curve.y.begin(), 0.);
+        }
+    }
+
     Chart
     work_chart(const Pass &pass)
     {
-      Chart chart = over_time("Where the work goes", "work since t = 0");
+      Chart chart = over_time("Where the work goes", "since t = 0");
       if (!pass.back()->external_work)
         return chart;
       add_curve(chart, "external work", pass, [](const MeshSummary &mesh) {
@@ -140,9 +151,19 @@ namespace Amontons
       add_curve(chart, "contact work", pass, [](const MeshSummary &mesh) {
         return mesh.contact_work.value_or(unknown);
       });
-      add_curve(chart, "dissipation", pass, [](const MeshSummary &mesh) {
-        return mesh.dissipation.value_or(unknown);
-      });
+      begin_at_rest(chart);
+      return chart;
+    }
+
+    Chart
+    dissipation_chart(const Pass &pass)
+    {
+      Chart chart = over_time("Work of friction", "dissipation since t = 0");
+      if (!pass.back()->dissipation)
+        return chart;
+      add_curve(
+          chart, "", pass, [](const MeshSummary &mesh) { return mesh.dissipation.value_or(unknown); });
+      begin_at_rest(chart);
       return chart;
     }
 
@@ -178,8 +199,18 @@ namespace Amontons
     Chart
     iterations_chart(const Pass &pass)
     {
-      Chart chart = over_time("Iterations per increment, last mesh", "iterations");
-      add_curve(chart, "", pass, [](const MeshSummary &mesh) { return double(mesh.iterations); });
+      Chart chart;
+      chart.title         = "Iterations per increment, last mesh";
+      chart.x_label       = "increment";
+      chart.y_label       = "iterations";
+      chart.whole_numbers = true;
+      Curve curve{"", {}, {}, false, true};
+      for (const MeshSummary *mesh : pass)
+        {
+          curve.x.push_back(mesh->increment);
+          curve.y.push_back(mesh->iterations);
+        }
+      chart.curves.push_back(curve);
       return chart;
     }
   } // namespace
@@ -205,7 +236,8 @@ namespace Amontons
     const Pass pass = last_pass(summary);
     if (pass.size() < 2)
       return {};
-    std::vector<Chart> charts = {force_chart(pass), peak_chart(pass), size_chart(pass), work_chart(pass)};
+    std::vector<Chart> charts = {
+        force_chart(pass), peak_chart(pass), size_chart(pass), work_chart(pass), dissipation_chart(pass)};
     for (std::size_t p = 0; p < std::min<std::size_t>(2, pass.back()->probes.size()); ++p)
       charts.push_back(hysteresis_chart(pass, p));
     charts.push_back(iterations_chart(pass));

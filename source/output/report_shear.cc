@@ -43,37 +43,49 @@ namespace Amontons
         }
     }
 
-    // The bound on both sides.
+    // On both sides; in space, dots on one.
     void
     add_bounds(Chart &chart, const PressureCurve &curve)
     {
+      const std::string colour = curve.radial ? "#dfe3e6" : "#8d959c";
       for (const double side : {1., -1.})
         {
-          Curve bound{side > 0 ? "bound" : "", {}, {}, !curve.radial, curve.radial, "#8d959c", 1};
+          Curve bound{side > 0 ? "bound" : "", {}, {}, !curve.radial, curve.radial, colour, 1};
           for (std::size_t i = 0; i < curve.s.size(); ++i)
             if (is_shown(curve, i) && curve.bound[i] < 1e300)
               {
                 bound.x.push_back(curve.s[i]);
                 bound.y.push_back(side * curve.bound[i]);
               }
-          if (!bound.x.empty())
+          if (!bound.x.empty() && (side > 0 || !curve.radial))
             chart.curves.push_back(bound);
         }
     }
 
-    // Tractions from the nodes, the largest as long as a twelfth of the picture's width.
-    Curve
-    needles(const PressureCurve &curve)
+    // Extent of what is shown along axis d.
+    double
+    extent(const PressureCurve &curve, const unsigned int d)
     {
-      double largest = 0, lower = 1e300, upper = -1e300;
+      double lower = 1e300, upper = -1e300;
       for (std::size_t i = 0; i < curve.s.size(); ++i)
         if (is_shown(curve, i))
           {
-            largest = std::max(largest, std::hypot(curve.tractions[i][0], curve.tractions[i][1]));
-            lower   = std::min(lower, curve.places[i][0]);
-            upper   = std::max(upper, curve.places[i][0]);
+            lower = std::min(lower, curve.places[i][d]);
+            upper = std::max(upper, curve.places[i][d]);
           }
-      const double scale = largest > 0 ? (upper - lower) / 12 / largest : 0;
+      return std::max(0., upper - lower);
+    }
+
+    // Tractions from the nodes, the largest as long as a twelfth of the picture.
+    Curve
+    needles(const PressureCurve &curve)
+    {
+      double largest = 0;
+      for (std::size_t i = 0; i < curve.s.size(); ++i)
+        if (is_shown(curve, i))
+          largest = std::max(largest, std::hypot(curve.tractions[i][0], curve.tractions[i][1]));
+      const double scale =
+          largest > 0 ? std::max(extent(curve, 0), extent(curve, 1)) / 12 / largest : 0;
       Curve        lines{"shear on the slave", {}, {}, true, false, "#5b6470", 1};
       for (std::size_t i = 0; i < curve.s.size(); ++i)
         if (is_shown(curve, i) && curve.states[i] != ContactState::open)
@@ -127,8 +139,9 @@ namespace Amontons
     chart.x_label             = names[curve.axes[0]];
     chart.y_label             = names[curve.axes[1]];
     chart.is_map              = true;
-    chart.width               = 480;
-    chart.height              = 480;
+    chart.width               = 530;
+    const double ratio        = extent(curve, 0) > 0 ? extent(curve, 1) / extent(curve, 0) : 1;
+    chart.height              = 82 + std::lround(440 * std::clamp(ratio, 0.3, 1.));
     chart.curves.push_back(needles(curve));
     add_states(chart, curve, [&](const std::size_t i) { return curve.places[i]; });
     return chart;

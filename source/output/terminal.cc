@@ -62,6 +62,34 @@ namespace Amontons
       return format("%.1f h", seconds / 3600);
     }
 
+    const char *const iteration_columns =
+        "  iteration   residual     open    stick     slip  changed   krylov";
+
+    std::string
+    residual_text(const double residual)
+    {
+      return std::isfinite(residual) ? format("%9.2e", residual) : "        -";
+    }
+
+    std::string
+    krylov_text(const unsigned int iterations)
+    {
+      return iterations == 0 ? "direct" : std::to_string(iterations);
+    }
+
+    std::string
+    iteration_text(const IterationLine &l)
+    {
+      return format("  %9u  %s %8u %8u %8u %8u %8s",
+                    l.iteration,
+                    residual_text(l.residual).c_str(),
+                    l.n_open,
+                    l.n_stick,
+                    l.n_slip,
+                    l.changes,
+                    krylov_text(l.krylov_iterations).c_str());
+    }
+
     double
     seconds_since(const std::chrono::steady_clock::time_point &start)
     {
@@ -97,6 +125,7 @@ namespace Amontons
   void
   Terminal::scene(const Scene &scene, const unsigned int n_ranks)
   {
+    brief = planned_increments(scene) > 12;
     paragraph(describe_scene(scene, n_ranks));
   }
 
@@ -107,33 +136,68 @@ namespace Amontons
                  const unsigned long long cells,
                  const unsigned long long dofs)
   {
-    line("");
-    line(format(
-        "Increment %u to t = %g, mesh %u: %llu cells, %llu DoFs", increment, t, mesh, cells, dofs));
-    line("  iteration   residual     open    stick     slip  changed   krylov");
+    if (brief && increment == increment_number && static_cast<int>(mesh) == mesh_shown && t < increment_end)
+      show_iterations(); // it was cut back
+    const std::string size = format("mesh %u: %llu cells, %llu DoFs", mesh, cells, dofs);
+    heading                = format("Increment %u to t = %g, ", increment, t) + size;
+    increment_number       = increment;
+    increment_end          = t;
+    iterations.clear();
+    if (!brief)
+      {
+        line("");
+        line(heading);
+        line(iteration_columns);
+      }
+    else if (static_cast<int>(mesh) != mesh_shown)
+      {
+        line("");
+        line("M" + size.substr(1));
+        line("  increment            t  iterations   residual     open    stick     slip   krylov  pressure error");
+      }
+    mesh_shown = mesh;
   }
 
   void
   Terminal::iteration(const IterationLine &l)
   {
-    const std::string krylov =
-        l.krylov_iterations == 0 ? std::string("direct") : std::to_string(l.krylov_iterations);
-    const std::string residual = std::isfinite(l.residual) ? format("%9.2e", l.residual) : "        -";
-    line(format("  %9u  %s %8u %8u %8u %8u %8s",
-                l.iteration,
-                residual.c_str(),
-                l.n_open,
-                l.n_stick,
-                l.n_slip,
-                l.changes,
-                krylov.c_str()));
+    iterations.push_back(l);
+    if (!brief)
+      line(iteration_text(l));
+  }
+
+  void
+  Terminal::show_iterations()
+  {
+    line(heading);
+    line(iteration_columns);
+    for (const IterationLine &l : iterations)
+      line(iteration_text(l));
   }
 
   void
   Terminal::estimate(const EstimateSummary &estimate)
   {
-    line("  estimated relative error: contact pressure " + short_number(estimate.contact) + ", stress " +
-         short_number(estimate.bulk));
+    if (!brief)
+      {
+        line("  estimated relative error: contact pressure " + short_number(estimate.contact) + ", stress " +
+             short_number(estimate.bulk));
+        return;
+      }
+    const IterationLine last   = iterations.empty() ? IterationLine() : iterations.back();
+    unsigned int        krylov = 0;
+    for (const IterationLine &l : iterations)
+      krylov += l.krylov_iterations;
+    line(format("  %9u %12.6g %11u  %s %8u %8u %8u %8s %15s",
+                increment_number,
+                increment_end,
+                static_cast<unsigned int>(iterations.size()),
+                residual_text(last.residual).c_str(),
+                last.n_open,
+                last.n_stick,
+                last.n_slip,
+                krylov_text(krylov).c_str(),
+                short_number(estimate.contact).c_str()));
   }
 
   void
@@ -145,6 +209,8 @@ namespace Amontons
   void
   Terminal::answer(const RunSummary &summary)
   {
+    if (brief && summary.status != "converged" && !iterations.empty())
+      show_iterations();
     line("");
     for (const auto &[label, text] : answer_lines(summary))
       if (label == "note")

@@ -18,6 +18,8 @@ namespace Amontons
     unsigned int krylov_iterations = 0; // 0: direct solver
   };
 
+  // Load programs of more than 12 increments get a line per increment, and the table of its iterations only
+  // where one fails; shorter ones a table per increment and mesh.
   class Terminal
   {
   public:
@@ -54,6 +56,8 @@ namespace Amontons
     line(const std::string &text); // wipes a bar first
     void
     paragraph(const std::string &text);
+    void
+    show_iterations(); // of the increment that failed
 
     using Clock = std::chrono::steady_clock;
 
@@ -61,8 +65,21 @@ namespace Amontons
     bool              active, is_tty;
     bool              bar_shown = false;
     std::string       work; // what the bar is about
+
+    // The increment that is being solved, where each gets a line.
+    bool                       brief = false;
+    std::string                heading;
+    unsigned int               increment_number = 0;
+    double                     increment_end    = 0;
+    int                        mesh_shown       = -1;
+    std::vector<IterationLine> iterations;
+
     Clock::time_point work_started, last_line;
   };
+
+  // Of the load program if none is cut back.
+  unsigned int
+  planned_increments(const Scene &scene);
 
   // The paragraph of `Terminal::scene`.
   std::string

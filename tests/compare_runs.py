@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs one scene in several ways and compares: compare_runs.py AMONTONS OUTPUT SCENE [--set X]... --run "RANKS | SET | SET"... [OPTION]...
 
-The first run is the reference. The same forces, peaks, sizes, sets and rows of contact.csv (sorted by place), to a relative tolerance.
+The first run is the reference. The same forces, peaks, sizes, sets, energies and rows of contact.csv (sorted by place), to a relative tolerance.
 --tolerance 1e-8: of forces and pressures;  --iterations 0: by how much the iterations on a mesh may differ;
 --any-iterations: by whatever;  --forces-only: no contact.csv.
 """
@@ -55,6 +55,9 @@ def compare(first, other, tolerance, iterations, forces_only):
         for kind in "n_open", "n_stick", "n_slip":
             if p[kind] != q[kind]:
                 messages.append(f"{p['name']} {kind}: {p[kind]} and {q[kind]}")
+    for kind in "energy", "external_work", "dissipation":
+        a, b = (m["meshes"][-1].get(kind) or 0 for m in (s, t))
+        near(kind, a, b, max(abs(a), abs(s["meshes"][-1].get("external_work") or 0)))
     if forces_only:
         return messages
     if len(rows) != len(others):
@@ -62,7 +65,8 @@ def compare(first, other, tolerance, iterations, forces_only):
     peak = max([abs(float(r["pressure"])) for r in rows] or [0])
     for r, o in zip(rows, others):
         place = f"{r['pair']} ({r['X']}, {r['Y']}, {r['Z']})"
-        near(f"{place} pressure", float(r["pressure"]), float(o["pressure"]), peak)
+        for name in "pressure", "tx", "ty", "tz":
+            near(f"{place} {name}", float(r[name]), float(o[name]), peak)
         if r["state"] != o["state"]:
             messages.append(f"{place} state: {r['state']} and {o['state']}")
     return messages

@@ -430,6 +430,24 @@ foreach(case "0.1 0.854636 1.170089" "0.3 0.624228 1.601978")
                  CHECK ${LAWS} "newton.:.iterations <= 12" "reactions.0.force.1 ~ -${held} 0.01")
 endforeach()
 
+# A whole load history on 1 to 4 ranks, in space as well.
+foreach(scene greco floating_slab microslip_bar cattaneo_mindlin nafems_roller_friction mindlin_sphere verification/patch_friction_3d)
+  get_filename_component(name ${scene} NAME)
+  set(smaller)
+  if(scene MATCHES "greco|cattaneo|roller")
+    set(smaller "Refinement/Cycles=2")
+  elseif(scene STREQUAL mindlin_sphere)
+    set(smaller "Refinement/Cycles=1" "Refinement/Fraction=0.9" "Linear solver/Type=direct")
+  endif()
+  if(scene MATCHES roller)
+    list(APPEND smaller "Increments=5")
+  endif()
+  add_comparison_test(NAME ranks_${name} SCENE ${scene}.prm SET ${smaller} RUN 1 2 3 4)
+endforeach()
+foreach(scene cattaneo_mindlin)
+  add_comparison_test(NAME ranks_transfer_${scene} SCENE ${scene}.prm SET "Refinement/History=transfer" "Refinement/Cycles=3" "Increments=4" RUN 1 2 3 4)
+endforeach()
+
 # ---- The same answer: ranks, complementarity factor
 
 foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight

@@ -448,6 +448,32 @@ foreach(scene cattaneo_mindlin)
   add_comparison_test(NAME ranks_transfer_${scene} SCENE ${scene}.prm SET "Refinement/History=transfer" "Refinement/Cycles=3" "Increments=4" RUN 1 2 3 4)
 endforeach()
 
+# Cattaneo without a model error.
+foreach(case "1 12" "2 8")
+  separate_arguments(case)
+  list(GET case 0 degree)
+  list(GET case 1 cycles)
+  foreach(legs 2 4)
+    add_scene_test(NAME half_plane_box_friction_q${degree}_${legs} SCENE half_plane_box_friction.prm
+                   SET "Discretization/Degree=${degree}" "Refinement/Cycles=${cycles}" "End time=${legs}" "Increments=${legs}"
+                   CHECK ${LAWS} "newton.:${legs}.iterations <= 10" "newton.${legs}:.iterations <= 5" "reference.errors.stick_size <= 1e-3"
+                         "reference.errors.shear_l2 <= 0.02" "reference.errors.dissipation <= 0.005" "reference.errors.contact_size <= 1e-4")
+  endforeach()
+endforeach()
+
+# Histories carried over to refined meshes end where replayed ones do (4e-5 of the shear on GRECO, 8e-4 of c/a after Cattaneo's cycle measured).
+add_scene_test(NAME transfer_greco SCENE greco.prm SET "Refinement/History=transfer" "Increments=4" "Refinement/Cycles=6"
+               CHECK ${LAWS} "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "pairs.0.tangential_force.0 ~ -1405.37 1e-3"
+                     "probes.0.points.0.displacement.0 ~ 28.603e-3 3e-3")
+add_scene_test(NAME transfer_cattaneo_mindlin SCENE cattaneo_mindlin.prm SET "Refinement/History=transfer"
+               CHECK ${LAWS} "newton.:.iterations <= 5" "reference.errors.stick_size <= 0.005" "reference.errors.dissipation <= 0.01"
+                     "reference.errors.shear_l2 <= 0.05")
+add_scene_test(NAME transfer_microslip_bar SCENE microslip_bar.prm SET "Refinement/History=transfer"
+               CHECK ${LAWS} "probes.0.points.0.displacement.0 ~ 0.05 2e-3" "meshes.-1.dissipation ~ 0.833333 2e-3")
+add_scene_test(NAME transfer_nafems_roller SCENE nafems_roller_friction.prm SET "Refinement/History=transfer" "Increments=5"
+               CHECK ${LAWS} "pairs.0.peak_pressure ~ 3663 2e-3" "contact.pair=roller,state=stick.X <= 2.2"
+                     "contact.pair=roller,state=slip.X >= 2.1")
+
 # ---- The same answer: ranks, complementarity factor
 
 foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight

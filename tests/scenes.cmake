@@ -328,6 +328,15 @@ foreach(mu 0.14 0.1499)
                  CHECK "status has not converged" "message has friction cannot hold the rigid motion along x")
 endforeach()
 
+foreach(mu 0.2 0.25 0.3 0.5 2)
+  add_scene_test(NAME floating_slab_3d_mu_${mu} SCENE verification/floating_slab_3d.prm
+                 SET "Contact base/Friction coefficient=${mu}" "Refinement/Cycles=2"
+                 CHECK ${LAWS} "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "pairs.0.normal_force.2 ~ 2400 1e-8"
+                       "pairs.0.tangential_force.0 ~ -360 1e-8" "pairs.0.tangential_force.1 ~ -240 1e-8")
+endforeach()
+add_scene_test(NAME floating_slab_3d_mu_0.17 SCENE verification/floating_slab_3d.prm FAILS SET "Contact base/Friction coefficient=0.17"
+               CHECK "status has not converged" "message has friction cannot hold")
+
 # Cattaneo and Mindlin: end of a whole cycle, and the way back at Q = 0, where the traction is the difference of three ellipses: the error is relative
 # to a small norm. The dissipation is the whole one, of one and a quarter cycles.
 set(CM "P = 1000, R = 10, E1 = 200e3, nu1 = 0.3, E2 = 200e3, nu2 = 0.3, friction = 0.3")

@@ -1,3 +1,4 @@
+#include <amontons/base/blas_threads.h>
 #include <amontons/contact_problem.h>
 #include <amontons/output/files.h>
 #include <amontons/scene/scene_reader.h>
@@ -211,6 +212,7 @@ main(int argc, char **argv)
       setenv("OMPI_MCA_btl", "self", 0);
     }
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const Amontons::BlasThreads one_thread(1); // but for factorisations
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   MPI_Comm channel;
   MPI_Comm_dup(MPI_COMM_WORLD, &channel);

@@ -199,7 +199,6 @@ namespace Amontons
       return report;
     if (is_direct(matrix.m()))
       return solve_directly(matrix, x, rhs);
-    const BlasThreads one_thread(1);
     // Measured with friction in 3D: an old hierarchy needs twice as many steps once some nodes have changed in
     // all their components; a new one costs about 25 steps.
     const bool far = tolerance < 3e-4 * rhs.l2_norm();
@@ -209,7 +208,9 @@ namespace Amontons
         const bool fresh = amg_is_old || !amg || retry;
         if (fresh)
           build_preconditioner(matrix);
-        SolverControl control(parameters.max_iterations, tolerance);
+        SolverControl control(fresh && symmetric ? parameters.max_iterations :
+                                                   std::min(parameters.max_iterations, 300u),
+                              tolerance);
         try
           {
             x = 0;
@@ -225,6 +226,13 @@ namespace Amontons
             if (fresh)
               break;
           }
+      }
+    // Not what multigrid is made for, but small enough: factorise it after all.
+    if (!report.success && matrix.m() <= 100000)
+      {
+        const unsigned int n = report.iterations;
+        report               = solve_directly(matrix, x, rhs);
+        report.iterations += n;
       }
     return report;
   }

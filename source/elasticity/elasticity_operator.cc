@@ -1,4 +1,3 @@
-#include <amontons/base/blas_threads.h>
 #include <amontons/elasticity/elasticity_operator.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -26,7 +25,6 @@ namespace Amontons
   ElasticityOperator<dim>::assemble()
   {
     clear();
-    const BlasThreads   one_thread(1);
     const auto         &fe = discretization.fe;
     const QGauss<dim>   quadrature(fe.degree + 1);
     FEValues<dim>       fe_values(discretization.mapping, fe, quadrature, needed_flags());

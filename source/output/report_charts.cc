@@ -82,6 +82,7 @@ namespace Amontons
           curve.shear.push_back(node.traction * (curve.radial ? force : tangent(nodes, i)));
           curve.bound.push_back(node.bound);
           curve.states.push_back(node.state);
+          curve.has_multiplier.push_back(!std::isnan(node.gap));
           curve.places.push_back({{node.X[curve.axes[0]], node.X[curve.axes[1]]}});
           curve.tractions.push_back({{node.traction[curve.axes[0]], node.traction[curve.axes[1]]}});
         }

@@ -23,7 +23,7 @@ namespace Amontons
       return curve.shown == 0 || std::abs(curve.s[i]) <= curve.shown;
     }
 
-    // The nodes as dots, a curve per state.
+    // The nodes that carry a multiplier (not hanging ones) as dots, a curve per state.
     template <typename PlaceOf>
     void
     add_states(Chart &chart, const PressureCurve &curve, const PlaceOf &place_of)
@@ -32,7 +32,7 @@ namespace Amontons
         {
           Curve dots{state_name(style.state), {}, {}, false, true, style.colour};
           for (std::size_t i = 0; i < curve.s.size(); ++i)
-            if (curve.states[i] == style.state && is_shown(curve, i))
+            if (curve.states[i] == style.state && curve.has_multiplier[i] && is_shown(curve, i))
               {
                 const std::array<double, 2> place = place_of(i);
                 dots.x.push_back(place[0]);

@@ -315,6 +315,14 @@ foreach(mu 0 0.1 0.3 0.7 1.5 2)
                  CHECK "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "checks.force_balance <= 1e-8" "status is converged")
 endforeach()
 
+# The coefficient as a function of pressure and of place.
+set(k 0)
+foreach(mu "1/(1+p/50)" "0.2+p/100" "exp(-p/30)" "if(x<10, 0.2, 1)")
+  math(EXPR k "${k}+1")
+  add_scene_test(NAME greco_mu_expression_${k} SCENE greco.prm SET "Contact base/Friction coefficient=${mu}" "Refinement/Cycles=4"
+                 CHECK ${LAWS} "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "pairs.0.normal_force.1 ~ 2000 1e-8")
+endforeach()
+
 foreach(mu 0.1501 0.2 0.3 0.5 1 2)
   add_scene_test(NAME floating_slab_mu_${mu} SCENE floating_slab.prm SET "Contact base/Friction coefficient=${mu}"
                  CHECK ${LAWS} "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "pairs.0.normal_force.1 ~ 800 1e-8"

@@ -86,7 +86,7 @@ namespace Amontons
                                ? "  contact radius"
                                : "  contact half-width",
                            short_number(pair.contact_size) + "   (Hertz-equivalent)");
-      if (pair.stick_size && pair.n_slip > 0 && pair.n_stick > 0)
+      if (pair.stick_size && pair.n_open > 0 && pair.n_slip > 0 && pair.n_stick > 0)
         lines.emplace_back(kind == Kind::three_dimensional || kind == Kind::axisymmetric
                                ? "  stick radius"
                                : "  stick half-width",

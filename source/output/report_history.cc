@@ -77,21 +77,25 @@ namespace Amontons
     }
 
     Chart
-    force_chart(const Pass &pass)
+    normal_force_chart(const Pass &pass)
     {
-      Chart chart = over_time("Contact forces", "force on the slave body");
+      Chart chart = over_time("Normal force", "force on the slave body");
       for (std::size_t i = 0; i < pass.back()->pairs.size(); ++i)
-        {
-          const std::string &name = pass.back()->pairs[i].name;
-          add_curve(chart, name + ": normal", pass, [i](const MeshSummary &mesh) {
-            return norm(mesh.pairs[i].normal_force);
+        add_curve(chart, pass.back()->pairs[i].name, pass, [i](const MeshSummary &mesh) {
+          return norm(mesh.pairs[i].normal_force);
+        });
+      return chart;
+    }
+
+    Chart
+    tangential_force_chart(const Pass &pass)
+    {
+      Chart chart = over_time("Tangential force", "force on the slave body");
+      for (std::size_t i = 0; i < pass.back()->pairs.size(); ++i)
+        if (const auto direction = tangential_direction(pass, i); !direction.empty())
+          add_curve(chart, pass.back()->pairs[i].name, pass, [&](const MeshSummary &mesh) {
+            return along(mesh.pairs[i].tangential_force, direction);
           });
-          const auto direction = tangential_direction(pass, i);
-          if (!direction.empty())
-            add_curve(chart, name + ": tangential", pass, [&](const MeshSummary &mesh) {
-              return along(mesh.pairs[i].tangential_force, direction);
-            });
-        }
       return chart;
     }
 
@@ -177,9 +181,9 @@ namespace Amontons
           const auto direction = tangential_direction(pass, i);
           if (direction.empty())
             continue;
-          chart.title   = "Tangential force of " + pass.back()->pairs[i].name;
+          chart.title   = "Hysteresis, " + pass.back()->pairs[i].name;
           chart.x_label = "displacement along it, probe " + pass.back()->probes[probe].name;
-          chart.y_label = "tangential force";
+          chart.y_label = "tangential force on the slave body";
           Curve curve{"", {}, {}, true, true};
           for (const MeshSummary *mesh : pass)
             {
@@ -236,8 +240,12 @@ namespace Amontons
     const Pass pass = last_pass(summary);
     if (pass.size() < 2)
       return {};
-    std::vector<Chart> charts = {
-        force_chart(pass), peak_chart(pass), size_chart(pass), work_chart(pass), dissipation_chart(pass)};
+    std::vector<Chart> charts = {normal_force_chart(pass),
+                                 tangential_force_chart(pass),
+                                 peak_chart(pass),
+                                 size_chart(pass),
+                                 work_chart(pass),
+                                 dissipation_chart(pass)};
     for (std::size_t p = 0; p < std::min<std::size_t>(2, pass.back()->probes.size()); ++p)
       charts.push_back(hysteresis_chart(pass, p));
     charts.push_back(iterations_chart(pass));

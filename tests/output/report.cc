@@ -47,10 +47,10 @@ check_history()
   pass           = last_pass(summary);
   check::is_true(pass.size() == 2 && pass[0] == &summary.meshes[1], "transfer");
   const auto charts = history_charts(summary);
-  for (const std::string title : {"Contact forces", "Peak pressure", "Where the work goes", "Work of friction"})
+  for (const std::string title : {"Normal force", "Tangential force", "Peak pressure", "Where the work goes", "Work of friction"})
     check::is_true(has_chart(charts, title), title);
-  check::is_true(charts[0].curves.size() == 2, "normal and tangential force");
-  check::is_close(charts[0].curves[1].y[1], -6, 1e-14, "tangential force along x");
+  check::is_close(charts[0].curves[0].y[1], 10, 1e-14, "normal force");
+  check::is_close(charts[1].curves[0].y[1], -6, 1e-14, "tangential force along x");
   check::is_true(!has_chart(charts, "Size of contact and stick"), "no sizes where nothing slips");
 
   summary.meshes = {row(0, 1, 1), row(1, 1, 1)};

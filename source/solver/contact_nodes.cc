@@ -143,6 +143,25 @@ namespace Amontons
   }
 
   template <int dim>
+  std::vector<LinearEquation>
+  resistance_of(const ContactNode<dim> &node, const ContactState state, const SlipLaw<dim> &law)
+  {
+    std::vector<LinearEquation> all;
+    for (const auto &e : equations_of(node, state, law, Tensor<1, dim>()))
+      all.push_back(e.equation);
+    if constexpr (dim == 3)
+      if (node.frictional && state == ContactState::slip && law.stiffness > 0)
+        {
+          const auto across = cross_product_3d(node.normal, law.direction);
+          all.emplace_back();
+          for (unsigned int c = 0; c < dim; ++c)
+            for (const auto &[dof, weight] : node.components[c].equation.coefficients)
+              all.back().coefficients[dof] += across[c] * weight;
+        }
+    return all;
+  }
+
+  template <int dim>
   std::vector<bool>
   first_guess_of_closed_nodes(const std::vector<ContactNode<dim>>      &nodes,
                               const std::vector<ContactInterface<dim>> &interfaces,
@@ -179,6 +198,10 @@ namespace Amontons
   equations_of(const ContactNode<2> &, const ContactState, const SlipLaw<2> &, const Tensor<1, 2> &);
   template std::vector<ContactEquation>
   equations_of(const ContactNode<3> &, const ContactState, const SlipLaw<3> &, const Tensor<1, 3> &);
+  template std::vector<LinearEquation>
+  resistance_of(const ContactNode<2> &, const ContactState, const SlipLaw<2> &);
+  template std::vector<LinearEquation>
+  resistance_of(const ContactNode<3> &, const ContactState, const SlipLaw<3> &);
   template std::vector<bool>
   first_guess_of_closed_nodes(const std::vector<ContactNode<2>> &,
                               const std::vector<ContactInterface<2>> &,

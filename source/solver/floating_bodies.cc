@@ -278,16 +278,6 @@ namespace Amontons
   }
 
   template <int dim>
-  std::string
-  FloatingBodies<dim>::unheld_by(const std::vector<const LinearEquation *> &equations) const
-  {
-    std::string text;
-    for (const auto &q : unheld_motions(equations))
-      text += (text.empty() ? "" : "; ") + describe(q);
-    return text;
-  }
-
-  template <int dim>
   double
   FloatingBodies<dim>::evaluate_on(const LinearEquation &equation, const std::vector<double> &motion) const
   {

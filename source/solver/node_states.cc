@@ -88,6 +88,9 @@ namespace Amontons
     for (unsigned int i = 0; i < may_open.size(); ++i)
       closed[may_open[i]] = next[i];
     choose_friction_states(answers, closed, tolerance);
+    first = false;
+    if (single)
+      keep_last_change(old);
     hold_motions(answers, tolerance);
     changed.clear();
     for (unsigned int k = 0; k < nodes.size(); ++k)
@@ -119,7 +122,7 @@ namespace Amontons
             const auto   limit  = bound(k, p);
             const auto   q      = trial(k, answers[k]);
             const double excess = q.norm() - limit.value;
-            const bool   turned = old == ContactState::slip && q * laws[k].direction < 0;
+            const bool   turned = !first && old == ContactState::slip && q * laws[k].direction < 0;
             const bool   slips  = !turned && q.norm() > 0 &&
                                (old == ContactState::slip ? excess > -tolerance : excess > tolerance);
             states[k] = slips ? ContactState::slip : ContactState::stick;
@@ -129,17 +132,34 @@ namespace Amontons
       }
   }
 
+  // Murty's rule for friction: of all the changes only that of the node with the highest number.
+  template <int dim>
+  void
+  NodeStates<dim>::keep_last_change(const std::vector<ContactState> &old)
+  {
+    bool found = false;
+    for (unsigned int k = nodes.size(); k-- > 0;)
+      if (states[k] != old[k])
+        {
+          if (found)
+            states[k] = old[k];
+          found = true;
+        }
+  }
+
   template <int dim>
   std::vector<std::vector<double>>
   NodeStates<dim>::unheld() const
   {
-    std::vector<ContactEquation> all;
+    if (!floating.any())
+      return {};
+    std::vector<LinearEquation> all;
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      for (const auto &equation : equations(k, Tensor<1, dim>()))
+      for (const auto &equation : resistance_of(nodes[k], states[k], laws[k]))
         all.push_back(equation);
     std::vector<const LinearEquation *> pointers;
     for (const auto &equation : all)
-      pointers.push_back(&equation.equation);
+      pointers.push_back(&equation);
     return floating.unheld_motions(pointers);
   }
 
@@ -214,30 +234,35 @@ namespace Amontons
       is_frozen = true;
       return largest > 0 ? change / largest : 0.;
     };
+    if (n_changes == 0)
+      {
+        single = false;
+        met.clear();
+        if (is_frozen)
+          {
+            const double change = follow(last_change < std::numeric_limits<double>::max() ? 0.5 : 1);
+            is_frozen           = change >= 1e-3;
+            last_change         = change;
+          }
+        return;
+      }
+    std::string key;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        key += char('0' + int(states[k]));
+        if (dim == 2 && nodes[k].frictional && states[k] == ContactState::slip)
+          for (unsigned int d = 0; d < dim; ++d)
+            key += laws[k].direction[d] > 0 ? '+' : '-';
+      }
+    if (met.insert(key).second)
+      return;
+    met.clear();
+    single = is_frozen;
     if (!is_frozen)
       {
-        std::string key;
-        for (unsigned int k = 0; n_changes > 0 && k < nodes.size(); ++k)
-          {
-            key += char('0' + int(states[k]));
-            if (dim == 2 && nodes[k].frictional && states[k] == ContactState::slip)
-              for (unsigned int d = 0; d < dim; ++d)
-                key += laws[k].direction[d] > 0 ? '+' : '-';
-          }
-        if (n_changes > 0 && !met.insert(key).second)
-          {
-            frozen_bounds.assign(nodes.size(), 0.);
-            follow(1);
-            met.clear();
-            last_change = std::numeric_limits<double>::max();
-          }
-      }
-    else if (n_changes == 0)
-      {
-        const double change = follow(last_change < std::numeric_limits<double>::max() ? 0.5 : 1);
-        if (change < 1e-3)
-          is_frozen = false;
-        last_change = change;
+        frozen_bounds.assign(nodes.size(), 0.);
+        follow(1);
+        last_change = std::numeric_limits<double>::max();
       }
   }
 

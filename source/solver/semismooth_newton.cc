@@ -234,7 +234,6 @@ namespace Amontons
       {
         TimerOutput::Scope                  scope(timer, "assemble condensed system");
         std::vector<ContactEquation>        active;
-        std::vector<const LinearEquation *> holding;
         first_equation.assign(nodes.size(), numbers::invalid_unsigned_int);
         for (unsigned int k = 0; k < nodes.size(); ++k)
           if (states[k] != ContactState::open)
@@ -243,10 +242,10 @@ namespace Amontons
               for (const auto &equation : states.equations(k, origins[k]))
                 active.push_back(equation);
             }
-        for (const auto &equation : active)
-          holding.push_back(&equation.equation);
         constraints = std::make_unique<ContactConstraints>(supports, active);
-        unheld      = floating.unheld_by(holding);
+        unheld.clear();
+        for (const auto &motion : states.unheld())
+          unheld += (unheld.empty() ? "" : "; ") + floating.describe(motion);
         laws.clear();
         for (unsigned int k = 0; k < nodes.size(); ++k)
           laws.push_back(states.law(k));
@@ -539,7 +538,11 @@ namespace Amontons
         Tensor<1, dim> trial;
         if (nodes[k].frictional && states[k] != ContactState::open)
           if (const double limit = states.bound(k, answer.pressure).value; limit > 0)
-            trial = (answer.shear + nodes[k].c * answer.slip) / limit;
+            {
+              // Bounded, as it will be interpolated: where the pressure vanishes the ratio has no bound.
+              trial = (answer.shear + nodes[k].c * answer.slip) / limit;
+              trial *= std::min(1., 3 / std::max(trial.norm(), 1e-100));
+            }
         state.trials[i].push_back(padded(trial));
       }
 

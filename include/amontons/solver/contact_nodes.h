@@ -51,6 +51,11 @@ namespace Amontons
                const SlipLaw<dim>     &law,
                const Tensor<1, dim>   &origin);
 
+  // What resists rigid motions in this state: the equations above and, in 3D, the stiffness across the slip.
+  template <int dim>
+  std::vector<LinearEquation>
+  resistance_of(const ContactNode<dim> &node, const ContactState state, const SlipLaw<dim> &law);
+
   // First guess without a history: what the prescribed displacements press together, and, for bodies that
   // only contact holds, the nodes that will touch first (linear kinematics close their gap exactly, whatever
   // its size).

@@ -49,12 +49,8 @@ namespace Amontons
     void
     choose_pins(const std::vector<const LinearEquation *> &all_equations);
 
-    // Whether the equations (of closed nodes) and the pins hold all motions that supports leave; if not, a
-    // description of those left.
-    std::string
-    unheld_by(const std::vector<const LinearEquation *> &equations) const;
-
-    // The motions behind unheld_by, as coefficients of the bodies' motions, in the direction that loads drive.
+    // Motions that supports, pins and the equations (of closed nodes) leave, as coefficients of the bodies'
+    // motions, in the direction that loads drive.
     std::vector<std::vector<double>>
     unheld_motions(const std::vector<const LinearEquation *> &equations) const;
     std::string

@@ -18,13 +18,14 @@ namespace Amontons
   };
 
   // Open or closed as ActiveSetUpdate says. A closed node with friction slips along trial/|trial|, trial =
-  // shear + c slip, where |trial| exceeds the bound phi(p), and sticks elsewhere; nodes that close and nodes
-  // whose slip turns round stick first. Two things keep this from running in circles or away:
+  // shear + c slip, where |trial| exceeds the bound phi(p), and sticks elsewhere; nodes whose slip turns round
+  // stick first (but for directions that were guessed). Two things keep this from running in circles or away:
   // - where the nodes that slip would leave a rigid motion of a body without hold, the node that slipped least
   //   along it is held (moved back rigidly until it rests, all nodes slip the right way); if the bound is
   //   exceeded there when nothing else changes, friction cannot hold the body (held_too_much);
   // - when a set of states comes back, bounds are frozen: with given bounds (Tresca) the problem is that of
   //   minimising a convex energy; each time it is solved, the bounds follow the pressures, until they agree.
+  //   If states come back even then, nodes change one by one.
   template <int dim>
   class NodeStates
   {
@@ -42,6 +43,10 @@ namespace Amontons
     // ActiveSetUpdate::update.
     unsigned int
     update(const std::vector<NodeAnswer<dim>> &answers, const double rounding);
+
+    // Rigid motions that supports, pins and the present states leave.
+    std::vector<std::vector<double>>
+    unheld() const;
 
     // How far shears are from the law of friction: sqrt sum (area |shear - shear of the law|)^2 (a force).
     double
@@ -99,8 +104,8 @@ namespace Amontons
                            const double                        rounding);
     void
     hold_motions(const std::vector<NodeAnswer<dim>> &answers, const double tolerance);
-    std::vector<std::vector<double>>
-    unheld() const;
+    void
+    keep_last_change(const std::vector<ContactState> &old);
     unsigned int
     least_slip_along(const std::vector<double>          &motion,
                      const std::vector<NodeAnswer<dim>> &answers,
@@ -122,7 +127,9 @@ namespace Amontons
     std::vector<ContactState>                 states;
     std::vector<SlipLaw<dim>>                 laws;
     std::vector<double>                       frozen_bounds;
+    bool                                      first       = true; // no update yet: directions are guesses
     bool                                      is_frozen   = false;
+    bool                                      single      = false; // frozen, and states came back even so
     double                                    last_change = 0; // of the bounds
     std::set<std::string>                     met;
     std::vector<unsigned int>                 held, changed; // in the last update

@@ -149,13 +149,14 @@ namespace Amontons
 
   template <int dim>
   std::vector<std::vector<double>>
-  NodeStates<dim>::unheld() const
+  NodeStates<dim>::unheld(const bool by_sticking) const
   {
     if (!floating.any())
       return {};
     std::vector<LinearEquation> all;
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      for (const auto &equation : resistance_of(nodes[k], states[k], laws[k]))
+      for (const auto &equation :
+           resistance_of(nodes[k], states[k], by_sticking ? SlipLaw<dim>() : laws[k]))
         all.push_back(equation);
     std::vector<const LinearEquation *> pointers;
     for (const auto &equation : all)

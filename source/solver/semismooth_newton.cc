@@ -498,8 +498,23 @@ namespace Amontons
           store(k);
         if (!report.converged && report.message.empty() && states.held_too_much() > 0)
           report.message = friction_exceeded();
+        if (!report.converged && report.message.empty() && any_friction)
+          report.message = all_slip();
         if (!report.converged && report.message.empty())
           report.message = not_converged();
+      }
+
+      // In 3D bodies without equilibrium turn about ever other centres.
+      std::string
+      all_slip() const
+      {
+        std::string left;
+        for (const auto &motion : states.unheld(true))
+          left += (left.empty() ? "" : "; ") + floating.describe(motion);
+        return left.empty() ? "" :
+                              "friction cannot hold the rigid " + left +
+                                ": all nodes that could hold it slip, and no states in equilibrium were found; raise "
+                                "the friction coefficient, lower the load along this motion or hold it by a support";
       }
 
       std::string

@@ -44,9 +44,10 @@ namespace Amontons
     unsigned int
     update(const std::vector<NodeAnswer<dim>> &answers, const double rounding);
 
-    // Rigid motions that supports, pins and the present states leave.
+    // Rigid motions that supports, pins and the present states leave. by_sticking: those that no sticking node
+    // holds, although nodes that slip resist them across their slip (3D).
     std::vector<std::vector<double>>
-    unheld() const;
+    unheld(const bool by_sticking = false) const;
 
     // How far shears are from the law of friction: sqrt sum (area |shear - shear of the law|)^2 (a force).
     double

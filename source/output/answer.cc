@@ -142,9 +142,8 @@ namespace Amontons
   unsigned int
   planned_increments(const Scene &scene)
   {
-    const bool  has_history = std::any_of(scene.pairs.begin(), scene.pairs.end(), [](const PairData &pair) {
-      return pair.has_friction();
-    });
+    const bool has_history = std::any_of(
+        scene.pairs.begin(), scene.pairs.end(), [](const PairData &pair) { return pair.has_friction(); });
     LoadProgram program(scene, has_history);
     while (!program.finished())
       program.accept(1);
@@ -164,8 +163,8 @@ namespace Amontons
     for (std::size_t p = 0; p < scene.pairs.size(); ++p)
       text += (p == 0 ? " - " : ", ") + pair_text(scene.pairs[p]);
     text += "; " + count(scene.conditions.size(), "condition", "conditions") + "; " +
-            count(planned_increments(scene), "increment", "increments") + " to t = " + short_number(scene.end_time) +
-            "; " + count(n_ranks, "process", "processes") + ".";
+            count(planned_increments(scene), "increment", "increments") +
+            " to t = " + short_number(scene.end_time) + "; " + count(n_ranks, "process", "processes") + ".";
     return text;
   }
 

@@ -97,9 +97,9 @@ namespace Amontons
       node.pressure = fields.pressure[i];
       node.gap      = fields.gap[i];
       node.state    = fields.state[i];
-      node.bound    = interface.pair->has_friction() ?
-                          shear_bound(*interface.pair, node.X, t, fields.pressure[i]).value :
-                          std::nan("");
+      node.bound    = interface.pair->has_friction()
+                          ? shear_bound(*interface.pair, node.X, t, fields.pressure[i]).value
+                          : std::nan("");
       return node;
     }
 
@@ -185,7 +185,11 @@ namespace Amontons
   template std::vector<unsigned int>
   order_along_surface(const std::vector<Point<3>> &, const std::vector<std::vector<unsigned int>> &);
   template std::vector<ContactNode>
-  contact_table(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &, const double);
+  contact_table(const std::vector<ContactInterface<2>> &,
+                const std::vector<SurfaceFields<2>> &,
+                const double);
   template std::vector<ContactNode>
-  contact_table(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &, const double);
+  contact_table(const std::vector<ContactInterface<3>> &,
+                const std::vector<SurfaceFields<3>> &,
+                const double);
 } // namespace Amontons

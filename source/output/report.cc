@@ -21,7 +21,8 @@ namespace Amontons
         "th{font-weight:600;color:#555}td.n,th.n{text-align:right}.status{display:inline-block;padding:1px "
         "10px;"
         "border-radius:10px;color:#fff;background:#b3402a;font-size:13px}.good{background:#2a8a55}"
-        "details{margin-top:10px}summary{cursor:pointer;color:#555}.sub{color:#666}pre{white-space:pre-wrap;margin:0}";
+        "details{margin-top:10px}summary{cursor:pointer;color:#555}.sub{color:#666}pre{white-space:pre-wrap;"
+        "margin:0}";
 
     using Row = std::vector<std::string>;
 
@@ -262,13 +263,14 @@ namespace Amontons
     add(convergence, iteration_chart(summary));
     add(convergence, error_chart(summary));
 
-    write_file(
-        file,
-        head(summary) + answer_section(summary) + section("Along the contact", pictures(pressures)) +
-            section("Load history", pictures(history)) + section("Mesh", pictures(mesh_pictures(mesh, curves))) +
-            section("Convergence", pictures(convergence) + convergence_table(summary)) +
-            section("Probes", probe_tables(summary)) +
-            section("Checks", number_table("check", "value", summary.checks)) +
-            section("Time", number_table("phase", "seconds", summary.timing)) + "</main></body></html>\n");
+    write_file(file,
+               head(summary) + answer_section(summary) + section("Along the contact", pictures(pressures)) +
+                   section("Load history", pictures(history)) +
+                   section("Mesh", pictures(mesh_pictures(mesh, curves))) +
+                   section("Convergence", pictures(convergence) + convergence_table(summary)) +
+                   section("Probes", probe_tables(summary)) +
+                   section("Checks", number_table("check", "value", summary.checks)) +
+                   section("Time", number_table("phase", "seconds", summary.timing)) +
+                   "</main></body></html>\n");
   }
 } // namespace Amontons

@@ -165,8 +165,7 @@ namespace Amontons
       Chart chart = over_time("Work of friction", "dissipation since t = 0");
       if (!pass.back()->dissipation)
         return chart;
-      add_curve(
-          chart, "", pass, [](const MeshSummary &mesh) { return mesh.dissipation.value_or(unknown); });
+      add_curve(chart, "", pass, [](const MeshSummary &mesh) { return mesh.dissipation.value_or(unknown); });
       begin_at_rest(chart);
       return chart;
     }
@@ -194,7 +193,8 @@ namespace Amontons
               curve.x.push_back(u);
               curve.y.push_back(along(mesh->pairs[i].tangential_force, direction));
             }
-          if (!curve.x.empty() && std::any_of(curve.x.begin(), curve.x.end(), [](const double u) { return u != 0; }))
+          if (!curve.x.empty() &&
+              std::any_of(curve.x.begin(), curve.x.end(), [](const double u) { return u != 0; }))
             chart.curves.push_back(curve);
         }
       return chart;
@@ -249,10 +249,9 @@ namespace Amontons
     for (std::size_t p = 0; p < std::min<std::size_t>(2, pass.back()->probes.size()); ++p)
       charts.push_back(hysteresis_chart(pass, p));
     charts.push_back(iterations_chart(pass));
-    charts.erase(std::remove_if(charts.begin(),
-                                charts.end(),
-                                [](const Chart &chart) { return chart.curves.empty(); }),
-                 charts.end());
+    charts.erase(
+        std::remove_if(charts.begin(), charts.end(), [](const Chart &chart) { return chart.curves.empty(); }),
+        charts.end());
     return charts;
   }
 } // namespace Amontons

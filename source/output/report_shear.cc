@@ -13,9 +13,8 @@ namespace Amontons
       ContactState state;
       const char  *colour;
     };
-    const std::array<StateStyle, 3> styles = {{{ContactState::open, "#aab2b9"},
-                                               {ContactState::slip, "#d9541e"},
-                                               {ContactState::stick, "#2a9d5c"}}};
+    const std::array<StateStyle, 3> styles = {
+        {{ContactState::open, "#aab2b9"}, {ContactState::slip, "#d9541e"}, {ContactState::stick, "#2a9d5c"}}};
 
     bool
     is_shown(const PressureCurve &curve, const std::size_t i)
@@ -84,8 +83,7 @@ namespace Amontons
       for (std::size_t i = 0; i < curve.s.size(); ++i)
         if (is_shown(curve, i))
           largest = std::max(largest, std::hypot(curve.tractions[i][0], curve.tractions[i][1]));
-      const double scale =
-          largest > 0 ? std::max(extent(curve, 0), extent(curve, 1)) / 12 / largest : 0;
+      const double scale = largest > 0 ? std::max(extent(curve, 0), extent(curve, 1)) / 12 / largest : 0;
       Curve        lines{"shear on the slave", {}, {}, true, false, "#5b6470", 1};
       for (std::size_t i = 0; i < curve.s.size(); ++i)
         if (is_shown(curve, i) && curve.states[i] != ContactState::open)

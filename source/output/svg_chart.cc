@@ -207,8 +207,8 @@ namespace Amontons
           }
       std::string svg;
       if (curve.line)
-        svg += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + pixels(curve.width) +
-               "\"/>\n";
+        svg += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" +
+               pixels(curve.width) + "\"/>\n";
       if (curve.markers)
         svg += "<g fill=\"" + colour + "\">" + markers + "</g>\n";
       return svg;

@@ -153,7 +153,8 @@ namespace Amontons
       {
         line("");
         line("M" + size.substr(1));
-        line("  increment            t  iterations   residual     open    stick     slip   krylov  pressure error");
+        line("  increment            t  iterations   residual     open    stick     slip   krylov  pressure "
+             "error");
       }
     mesh_shown = mesh;
   }

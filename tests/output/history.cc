@@ -15,15 +15,15 @@ main()
   MeshSummary plain;
   plain.increment = 1;
   plain.pairs.resize(1);
-  plain.pairs[0].name = "a, b";
-  MeshSummary friction              = plain;
-  friction.pairs[0].stick_size      = 0.5;
-  friction.pairs[0].normal_force    = {0, -2};
-  friction.external_work            = 3;
-  friction.contact_work             = 2;
-  friction.dissipation              = 0.5;
-  const std::string folder = std::getenv("TMPDIR") != nullptr ? std::getenv("TMPDIR") : "/tmp";
-  const std::string file   = folder + "/amontons_test_history.csv";
+  plain.pairs[0].name            = "a, b";
+  MeshSummary friction           = plain;
+  friction.pairs[0].stick_size   = 0.5;
+  friction.pairs[0].normal_force = {0, -2};
+  friction.external_work         = 3;
+  friction.contact_work          = 2;
+  friction.dissipation           = 0.5;
+  const std::string folder       = std::getenv("TMPDIR") != nullptr ? std::getenv("TMPDIR") : "/tmp";
+  const std::string file         = folder + "/amontons_test_history.csv";
   write_history(file, {plain, friction, plain}, Kind::plane_strain);
 
   std::ifstream            stream(file);
@@ -35,7 +35,8 @@ main()
   // The name of the pair is quoted, with a comma in it, once for each of its columns.
   const auto commas = [](const std::string &line) { return std::count(line.begin(), line.end(), ','); };
   check::is_true(commas(lines[0]) - 10 == commas(lines[1]), "fields of the first row: " + lines[1]);
-  check::is_true(commas(lines[1]) == commas(lines[2]) && commas(lines[2]) == commas(lines[3]), "all rows alike");
+  check::is_true(commas(lines[1]) == commas(lines[2]) && commas(lines[2]) == commas(lines[3]),
+                 "all rows alike");
   check::is_true(lines[0].find("contact_work_minus_dissipation") != std::string::npos, "header: " + lines[0]);
   const std::string end = ",3,2,0.5,1.5";
   check::is_true(lines[2].size() > end.size() && lines[2].substr(lines[2].size() - end.size()) == end,

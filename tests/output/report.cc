@@ -40,14 +40,16 @@ check_history()
   // Replay: two passes, the first with smaller increments.
   summary.meshes = {row(0, 1, 0.5), row(0, 2, 1), row(0, 3, 2), row(1, 1, 1), row(1, 2, 2)};
   auto pass      = last_pass(summary);
-  check::is_true(pass.size() == 2 && pass[0] == &summary.meshes[3] && pass[1] == &summary.meshes[4], "replay");
+  check::is_true(pass.size() == 2 && pass[0] == &summary.meshes[3] && pass[1] == &summary.meshes[4],
+                 "replay");
 
   // Refined on the way: the last mesh of each increment.
   summary.meshes = {row(0, 1, 1), row(1, 1, 1), row(1, 2, 2)};
   pass           = last_pass(summary);
   check::is_true(pass.size() == 2 && pass[0] == &summary.meshes[1], "transfer");
   const auto charts = history_charts(summary);
-  for (const std::string title : {"Normal force", "Tangential force", "Peak pressure", "Where the work goes", "Work of friction"})
+  for (const std::string title :
+       {"Normal force", "Tangential force", "Peak pressure", "Where the work goes", "Work of friction"})
     check::is_true(has_chart(charts, title), title);
   check::is_close(charts[0].curves[0].y[1], 10, 1e-14, "normal force");
   check::is_close(charts[1].curves[0].y[1], -6, 1e-14, "tangential force along x");
@@ -101,7 +103,7 @@ void
 check_broken_line()
 {
   Chart chart;
-  chart.curves = {{"", {0, 1, NAN, 2, 3}, {0, 1, NAN, 0, 1}, true, false}};
+  chart.curves          = {{"", {0, 1, NAN, 2, 3}, {0, 1, NAN, 0, 1}, true, false}};
   const std::string svg = svg_chart(chart), path = svg.substr(svg.find("<path"), 120);
   check::is_true(std::count(path.begin(), path.end(), 'M') == 2, "two pieces: " + path);
 }

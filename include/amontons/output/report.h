@@ -61,8 +61,8 @@ namespace Amontons
   std::vector<const MeshSummary *>
   last_pass(const RunSummary &summary);
 
-  // What happened over t in the last pass (none with a single increment): forces, peak pressures, sizes, work,
-  // iterations; tangential force against the displacement of probes.
+  // What happened over t in the last pass (none with a single increment): forces, peak pressures, sizes,
+  // work, iterations; tangential force against the displacement of probes.
   std::vector<Chart>
   history_charts(const RunSummary &summary);
 

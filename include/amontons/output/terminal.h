@@ -61,10 +61,10 @@ namespace Amontons
 
     using Clock = std::chrono::steady_clock;
 
-    std::ostream     &stream;
-    bool              active, is_tty;
-    bool              bar_shown = false;
-    std::string       work; // what the bar is about
+    std::ostream &stream;
+    bool          active, is_tty;
+    bool          bar_shown = false;
+    std::string   work; // what the bar is about
 
     // The increment that is being solved, where each gets a line.
     bool                       brief = false;

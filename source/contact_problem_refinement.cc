@@ -52,10 +52,38 @@ namespace Amontons
         TimerOutput::Scope scope(timer, "contact surfaces");
         for (unsigned int i = 0; i < interfaces.size(); ++i)
           interfaces[i].reach = reaches[i];
+        std::vector<std::vector<CouplingRow<dim>>> old_rows;
+        for (const auto &interface : interfaces)
+          old_rows.push_back(interface.coupling.rows);
         integrate_couplings(*discretization, supports, interfaces);
-        state.states.clear(); // they fit the rows no more
+        states_to_new_rows(old_rows);
       }
     return too_short;
+  }
+
+  // The next guess: nodes keep their states, those that had no row are open.
+  template <int dim>
+  void
+  ContactProblem<dim>::states_to_new_rows(const std::vector<std::vector<CouplingRow<dim>>> &old_rows)
+  {
+    const auto old = state;
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        std::map<unsigned int, unsigned int> row_of_node;
+        for (unsigned int r = 0; r < old_rows[i].size(); ++r)
+          row_of_node[old_rows[i][r].node] = r;
+        const auto &rows = interfaces[i].coupling.rows;
+        state.states[i].assign(rows.size(), ContactState::open);
+        state.pressures[i].assign(rows.size(), 0.);
+        state.trials[i].assign(rows.size(), Tensor<1, 3>());
+        for (unsigned int r = 0; r < rows.size(); ++r)
+          if (const auto known = row_of_node.find(rows[r].node); known != row_of_node.end())
+            {
+              state.states[i][r]    = old.states[i][known->second];
+              state.pressures[i][r] = old.pressures[i][known->second];
+              state.trials[i][r]    = old.trials[i][known->second];
+            }
+      }
   }
 
   template <int dim>
@@ -158,6 +186,10 @@ namespace Amontons
   ContactProblem<2>::widen_reach();
   template bool
   ContactProblem<3>::widen_reach();
+  template void
+  ContactProblem<2>::states_to_new_rows(const std::vector<std::vector<CouplingRow<2>>> &);
+  template void
+  ContactProblem<3>::states_to_new_rows(const std::vector<std::vector<CouplingRow<3>>> &);
   template bool
   ContactProblem<2>::refine();
   template bool

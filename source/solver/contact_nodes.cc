@@ -143,6 +143,45 @@ namespace Amontons
   }
 
   template <int dim>
+  ContactEquation
+  all_components(const ContactNode<dim> &node)
+  {
+    ContactEquation result;
+    for (const auto &component : node.components)
+      {
+        result.candidates.push_back(component.candidates[0]);
+        for (const auto &entry : component.equation.coefficients)
+          result.equation.coefficients[entry.first] = 1;
+      }
+    return result;
+  }
+
+  template <int dim>
+  FurtherMatrix
+  slip_stiffness(const ContactNode<dim> &node, const SlipLaw<dim> &law)
+  {
+    FurtherMatrix                                further;
+    std::vector<std::pair<unsigned int, double>> terms; // component and weight of each DoF
+    for (unsigned int c = 0; c < dim; ++c)
+      for (const auto &[dof, weight] : node.components[c].equation.coefficients)
+        {
+          further.dofs.push_back(dof);
+          terms.emplace_back(c, weight);
+        }
+    const Tensor<1, dim> n = node.normal / node.normal.norm(), d = law.direction;
+    further.matrix.reinit(terms.size(), terms.size());
+    for (unsigned int i = 0; i < terms.size(); ++i)
+      for (unsigned int j = 0; j < terms.size(); ++j)
+        {
+          const auto [a, weight_a] = terms[i];
+          const auto [b, weight_b] = terms[j];
+          further.matrix(i, j)     = node.area * law.stiffness * weight_a * weight_b *
+                                 (double(a == b) - n[a] * n[b] - d[a] * d[b]);
+        }
+    return further;
+  }
+
+  template <int dim>
   std::vector<LinearEquation>
   resistance_of(const ContactNode<dim> &node, const ContactState state, const SlipLaw<dim> &law)
   {
@@ -198,6 +237,14 @@ namespace Amontons
   equations_of(const ContactNode<2> &, const ContactState, const SlipLaw<2> &, const Tensor<1, 2> &);
   template std::vector<ContactEquation>
   equations_of(const ContactNode<3> &, const ContactState, const SlipLaw<3> &, const Tensor<1, 3> &);
+  template ContactEquation
+  all_components(const ContactNode<2> &);
+  template ContactEquation
+  all_components(const ContactNode<3> &);
+  template FurtherMatrix
+  slip_stiffness(const ContactNode<2> &, const SlipLaw<2> &);
+  template FurtherMatrix
+  slip_stiffness(const ContactNode<3> &, const SlipLaw<3> &);
   template std::vector<LinearEquation>
   resistance_of(const ContactNode<2> &, const ContactState, const SlipLaw<2> &);
   template std::vector<LinearEquation>

@@ -164,6 +164,16 @@ namespace Amontons
     return floating.unheld_motions(pointers);
   }
 
+  template <int dim>
+  std::string
+  NodeStates<dim>::describe(const std::vector<std::vector<double>> &motions) const
+  {
+    std::string text;
+    for (const auto &q : motions)
+      text += (text.empty() ? "" : "; ") + floating.describe(q);
+    return text;
+  }
+
   // Of the nodes that slip, by (slip v . m/|m|^2, trial/bound), where m is the jump of the motion. The number
   // of nodes if none moves with it.
   template <int dim>
@@ -203,9 +213,7 @@ namespace Amontons
     if (!any_friction || !floating.any())
       return;
     auto motions = unheld();
-    motion.clear();
-    for (const auto &q : motions)
-      motion += (motion.empty() ? "" : "; ") + floating.describe(q);
+    motion       = describe(motions);
     while (!motions.empty())
       {
         const unsigned int k = least_slip_along(motions[0], answers, tolerance);

@@ -1,8 +1,7 @@
 #include <amontons/algebra/rigid_body_modes.h>
-#include <amontons/solver/node_states.h>
+#include <amontons/solver/diagnosis.h>
+#include <amontons/solver/proximal_terms.h>
 #include <amontons/solver/semismooth_newton.h>
-
-#include <sstream>
 
 namespace Amontons
 {
@@ -106,27 +105,13 @@ namespace Amontons
       stop_or_go_on(const NewtonReport::Iteration &step, const bool set_changed)
       {
         if (!std::isfinite(step.residual))
-          report.message = "the solution is not a number: a load or prescribed displacement may not be one, "
-                           "or the stiffness is singular";
+          report.message = Diagnosis::not_a_number();
         else if (!set_changed && step.residual <= parameters.tolerance && states.held_too_much() == 0)
           report.converged = true;
         else if (!set_changed && states.held_too_much() > 0)
-          report.message = friction_exceeded();
+          report.message = Diagnosis::friction_exceeded(states);
         else if (!set_changed && moves_apart())
-          report.message =
-              "the loads drive the rigid " + unheld +
-              ", and no node that is closed holds it: the bodies move apart or slide off each "
-              "other; reverse the load, move the bodies together, or hold this motion by a support";
-      }
-
-      std::string
-      friction_exceeded() const
-      {
-        return "friction cannot hold the rigid " + states.held_motion() +
-               ": where the nodes that slipped least were held to see whether others would stick, at " +
-               states.where_unsettled() +
-               ", the shear exceeds its bound; raise the friction coefficient, lower the load along this "
-               "motion or hold it by a support";
+          report.message = Diagnosis::moves_apart(unheld);
       }
 
       // Motions without supports, the first guess of the closed nodes, the pattern and the bulk of the
@@ -150,7 +135,7 @@ namespace Amontons
             if (nodes[k].frictional)
               origins[k] = nodes[k].jump(state.committed);
         states.start(state, first_guess_of_closed_nodes(nodes, interfaces, floating, state.displacement));
-        make_proximal_terms();
+        proximal = make_proximal_terms(discretization, elasticity, floating);
         const bool may_change =
             std::any_of(nodes.begin(), nodes.end(), [](const auto &node) { return !node.tied; });
         forcing = may_change ? 1e-4 : fine_forcing();
@@ -168,8 +153,11 @@ namespace Amontons
         if (any_friction) // slip mixes the components of a node
           for (const auto &node : nodes)
             if (node.frictional)
-              candidates.push_back(all_components(node));
-        system.setup(cells(), supports, candidates, floating.any() ? &springs : nullptr);
+              {
+                candidates.push_back(all_components(node));
+                substitute(candidates.back().equation, supports);
+              }
+        system.setup(cells(), supports, candidates, floating.any() ? &proximal.springs : nullptr);
       }
 
       CellMatrices
@@ -180,53 +168,6 @@ namespace Amontons
         result.dofs   = [this](const unsigned int c) -> const auto   &{ return elasticity.dofs(c); };
         result.matrix = [this](const unsigned int c) { return elasticity.matrix(c); };
         return result;
-      }
-
-      ContactEquation
-      all_components(const ContactNode<dim> &node) const
-      {
-        ContactEquation result;
-        for (const auto &component : node.components)
-          {
-            result.candidates.push_back(component.candidates[0]);
-            for (const auto &[dof, weight] : component.equation.coefficients)
-              result.equation.coefficients[dof] = 1;
-          }
-        substitute(result.equation, supports);
-        return result;
-      }
-
-      // Diagonal terms on the increment only, which vanish at convergence: pins for motions that contact can
-      // never hold, and weak springs for those that no closed node holds yet.
-      void
-      make_proximal_terms()
-      {
-        if (!floating.any())
-          return;
-        const double weak = 1e-8;
-        springs           = discretization.make_owned_vector();
-        pins              = discretization.make_owned_vector();
-        double largest    = 0;
-        for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
-          for (unsigned int i = 0; i < elasticity.dofs(c).size(); ++i)
-            {
-              largest = std::max(largest, elasticity.diagonal(c, i));
-              if (floating.floats()[elasticity.body(c)])
-                springs(elasticity.dofs(c)[i]) += weak * elasticity.diagonal(c, i);
-            }
-        springs.compress(VectorOperation::add);
-        largest = Utilities::MPI::max(largest, communicator);
-        for (const auto &carrier : discretization.carrier_dofs)
-          for (const auto &corner : carrier)
-            for (const auto dof : corner)
-              if (discretization.locally_owned.is_element(dof))
-                springs(dof) = weak * largest;
-        for (const auto dof : floating.pins())
-          if (discretization.locally_owned.is_element(dof))
-            pins(dof) = largest;
-        springs.compress(VectorOperation::insert);
-        pins.compress(VectorOperation::insert);
-        springs += pins;
       }
 
       void
@@ -243,18 +184,16 @@ namespace Amontons
                 active.push_back(equation);
             }
         constraints = std::make_unique<ContactConstraints>(supports, active);
-        unheld.clear();
-        for (const auto &motion : states.unheld())
-          unheld += (unheld.empty() ? "" : "; ") + floating.describe(motion);
+        unheld      = states.describe(states.unheld());
         laws.clear();
         for (unsigned int k = 0; k < nodes.size(); ++k)
           laws.push_back(states.law(k));
         system.assemble(cells(),
                         *constraints,
-                        !unheld.empty()            ? &springs
-                        : !floating.pins().empty() ? &pins
+                        !unheld.empty()            ? &proximal.springs
+                        : !floating.pins().empty() ? &proximal.pins
                                                    : nullptr,
-                        slip_stiffness());
+                        stiffness_across_slip());
         solver.matrix_changed(report.iterations.empty() ? LinearSolver::all_rows : report.iterations.back().n_changes);
       }
 
@@ -264,34 +203,14 @@ namespace Amontons
         return nodes[k].frictional && states[k] == ContactState::slip;
       }
 
-      // area stiffness (1 - n n^T - d d^T) on the jumps of nodes that slip (3D)
       std::vector<FurtherMatrix>
-      slip_stiffness() const
+      stiffness_across_slip() const
       {
         std::vector<FurtherMatrix> matrices;
         for (unsigned int k = 0; k < nodes.size(); ++k)
           if (slips_with_friction(k) && laws[k].stiffness > 0 &&
               discretization.locally_owned.is_element(nodes[k].components[0].candidates[0]))
-            {
-              FurtherMatrix                                                further;
-              std::vector<std::pair<unsigned int, double>>                 terms;
-              for (unsigned int c = 0; c < dim; ++c)
-                for (const auto &[dof, weight] : nodes[k].components[c].equation.coefficients)
-                  {
-                    further.dofs.push_back(dof);
-                    terms.emplace_back(c, weight);
-                  }
-              const Tensor<1, dim> n = nodes[k].normal / nodes[k].normal.norm(), d = laws[k].direction;
-              further.matrix.reinit(terms.size(), terms.size());
-              for (unsigned int i = 0; i < terms.size(); ++i)
-                for (unsigned int j = 0; j < terms.size(); ++j)
-                  {
-                    const unsigned int a = terms[i].first, b = terms[j].first;
-                    further.matrix(i, j) = nodes[k].area * laws[k].stiffness * terms[i].second *
-                                           terms[j].second * (double(a == b) - n[a] * n[b] - d[a] * d[b]);
-                  }
-              matrices.push_back(further);
-            }
+            matrices.push_back(slip_stiffness(nodes[k], laws[k]));
         return matrices;
       }
 
@@ -483,7 +402,7 @@ namespace Amontons
           {
             double force = 0;
             for (const auto dof : discretization.locally_owned)
-              force += std::abs(springs(dof) * du(dof));
+              force += std::abs(proximal.springs(dof) * du(dof));
             const double load           = loads.l1_norm();
             force                       = Utilities::MPI::sum(force, communicator);
             report.regularisation_force = load > 0 ? force / load : force;
@@ -496,41 +415,8 @@ namespace Amontons
         state.slips.assign(interfaces.size(), {});
         for (unsigned int k = 0; k < nodes.size(); ++k)
           store(k);
-        if (!report.converged && report.message.empty() && states.held_too_much() > 0)
-          report.message = friction_exceeded();
-        if (!report.converged && report.message.empty() && any_friction)
-          report.message = all_slip();
         if (!report.converged && report.message.empty())
-          report.message = not_converged();
-      }
-
-      // In 3D bodies without equilibrium turn about ever other centres.
-      std::string
-      all_slip() const
-      {
-        std::string left;
-        for (const auto &motion : states.unheld(true))
-          left += (left.empty() ? "" : "; ") + floating.describe(motion);
-        return left.empty() ? "" :
-                              "friction cannot hold the rigid " + left +
-                                ": all nodes that could hold it slip, and no states in equilibrium were found; raise "
-                                "the friction coefficient, lower the load along this motion or hold it by a support";
-      }
-
-      std::string
-      not_converged() const
-      {
-        const auto        &last = report.iterations.back();
-        std::ostringstream text;
-        text << "no converged contact states after " << report.iterations.size() << " iterations (residual "
-             << last.residual << ", " << last.n_changes << " nodes still change";
-        if (last.n_changes > 0)
-          text << ", at " << states.where_unsettled();
-        text << "); tried: all nodes at once" << (report.safeguarded ? ", single nodes" : "")
-             << (report.frozen ? ", given bounds of friction (Tresca)" : "")
-             << "; try a finer mesh, smaller loads, more iterations"
-             << (any_friction ? ", smaller increments or less friction" : "");
-        return text.str();
+          report.message = Diagnosis::no_states_found(report, states, any_friction);
       }
 
       void
@@ -580,7 +466,8 @@ namespace Amontons
       CondensedSystem                  system;
       LinearSolver        solver; // its factorisation refers to the matrix, which must outlive it
       NewtonReport        report;
-      LA::Vector          springs, pins, u, du, internal, raw;
+      ProximalTerms       proximal;
+      LA::Vector          u, du, internal, raw;
       std::vector<NodeAnswer<dim>> answers;
       std::vector<Tensor<1, dim>>  origins;     // jumps that the increment started from
       std::vector<SlipLaw<dim>>    laws;        // that the last system was made with

@@ -30,6 +30,8 @@ namespace Amontons
     // traction on the slave along +x at distance x from the centre (for the axis through the contact along
     // the force), and the dissipated work of the whole load history.
     std::optional<double>         tangential_force, stick_size, dissipation;
+    // Whether mu p - |q| is a Hertz traction of the size stick_size, from which the size is measured.
+    bool                          unused_shear_is_hertzian = true;
     std::function<double(double)> shear_traction;
     // Elliptic contact: contact_size is the semi-axis along axes[0], second_size that along axes[1] (unit
     // vectors in the plane of contact), and the pressure is a function of the position relative to the

@@ -1,7 +1,7 @@
 // The nodes that may close, with what their states mean for displacements.
 #pragma once
 
-#include <amontons/algebra/contact_constraints.h>
+#include <amontons/algebra/condensed_system.h>
 #include <amontons/contact/contact_interface.h>
 #include <amontons/friction/shear_law.h>
 #include <amontons/solver/floating_bodies.h>
@@ -50,6 +50,16 @@ namespace Amontons
                const ContactState      state,
                const SlipLaw<dim>     &law,
                const Tensor<1, dim>   &origin);
+
+  // An equation of all DoFs of the node's jump, for the sparsity pattern: slip mixes the components.
+  template <int dim>
+  ContactEquation
+  all_components(const ContactNode<dim> &node);
+
+  // area stiffness (1 - n n^T - d d^T) on the jump (3D): the forces of the shear across the slip.
+  template <int dim>
+  FurtherMatrix
+  slip_stiffness(const ContactNode<dim> &node, const SlipLaw<dim> &law);
 
   // What resists rigid motions in this state: the equations above and, in 3D, the stiffness across the slip.
   template <int dim>

@@ -48,6 +48,8 @@ namespace Amontons
     // holds, although nodes that slip resist them across their slip (3D).
     std::vector<std::vector<double>>
     unheld(const bool by_sticking = false) const;
+    std::string
+    describe(const std::vector<std::vector<double>> &motions) const;
 
     // How far shears are from the law of friction: sqrt sum (area |shear - shear of the law|)^2 (a force).
     double

@@ -1,0 +1,27 @@
+// Why an iteration did not converge, and what the user can change.
+#pragma once
+
+#include <amontons/solver/node_states.h>
+#include <amontons/solver/semismooth_newton.h>
+
+namespace Amontons
+{
+  namespace Diagnosis
+  {
+    std::string
+    not_a_number();
+
+    // motion: the rigid motions that only weak springs hold
+    std::string
+    moves_apart(const std::string &motion);
+
+    template <int dim>
+    std::string
+    friction_exceeded(const NodeStates<dim> &states);
+
+    // After the last iteration.
+    template <int dim>
+    std::string
+    no_states_found(const NewtonReport &report, const NodeStates<dim> &states, const bool any_friction);
+  } // namespace Diagnosis
+} // namespace Amontons

@@ -1,0 +1,73 @@
+#include <amontons/solver/diagnosis.h>
+
+#include <sstream>
+
+namespace Amontons
+{
+  namespace Diagnosis
+  {
+    namespace
+    {
+      const std::string what_to_change =
+          "; raise the friction coefficient, lower the load along this motion or hold it by a support";
+    } // namespace
+
+    std::string
+    not_a_number()
+    {
+      return "the solution is not a number: a load or prescribed displacement may not be one, or the stiffness "
+             "is singular";
+    }
+
+    std::string
+    moves_apart(const std::string &motion)
+    {
+      return "the loads drive the rigid " + motion +
+             ", and no node that is closed holds it: the bodies move apart or slide off each other; reverse the "
+             "load, move the bodies together, or hold this motion by a support";
+    }
+
+    template <int dim>
+    std::string
+    friction_exceeded(const NodeStates<dim> &states)
+    {
+      return "friction cannot hold the rigid " + states.held_motion() +
+             ": where the nodes that slipped least were held to see whether others would stick, at " +
+             states.where_unsettled() + ", the shear exceeds its bound" + what_to_change;
+    }
+
+    template <int dim>
+    std::string
+    no_states_found(const NewtonReport &report, const NodeStates<dim> &states, const bool any_friction)
+    {
+      if (states.held_too_much() > 0)
+        return friction_exceeded(states);
+      // In 3D bodies without equilibrium turn about ever other centres.
+      const std::string sliding = any_friction ? states.describe(states.unheld(true)) : "";
+      if (!sliding.empty())
+        return "friction cannot hold the rigid " + sliding +
+               ": all nodes that could hold it slip, and no states in equilibrium were found" + what_to_change;
+
+      const auto        &last = report.iterations.back();
+      std::ostringstream text;
+      text << "no converged contact states after " << report.iterations.size() << " iterations (residual "
+           << last.residual << ", " << last.n_changes << " nodes still change";
+      if (last.n_changes > 0)
+        text << ", at " << states.where_unsettled();
+      text << "); tried: all nodes at once" << (report.safeguarded ? ", single nodes" : "")
+           << (report.frozen ? ", given bounds of friction (Tresca)" : "")
+           << "; try a finer mesh, smaller loads, more iterations"
+           << (any_friction ? ", smaller increments or less friction" : "");
+      return text.str();
+    }
+
+    template std::string
+    friction_exceeded(const NodeStates<2> &);
+    template std::string
+    friction_exceeded(const NodeStates<3> &);
+    template std::string
+    no_states_found(const NewtonReport &, const NodeStates<2> &, const bool);
+    template std::string
+    no_states_found(const NewtonReport &, const NodeStates<3> &, const bool);
+  } // namespace Diagnosis
+} // namespace Amontons

@@ -1,0 +1,45 @@
+#include <amontons/solver/proximal_terms.h>
+
+namespace Amontons
+{
+  template <int dim>
+  ProximalTerms
+  make_proximal_terms(const Discretization<dim>     &discretization,
+                      const ElasticityOperator<dim> &elasticity,
+                      const FloatingBodies<dim>     &floating)
+  {
+    ProximalTerms terms;
+    if (!floating.any())
+      return terms;
+    const double weak    = 1e-8;
+    double       largest = 0;
+    terms.springs        = discretization.make_owned_vector();
+    terms.pins           = discretization.make_owned_vector();
+    for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
+      for (unsigned int i = 0; i < elasticity.dofs(c).size(); ++i)
+        {
+          largest = std::max(largest, elasticity.diagonal(c, i));
+          if (floating.floats()[elasticity.body(c)])
+            terms.springs(elasticity.dofs(c)[i]) += weak * elasticity.diagonal(c, i);
+        }
+    terms.springs.compress(VectorOperation::add);
+    largest = Utilities::MPI::max(largest, discretization.geometry.communicator);
+    for (const auto &carrier : discretization.carrier_dofs)
+      for (const auto &corner : carrier)
+        for (const auto dof : corner)
+          if (discretization.locally_owned.is_element(dof))
+            terms.springs(dof) = weak * largest;
+    for (const auto dof : floating.pins())
+      if (discretization.locally_owned.is_element(dof))
+        terms.pins(dof) = largest;
+    terms.springs.compress(VectorOperation::insert);
+    terms.pins.compress(VectorOperation::insert);
+    terms.springs += terms.pins;
+    return terms;
+  }
+
+  template ProximalTerms
+  make_proximal_terms(const Discretization<2> &, const ElasticityOperator<2> &, const FloatingBodies<2> &);
+  template ProximalTerms
+  make_proximal_terms(const Discretization<3> &, const ElasticityOperator<3> &, const FloatingBodies<3> &);
+} // namespace Amontons

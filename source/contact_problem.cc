@@ -227,7 +227,7 @@ namespace Amontons
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
         {
-          const auto X = as_3d(interfaces[i].slave->nodes[interfaces[i].coupling.rows[r].node].X);
+          const auto X      = as_3d(interfaces[i].slave->nodes[interfaces[i].coupling.rows[r].node].X);
           const bool sticks = state.states[i][r] == ContactState::stick;
           const auto bound  = shear_bound(*interfaces[i].pair, X, state.t, state.pressures[i][r]);
           unused[i].push_back(sticks ? std::max(0., bound.value - state.shears[i][r].norm()) : 0.);
@@ -427,7 +427,7 @@ namespace Amontons
       picture = gather_mesh_picture(*discretization, *recovery, state.displacement);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        const auto table = contact_table(interfaces, fields, state.t);
+        const auto                                       table = contact_table(interfaces, fields, state.t);
         std::vector<std::pair<std::string, MeshPicture>> pressure_maps;
         for (unsigned int i = 0; i < interfaces.size(); ++i)
           pressure_maps.emplace_back(interfaces[i].pair->name,

@@ -10,7 +10,7 @@ namespace Amontons
   ContactProblem<dim>::run_load_program()
   {
     LoadProgram program(scene, has_history);
-    Failure failure;
+    Failure     failure;
     start_history();
     while (!program.finished())
       {
@@ -44,7 +44,7 @@ namespace Amontons
   ContactProblem<dim>::start_history()
   {
     work.restart();
-    error = ErrorEstimate<dim>();
+    error           = ErrorEstimate<dim>();
     state.committed = LA::Vector();
     last_converged  = SolutionState();
   }
@@ -121,17 +121,18 @@ namespace Amontons
     return values;
   }
 
-  // A smaller increment is the same problem again if neither loads nor supports depend on t; or, from rest, if
-  // they all grow alike and the iteration went the same way.
+  // A smaller increment is the same problem again if neither loads nor supports depend on t; or, from rest,
+  // if they all grow alike and the iteration went the same way.
   template <int dim>
   bool
   ContactProblem<dim>::failed_alike(const Failure &before) const
   {
     if (before.report.iterations.empty() || before.loads.size() != loads.size())
       return false;
-    const auto   values = prescribed_values();
-    const double old = before.loads.norm_sqr() + before.values.norm_sqr(), now = loads.norm_sqr() + values.norm_sqr();
-    const double scale = old > 0 ? std::sqrt(now / old) : 1;
+    const auto   values  = prescribed_values();
+    const double old     = before.loads.norm_sqr() + before.values.norm_sqr(),
+                 now     = loads.norm_sqr() + values.norm_sqr();
+    const double scale   = old > 0 ? std::sqrt(now / old) : 1;
     const auto   differs = [&](const LA::Vector &a, LA::Vector b) {
       b.sadd(-scale, 1, a);
       return b.l2_norm() > 1e-10 * a.l2_norm();
@@ -155,7 +156,7 @@ namespace Amontons
   {
     const double failed_time = state.t;
     summary.meshes.pop_back();
-    state = last_converged;
+    state          = last_converged;
     const double t = state.t;
     state.t        = -1;
     set_time(t);
@@ -163,8 +164,8 @@ namespace Amontons
     collect_fields();
     recovery->recover(state.displacement);
     std::ostringstream text;
-    text << "the increment from t = " << t << " to " << failed_time << " failed (results are those of t = " << t
-         << "): " << summary.message;
+    text << "the increment from t = " << t << " to " << failed_time
+         << " failed (results are those of t = " << t << "): " << summary.message;
     summary.message = text.str();
   }
 
@@ -190,8 +191,8 @@ namespace Amontons
     const auto &refinement = parameters.refinement;
     if (cycle >= refinement.cycles || (has_history && refinement.history == "replay"))
       return false;
-    if (has_history ? cycle >= std::ceil(refinement.cycles * program.next() / scene.end_time - 1e-9) :
-                      !program.is_last())
+    if (has_history ? cycle >= std::ceil(refinement.cycles * program.next() / scene.end_time - 1e-9)
+                    : !program.is_last())
       return false;
     return !(refinement.target_error > 0 && estimated_error() <= refinement.target_error);
   }

@@ -126,10 +126,10 @@ namespace Amontons
     state.peaks.clear();
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
-        const auto                 &slave = *interfaces[i].slave;
+        const auto &slave = *interfaces[i].slave;
         state.peaks.push_back(fields[i].peak_pressure);
         const double scale = fields[i].peak_pressure > 0 ? std::pow(fields[i].peak_pressure, -2) : 0;
-        const auto                  edge  = signed_pressure_square(interfaces[i], fields[i]);
+        const auto   edge  = signed_pressure_square(interfaces[i], fields[i]);
         std::vector<Tensor<1, dim>> shear(slave.nodes.size());
         for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
           for (unsigned int c = 0; c < dim; ++c)

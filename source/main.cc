@@ -89,12 +89,12 @@ namespace
             const std::string              &output,
             const bool                      quiet)
   {
-    Parameters  parameters;
-    const Scene scene = read_scene(file, overrides, parameters.groups());
+    Parameters        parameters;
+    const Scene       scene   = read_scene(file, overrides, parameters.groups());
     const std::string folder  = output.empty() ? default_output(file) : output;
     const RunSummary  summary = scene.kind == Kind::three_dimensional
-                                   ? ContactProblem<3>(scene, parameters, folder, quiet).run()
-                                   : ContactProblem<2>(scene, parameters, folder, quiet).run();
+                                    ? ContactProblem<3>(scene, parameters, folder, quiet).run()
+                                    : ContactProblem<2>(scene, parameters, folder, quiet).run();
     keep_output_folder();
     return summary;
   }
@@ -212,7 +212,7 @@ main(int argc, char **argv)
       setenv("OMPI_MCA_btl", "self", 0);
     }
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const Amontons::BlasThreads one_thread(1); // but for factorisations
+  const Amontons::BlasThreads              one_thread(1); // but for factorisations
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   MPI_Comm channel;
   MPI_Comm_dup(MPI_COMM_WORLD, &channel);

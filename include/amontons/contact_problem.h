@@ -153,18 +153,18 @@ namespace Amontons
       LA::Vector          displacement, traction;
       std::vector<double> peaks;
     };
-    std::vector<PathPoint>                   path;
-    WorkDone<dim>                            work;
-    unsigned int                             cycle = 0; // refinements so far
-    unsigned int n_cut_backs = 0;
-    double transfer_residual = 0; // largest, of the transferred state on its new mesh
-    NewtonReport                             last_report;
-    std::vector<SurfaceFields<dim>>          fields;
-    std::unique_ptr<StressRecovery<dim>>     recovery;
-    ErrorEstimate<dim>                       error;
-    std::optional<ReferenceSolution>         reference;
-    VtuOutput                                vtu;
-    unsigned int                             mesh_number = 0;
-    RunSummary                               summary;
+    std::vector<PathPoint> path;
+    WorkDone<dim>          work;
+    unsigned int           cycle             = 0; // refinements so far
+    unsigned int           n_cut_backs       = 0;
+    double                 transfer_residual = 0; // largest, of the transferred state on its new mesh
+    NewtonReport           last_report;
+    std::vector<SurfaceFields<dim>>      fields;
+    std::unique_ptr<StressRecovery<dim>> recovery;
+    ErrorEstimate<dim>                   error;
+    std::optional<ReferenceSolution>     reference;
+    VtuOutput                            vtu;
+    unsigned int                         mesh_number = 0;
+    RunSummary                           summary;
   };
 } // namespace Amontons

@@ -217,8 +217,8 @@ namespace Amontons
             const Tensor<1, dim>  n = slave.face_normal(face, xi, &jacobian);
             const double weight = on_face.weight(q) * jacobian * measure<dim>(kind, slave.position(face, xi));
             const auto   N      = lagrange_values<dim - 1>(slave.degree, xi);
-            double                p      = 0;
-            Tensor<1, dim>        shear;
+            double       p      = 0;
+            Tensor<1, dim> shear;
             for (unsigned int i = 0; i < N.size(); ++i)
               {
                 p += N[i] * fields.pressure[slave.faces[face].nodes[i]];

@@ -40,11 +40,12 @@ namespace Amontons
         "Before the first solution, refine at most this often where the surfaces of a contact pair are "
         "closest, so that the first solution sees the contact.",
         Patterns::Integer(0));
-    prm.add_parameter("History",
-                      history,
-                      "Scenes with friction: replay (the whole load program starts anew on each refined mesh) or "
-                      "transfer (meshes are refined as the load goes on, from interpolated displacements).",
-                      Patterns::Selection("replay|transfer"));
+    prm.add_parameter(
+        "History",
+        history,
+        "Scenes with friction: replay (the whole load program starts anew on each refined mesh) or "
+        "transfer (meshes are refined as the load goes on, from interpolated displacements).",
+        Patterns::Selection("replay|transfer"));
     prm.leave_subsection();
   }
 

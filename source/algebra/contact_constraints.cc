@@ -23,14 +23,16 @@ namespace Amontons
   ContactConstraints::ContactConstraints(const Constraints                  &supports,
                                          const std::vector<ContactEquation> &equations)
       : trial_constraints(supports.get_local_lines()),
-        symmetric(std::all_of(equations.begin(), equations.end(), [](const auto &e) { return e.test.empty(); })),
+        symmetric(
+            std::all_of(equations.begin(), equations.end(), [](const auto &e) { return e.test.empty(); })),
         contact_equations(equations), pivot_dofs(equations.size())
   {
     trial_constraints.merge(supports, Constraints::no_conflicts_allowed, true);
     if (!symmetric)
       {
         test_constraints.reinit(supports.get_local_lines());
-        for (const auto &line : supports.get_lines()) // test functions vanish where displacements are prescribed
+        for (const auto &line :
+             supports.get_lines()) // test functions vanish where displacements are prescribed
           {
             test_constraints.add_line(line.index);
             test_constraints.add_entries(line.index, line.entries);
@@ -53,7 +55,8 @@ namespace Amontons
               test.coefficients = e.equation.coefficients;
             substitute(test, test_constraints);
           }
-        pivot_dofs[i] = choose_pivot(symmetric ? trial : product(trial, test), trial_constraints, e.candidates);
+        pivot_dofs[i] =
+            choose_pivot(symmetric ? trial : product(trial, test), trial_constraints, e.candidates);
         if (pivot_dofs[i])
           {
             eliminate(trial, *pivot_dofs[i], trial_constraints);

@@ -86,7 +86,7 @@ namespace Amontons
         SolverCG<LA::Vector>(control).solve(matrix, x, rhs, preconditioner);
       else
         SolverGMRES<LA::Vector>(control, SolverGMRES<LA::Vector>::AdditionalData(62, true))
-          .solve(matrix, x, rhs, preconditioner);
+            .solve(matrix, x, rhs, preconditioner);
     }
   } // namespace
 
@@ -175,7 +175,8 @@ namespace Amontons
       }
     if (!direct)
       direct = std::make_unique<Factorisation>(
-          matrix, parameters.direct_package == "automatic" ? "Amesos_Mumps" : parameters.direct_package,
+          matrix,
+          parameters.direct_package == "automatic" ? "Amesos_Mumps" : parameters.direct_package,
           symmetric);
     if (factorisation_is_old)
       direct->factorise();
@@ -199,8 +200,8 @@ namespace Amontons
       return report;
     if (is_direct(matrix.m()))
       return solve_directly(matrix, x, rhs);
-    // Measured with friction in 3D: an old hierarchy needs twice as many steps once some nodes have changed in
-    // all their components; a new one costs about 25 steps.
+    // Measured with friction in 3D: an old hierarchy needs twice as many steps once some nodes have changed
+    // in all their components; a new one costs about 25 steps.
     const bool far = tolerance < 3e-4 * rhs.l2_norm();
     amg_is_old     = amg_is_old || (!symmetric && far && n_changed > 2);
     for (const bool retry : {false, true})
@@ -208,8 +209,8 @@ namespace Amontons
         const bool fresh = amg_is_old || !amg || retry;
         if (fresh)
           build_preconditioner(matrix);
-        SolverControl control(fresh && symmetric ? parameters.max_iterations :
-                                                   std::min(parameters.max_iterations, 300u),
+        SolverControl control(fresh && symmetric ? parameters.max_iterations
+                                                 : std::min(parameters.max_iterations, 300u),
                               tolerance);
         try
           {

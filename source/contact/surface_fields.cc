@@ -287,14 +287,14 @@ namespace Amontons
 
   template <int dim>
   SurfaceFields<dim>
-  make_surface_fields(const Discretization<dim>              &discretization,
-                      const ContactInterface<dim>            &interface,
-                      const std::vector<ContactState>        &states,
-                      const std::vector<double>              &pressures,
-                      const std::vector<double>              &gaps,
-                      const std::vector<Tensor<1, 3>>        &shears,
-                      const std::vector<double>              &unused_shears,
-                      const LA::Vector                       &displacement)
+  make_surface_fields(const Discretization<dim>       &discretization,
+                      const ContactInterface<dim>     &interface,
+                      const std::vector<ContactState> &states,
+                      const std::vector<double>       &pressures,
+                      const std::vector<double>       &gaps,
+                      const std::vector<Tensor<1, 3>> &shears,
+                      const std::vector<double>       &unused_shears,
+                      const LA::Vector                &displacement)
   {
     const auto        &slave = *interface.slave;
     const unsigned int n     = slave.nodes.size();

@@ -7,10 +7,10 @@ namespace Amontons
     double
     bound_value(const PairData &pair, const Point<3> &X, const double t, const double p)
     {
-      const double coulomb = pair.friction ? pair.friction->value(X, t, p) * p
-                                           : std::numeric_limits<double>::max();
-      const double tresca  = pair.tresca_bound ? pair.tresca_bound->value(X, t, p)
-                                               : std::numeric_limits<double>::max();
+      const double coulomb =
+          pair.friction ? pair.friction->value(X, t, p) * p : std::numeric_limits<double>::max();
+      const double tresca =
+          pair.tresca_bound ? pair.tresca_bound->value(X, t, p) : std::numeric_limits<double>::max();
       return std::max(0., std::min(coulomb, tresca));
     }
   } // namespace

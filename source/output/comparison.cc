@@ -261,7 +261,8 @@ namespace Amontons
                 "tangential_force",
                 fields.symmetry_factor * fields.tangential_force[0],
                 *reference.tangential_force);
-    if (reference.stick_size && reference.unused_shear_is_hertzian && answer.interfaces[i].pair->has_friction())
+    if (reference.stick_size && reference.unused_shear_is_hertzian &&
+        answer.interfaces[i].pair->has_friction())
       add_value(summary, "stick_size", fields.stick_size, *reference.stick_size);
     if (reference.shear_traction)
       summary.errors["shear_l2"] = shear_error(answer.interfaces[i], fields, reference);

@@ -158,7 +158,8 @@ namespace Amontons
           const auto &row = answer.interfaces[i].coupling.rows[r];
           for (unsigned int c = 0; c < dim; ++c)
             {
-              const double lambda = answer.state.pressures[i][r] * row.normal[c] + answer.state.shears[i][r][c];
+              const double lambda =
+                  answer.state.pressures[i][r] * row.normal[c] + answer.state.shears[i][r][c];
               for (const auto &[dofs, weight] : row.slave)
                 forces[dofs[c]] -= row.area * lambda * weight;
               for (const auto &[dofs, weight] : row.master)
@@ -298,7 +299,7 @@ namespace Amontons
     missing.compress(VectorOperation::insert);
     const LA::Vector condensed =
         condense(missing, answer.supports, answer.discretization.make_owned_vector());
-    i = 0;
+    i                             = 0;
     const unsigned int  n_moments = dim == 2 ? 1 : 3, n_bodies = answer.discretization.scene.bodies.size();
     std::vector<double> moments(n_bodies * n_moments, 0.), levers(n_bodies, 0.);
     for (const auto dof : owned)

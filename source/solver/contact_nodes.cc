@@ -175,8 +175,8 @@ namespace Amontons
         {
           const auto [a, weight_a] = terms[i];
           const auto [b, weight_b] = terms[j];
-          further.matrix(i, j)     = node.area * law.stiffness * weight_a * weight_b *
-                                 (double(a == b) - n[a] * n[b] - d[a] * d[b]);
+          further.matrix(i, j) =
+              node.area * law.stiffness * weight_a * weight_b * (double(a == b) - n[a] * n[b] - d[a] * d[b]);
         }
     return further;
   }

@@ -15,7 +15,8 @@ namespace Amontons
     std::string
     not_a_number()
     {
-      return "the solution is not a number: a load or prescribed displacement may not be one, or the stiffness "
+      return "the solution is not a number: a load or prescribed displacement may not be one, or the "
+             "stiffness "
              "is singular";
     }
 
@@ -23,7 +24,8 @@ namespace Amontons
     moves_apart(const std::string &motion)
     {
       return "the loads drive the rigid " + motion +
-             ", and no node that is closed holds it: the bodies move apart or slide off each other; reverse the "
+             ", and no node that is closed holds it: the bodies move apart or slide off each other; reverse "
+             "the "
              "load, move the bodies together, or hold this motion by a support";
     }
 
@@ -46,7 +48,8 @@ namespace Amontons
       const std::string sliding = any_friction ? states.describe(states.unheld(true)) : "";
       if (!sliding.empty())
         return "friction cannot hold the rigid " + sliding +
-               ": all nodes that could hold it slip, and no states in equilibrium were found" + what_to_change;
+               ": all nodes that could hold it slip, and no states in equilibrium were found" +
+               what_to_change;
 
       const auto        &last = report.iterations.back();
       std::ostringstream text;

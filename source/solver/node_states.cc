@@ -10,7 +10,8 @@ namespace Amontons
                               const FloatingBodies<dim>                &floating,
                               const double                              t)
       : nodes(nodes), interfaces(interfaces), floating(floating), t(t),
-        any_friction(std::any_of(nodes.begin(), nodes.end(), [](const auto &node) { return node.frictional; })),
+        any_friction(
+            std::any_of(nodes.begin(), nodes.end(), [](const auto &node) { return node.frictional; })),
         states(nodes.size(), ContactState::open), laws(nodes.size())
   {
   }
@@ -22,8 +23,8 @@ namespace Amontons
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         const unsigned int i = nodes[k].interface, r = nodes[k].row;
-        const bool         known = i < state.states.size() &&
-                           state.states[i].size() == interfaces[i].coupling.rows.size();
+        const bool         known =
+            i < state.states.size() && state.states[i].size() == interfaces[i].coupling.rows.size();
         if (nodes[k].tied)
           states[k] = ContactState::stick;
         else if (known)
@@ -38,15 +39,15 @@ namespace Amontons
           for (unsigned int d = 0; d < dim; ++d)
             direction[d] = state.trials[i][r][d];
         direction      = nodes[k].tangential(direction);
-        const double p = i < state.pressures.size() && state.pressures[i].size() == state.states[i].size() ?
-                           state.pressures[i][r] :
-                           0.;
+        const double p = i < state.pressures.size() && state.pressures[i].size() == state.states[i].size()
+                             ? state.pressures[i][r]
+                             : 0.;
         if (direction.norm() == 0)
           states[k] = ContactState::stick;
         else
           {
             const auto limit = bound(k, p);
-            laws[k] = linearise_slip(limit.value * direction, p, limit, nodes[k].c);
+            laws[k]          = linearise_slip(limit.value * direction, p, limit, nodes[k].c);
             if (limit.value == 0)
               laws[k].direction = direction / direction.norm();
           }
@@ -155,8 +156,7 @@ namespace Amontons
       return {};
     std::vector<LinearEquation> all;
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      for (const auto &equation :
-           resistance_of(nodes[k], states[k], by_sticking ? SlipLaw<dim>() : laws[k]))
+      for (const auto &equation : resistance_of(nodes[k], states[k], by_sticking ? SlipLaw<dim>() : laws[k]))
         all.push_back(equation);
     std::vector<const LinearEquation *> pointers;
     for (const auto &equation : all)
@@ -193,9 +193,9 @@ namespace Amontons
           m = nodes[k].tangential(m);
           if (m.norm() < 1e-6)
             continue;
-          const double slip  = answers[k].slip * m / m.norm_square();
-          const double ratio = trial(k, answers[k]).norm() /
-                               std::max(bound(k, answers[k].pressure).value, tolerance);
+          const double slip = answers[k].slip * m / m.norm_square();
+          const double ratio =
+              trial(k, answers[k]).norm() / std::max(bound(k, answers[k].pressure).value, tolerance);
           if (best == nodes.size() || std::make_pair(slip, ratio) < least)
             {
               least = {slip, ratio};
@@ -302,11 +302,10 @@ namespace Amontons
     for (unsigned int k = 0; k < nodes.size(); ++k)
       if (nodes[k].frictional && states[k] == ContactState::slip)
         {
-          const double p = answers[k].pressure;
-          const auto   q = trial(k, answers[k]);
-          const auto   limit =
-            shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, p);
-          const auto expected = q.norm() > 0 ? limit.value / q.norm() * q : q;
+          const double p        = answers[k].pressure;
+          const auto   q        = trial(k, answers[k]);
+          const auto   limit    = shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, p);
+          const auto   expected = q.norm() > 0 ? limit.value / q.norm() * q : q;
           sum += std::pow(nodes[k].area, 2) * (answers[k].shear - expected).norm_square();
         }
     return std::sqrt(sum);

@@ -173,8 +173,8 @@ namespace Amontons
       void
       constrain_closed_nodes()
       {
-        TimerOutput::Scope                  scope(timer, "assemble condensed system");
-        std::vector<ContactEquation>        active;
+        TimerOutput::Scope           scope(timer, "assemble condensed system");
+        std::vector<ContactEquation> active;
         first_equation.assign(nodes.size(), numbers::invalid_unsigned_int);
         for (unsigned int k = 0; k < nodes.size(); ++k)
           if (states[k] != ContactState::open)
@@ -194,7 +194,8 @@ namespace Amontons
                         : !floating.pins().empty() ? &proximal.pins
                                                    : nullptr,
                         stiffness_across_slip());
-        solver.matrix_changed(report.iterations.empty() ? LinearSolver::all_rows : report.iterations.back().n_changes);
+        solver.matrix_changed(report.iterations.empty() ? LinearSolver::all_rows
+                                                        : report.iterations.back().n_changes);
       }
 
       bool
@@ -306,7 +307,7 @@ namespace Amontons
       NodeAnswer<dim>
       answer(const unsigned int k) const
       {
-        NodeAnswer<dim>       result;
+        NodeAnswer<dim>         result;
         const ContactNode<dim> &node = nodes[k];
         if (node.frictional)
           result.slip = slip(k);
@@ -376,8 +377,9 @@ namespace Amontons
       void
       choose_forcing(const NewtonReport::Iteration &step, const bool set_changed)
       {
-        const bool rough = set_changed && step.n_changes > 0.05 * (step.n_slip + step.n_stick) && unheld.empty();
-        forcing          = rough ? 1e-3 : fine_forcing();
+        const bool rough =
+            set_changed && step.n_changes > 0.05 * (step.n_slip + step.n_stick) && unheld.empty();
+        forcing = rough ? 1e-3 : fine_forcing();
         if (dim == 3 && any_friction && unheld.empty())
           forcing = std::min(1e-3, std::max(fine_forcing(), 0.03 * std::pow(step.residual, 1.5)));
       }
@@ -458,19 +460,19 @@ namespace Amontons
       TimerOutput                              &timer;
       const MPI_Comm                            communicator;
 
-      Timer                            clock;
+      Timer                               clock;
       const std::vector<ContactNode<dim>> nodes;
-      const bool                       any_friction;
-      FloatingBodies<dim>              floating;
-      NodeStates<dim>                  states;
-      CondensedSystem                  system;
-      LinearSolver        solver; // its factorisation refers to the matrix, which must outlive it
-      NewtonReport        report;
-      ProximalTerms       proximal;
-      LA::Vector          u, du, internal, raw;
+      const bool                          any_friction;
+      FloatingBodies<dim>                 floating;
+      NodeStates<dim>                     states;
+      CondensedSystem                     system;
+      LinearSolver                 solver; // its factorisation refers to the matrix, which must outlive it
+      NewtonReport                 report;
+      ProximalTerms                proximal;
+      LA::Vector                   u, du, internal, raw;
       std::vector<NodeAnswer<dim>> answers;
-      std::vector<Tensor<1, dim>>  origins;     // jumps that the increment started from
-      std::vector<SlipLaw<dim>>    laws;        // that the last system was made with
+      std::vector<Tensor<1, dim>>  origins; // jumps that the increment started from
+      std::vector<SlipLaw<dim>>    laws;    // that the last system was made with
       std::vector<double>          multipliers;
       std::unique_ptr<ContactConstraints> constraints;
       std::vector<unsigned int>           first_equation;  // of node k among those of the closed nodes

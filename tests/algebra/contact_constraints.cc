@@ -235,9 +235,7 @@ check_cases()
 
 // A slipping node: test functions obey (n + mu d) . Delta = 0.
 ContactEquation
-slipping(ContactEquation                                  equation,
-         const std::map<types::global_dof_index, double> &along,
-         const double                                     mu)
+slipping(ContactEquation equation, const std::map<types::global_dof_index, double> &along, const double mu)
 {
   equation.test = equation.equation.coefficients;
   for (const auto &[dof, weight] : along)
@@ -249,27 +247,25 @@ slipping(ContactEquation                                  equation,
 void
 check_friction()
 {
-  const double s      = std::sqrt(0.5);
-  const auto   simple = make({{1, -1.}, {3, 0.4}, {5, 0.6}}, 0.1, {0, 1});
-  const std::map<types::global_dof_index, double> along = {{0, 1.}, {2, -0.4}, {4, -0.6}};
+  const double                                    s      = std::sqrt(0.5);
+  const auto                                      simple = make({{1, -1.}, {3, 0.4}, {5, 0.6}}, 0.1, {0, 1});
+  const std::map<types::global_dof_index, double> along  = {{0, 1.}, {2, -0.4}, {4, -0.6}};
   for (const double mu : {0.1, 1., -3.})
     {
       const std::string what = "slip, mu = " + std::to_string(mu) + ": ";
       const auto        slip = slipping(simple, along, mu);
       check_case(what + "one node", {}, {slip}, {true});
-      const auto chained = slipping(make({{3, -1.}, {5, 0.3}, {7, 0.7}}, 0.2, {2, 3}),
-                                    {{2, 1.}, {4, -0.3}, {6, -0.7}},
-                                    -mu);
-      const auto third   = make({{4, 0.1}, {5, -1.}, {9, 0.25}, {11, 0.75}}, -0.1, {4, 5});
+      const auto chained =
+          slipping(make({{3, -1.}, {5, 0.3}, {7, 0.7}}, 0.2, {2, 3}), {{2, 1.}, {4, -0.3}, {6, -0.7}}, -mu);
+      const auto third = make({{4, 0.1}, {5, -1.}, {9, 0.25}, {11, 0.75}}, -0.1, {4, 5});
       check_case(what + "chain", {}, {slip, chained, third}, {true, true, true});
       check_case(what + "chain from its end", {}, {third, chained, slip}, {true, true, true});
       check_case(what + "oblique support", {make({{2, 0.6}, {3, 0.8}}, 0, {3})}, {slip, third}, {true, true});
       check_case(what + "moved master", {make({{3, 1.}}, 0.2, {3})}, {slip}, {true});
       check_case(what + "dragged node", {make({{0, 1.}}, 0.3, {0})}, {slip, chained}, {true, true});
       // a normal of 45 degrees, where mu = -1 along (1, -1) leaves one component of the test functions only
-      const auto inclined = slipping(make({{0, s}, {1, s}, {2, -s}, {3, -s}}, 0.1, {0, 1}),
-                                     {{0, s}, {1, -s}, {2, -s}, {3, s}},
-                                     mu);
+      const auto inclined = slipping(
+          make({{0, s}, {1, s}, {2, -s}, {3, -s}}, 0.1, {0, 1}), {{0, s}, {1, -s}, {2, -s}, {3, s}}, mu);
       check_case(what + "inclined", {}, {inclined, chained}, {true, true});
       // stick beside slip
       check_case(what + "beside stick",

@@ -1,4 +1,5 @@
-// The linearised law of a slipping node is the derivative of q(p, v) = phi(p) v/|v|; its fixed points obey the law.
+// The linearised law of a slipping node is the derivative of q(p, v) = phi(p) v/|v|; its fixed points obey
+// the law.
 #include "check.h"
 
 #include <amontons/friction/shear_law.h>
@@ -51,20 +52,21 @@ template <int dim>
 void
 check_derivative(const Tensor<1, dim> &v, const Tensor<1, dim> &dv, const std::string &mu)
 {
-  const auto     pair = pair_with(mu, "");
-  const double   p = 4, c = 50;
-  const Point<3> X;
-  const auto     bound = shear_bound(pair, X, 0, p);
-  const auto     q     = exact(v, bound);
-  const auto     law   = linearise_slip(q + c * v, p, bound, c);
-  const std::string what = std::to_string(dim) + "D, mu = " + mu + ": ";
+  const auto        pair = pair_with(mu, "");
+  const double      p = 4, c = 50;
+  const Point<3>    X;
+  const auto        bound = shear_bound(pair, X, 0, p);
+  const auto        q     = exact(v, bound);
+  const auto        law   = linearise_slip(q + c * v, p, bound, c);
+  const std::string what  = std::to_string(dim) + "D, mu = " + mu + ": ";
   check::is_close((law.traction(p, v) - q).norm(), 0, 1e-12, what + "value", q.norm());
   double last = 0;
   for (const double step : {1e-2, 1e-3})
     {
       const auto   now   = exact(v + step * dv, shear_bound(pair, X, 0, p * (1 + step)));
       const double error = (law.traction(p * (1 + step), v + step * dv) - now).norm() / q.norm();
-      check::is_true(last == 0 || error < 0.02 * last || error < 1e-9, what + "derivative is of second order");
+      check::is_true(last == 0 || error < 0.02 * last || error < 1e-9,
+                     what + "derivative is of second order");
       last = error;
     }
 }

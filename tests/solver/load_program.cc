@@ -31,8 +31,8 @@ main()
   check::is_true(run(LoadProgram(scene, false)) == std::vector<double>{3.}, "no history: one increment");
   check::is_close(run(LoadProgram(scene, true)).size(), 10, 0, "history: ten increments");
 
-  scene.corner_times = {1, 2.5};
-  scene.output_times = {0.3, 3};
+  scene.corner_times   = {1, 2.5};
+  scene.output_times   = {0.3, 3};
   const auto automatic = run(LoadProgram(scene, true));
   check::is_close(automatic.size(), 40, 0, "ten for each piece");
   for (const double t : {0.3, 1., 2.5, 3.})

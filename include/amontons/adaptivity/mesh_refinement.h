@@ -38,8 +38,8 @@ namespace Amontons
 
   // Marks the cells of deformable bodies behind slave and master faces that may touch first: faces with
   // overlap points whose gap exceeds the smallest of the pair by at most `distance` times the face's size.
-  // Pairs with enough (8, in 3D 24) close faces, or all of whose faces are close (conforming surfaces), are left alone.
-  // Returns how many it marked, on all ranks. Collective.
+  // Pairs with enough (8, in 3D 24) close faces, or all of whose faces are close (conforming surfaces), are
+  // left alone. Returns how many it marked, on all ranks. Collective.
   template <int dim>
   unsigned int
   mark_close_cells(const Discretization<dim>                &discretization,

@@ -31,8 +31,8 @@ namespace Amontons
   {
   public:
     // Adds the equations to the supports, in their order, each eliminating the candidate with the largest
-    // coefficient (friction: product of both) after substitution of what is eliminated already. Equations without a pivot (the supports
-    // own the node) are left out: pivots() has no entry for them.
+    // coefficient (friction: product of both) after substitution of what is eliminated already. Equations
+    // without a pivot (the supports own the node) are left out: pivots() has no entry for them.
     ContactConstraints(const Constraints &supports, const std::vector<ContactEquation> &equations);
 
     // What displacements obey.
@@ -66,9 +66,9 @@ namespace Amontons
     }
 
     // Solves sum_c a_c,d mu_c = - r_d on the pivots d, where r = internal minus external forces, condensed
-    // with the supports, and a_c the equations (of the test functions) after substitution of the supports. residual_at_pivots: by
-    // equation (0 without pivot). Contact force on DoF d: -a_c,d mu_c, so that mu > 0 pushes slave and master
-    // apart.
+    // with the supports, and a_c the equations (of the test functions) after substitution of the supports.
+    // residual_at_pivots: by equation (0 without pivot). Contact force on DoF d: -a_c,d mu_c, so that mu > 0
+    // pushes slave and master apart.
     std::vector<double>
     recover_multipliers(const std::vector<double> &residual_at_pivots) const;
 

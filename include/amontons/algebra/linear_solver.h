@@ -27,9 +27,10 @@ namespace Amontons
     unsigned int iterations = 0; // Krylov; 1 for a direct solve
   };
 
-  // Symmetric positive definite systems by CG; unsymmetric ones (slip with friction) by GMRES. While the contact set moves, matrices differ by a few rows: the
-  // direct solver keeps its factorisation as the preconditioner of a few Krylov steps (a change of rank k costs
-  // about k of them), and multigrid keeps its hierarchy.
+  // Symmetric positive definite systems by CG; unsymmetric ones (slip with friction) by GMRES. While the
+  // contact set moves, matrices differ by a few rows: the direct solver keeps its factorisation as the
+  // preconditioner of a few Krylov steps (a change of rank k costs about k of them), and multigrid keeps its
+  // hierarchy.
   class LinearSolver
   {
   public:
@@ -42,11 +43,11 @@ namespace Amontons
     void
     set_near_null_space(std::vector<std::vector<double>> modes);
 
-    // The matrix has changed in the rows of this many nodes, or altogether (all_rows): the preconditioner must
-    // be rebuilt, else it is kept while it serves. The matrix object and its sparsity pattern must stay the same over the life of this
-    // object.
+    // The matrix has changed in the rows of this many nodes, or altogether (all_rows): the preconditioner
+    // must be rebuilt, else it is kept while it serves. The matrix object and its sparsity pattern must stay
+    // the same over the life of this object.
     void
-    matrix_changed(const unsigned int n_nodes);
+                                  matrix_changed(const unsigned int n_nodes);
     static constexpr unsigned int all_rows = static_cast<unsigned int>(-1);
 
     // Solves to |r| <= tolerance; the direct solver ignores it. x: owned, initial guess 0.

@@ -62,8 +62,8 @@ namespace Amontons
     double         contact_size =
         0; // half-width sqrt(4 int p x^2 / int p) (2D), radius sqrt(2.5 int p r^2 / int p) (3D, axisymmetric)
     double         stick_size = 0; // friction: likewise with what the shear leaves of its bound
-    Point<dim>     centre;     // about which the size is taken
-    Tensor<2, dim> covariance; // int p (x - centre)(x - centre) / int p
+    Point<dim>     centre;         // about which the size is taken
+    Tensor<2, dim> covariance;     // int p (x - centre)(x - centre) / int p
     std::vector<Tensor<1, dim>>
            symmetry_planes; // normals of those through the contact (not the axis of revolution)
     double symmetry_factor =

@@ -29,9 +29,9 @@ namespace Amontons
   };
 
   // Semismooth Newton step of |trial| q = phi(p) trial, trial = q + c v with any c > 0. In 2D the direction
-  // of the trial traction is all that it takes. In 3D the derivative of d = trial/|trial| remains, which after
-  // elimination of the change of q across d leaves the stiffness phi c/(|trial| - phi) = phi/|v| across d;
-  // it is capped where the node hardly slips (the solution does not depend on the stiffness).
+  // of the trial traction is all that it takes. In 3D the derivative of d = trial/|trial| remains, which
+  // after elimination of the change of q across d leaves the stiffness phi c/(|trial| - phi) = phi/|v| across
+  // d; it is capped where the node hardly slips (the solution does not depend on the stiffness).
   template <int dim>
   SlipLaw<dim>
   linearise_slip(const Tensor<1, dim> &trial, const double pressure, const ShearBound &bound, const double c);

@@ -37,8 +37,8 @@ namespace Amontons
     void
     remember_tractions(const Answer<dim> &answer);
 
-    double                                              energy = 0;
-    LA::Vector                                          external; // e of the last state
+    double                                                    energy = 0;
+    LA::Vector                                                external;  // e of the last state
     std::vector<std::vector<std::pair<double, Tensor<1, 3>>>> tractions; // (pressure, shear) by pair and node
   };
 } // namespace Amontons

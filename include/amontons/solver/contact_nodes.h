@@ -12,14 +12,14 @@ namespace Amontons
   template <int dim>
   struct ContactNode
   {
-    unsigned int   interface, row;
-    bool           tied, frictional;
-    double         rounding; // a pressure that is none: 1e-14 times the modulus
-    double         area, c;  // c: complementarity parameter, scaling x E/(1 - nu^2) / mean face size
-    double         gap;
-    Tensor<1, dim> normal; // not of unit length on curved surfaces
-    Point<3>       X;
-    ContactEquation                  closing;    // normal . Delta = gap
+    unsigned int    interface, row;
+    bool            tied, frictional;
+    double          rounding; // a pressure that is none: 1e-14 times the modulus
+    double          area, c;  // c: complementarity parameter, scaling x E/(1 - nu^2) / mean face size
+    double          gap;
+    Tensor<1, dim>  normal; // not of unit length on curved surfaces
+    Point<3>        X;
+    ContactEquation closing;                     // normal . Delta = gap
     std::array<ContactEquation, dim> components; // Delta_k = 0 (not for frictionless nodes)
 
     // Equations that may come to hold the node: of all its components, or of its normal one.

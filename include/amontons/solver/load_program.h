@@ -5,9 +5,9 @@
 
 namespace Amontons
 {
-  // Times to land on are the end time and `Output times`; with history (friction) also the corners of the load
-  // path. Between two of them increments are equal, and no longer than the present size. A failed increment
-  // is halved; after easy ones the size doubles again, up to what the scene started with.
+  // Times to land on are the end time and `Output times`; with history (friction) also the corners of the
+  // load path. Between two of them increments are equal, and no longer than the present size. A failed
+  // increment is halved; after easy ones the size doubles again, up to what the scene started with.
   class LoadProgram
   {
   public:
@@ -52,8 +52,8 @@ namespace Amontons
     std::vector<double> landings, corners;
     double              constant_size; // 0: a tenth of each piece between landings
     double              smallest;
-    double              factor = 1; // present size over longest()
-    double              t = 0;
+    double              factor     = 1; // present size over longest()
+    double              t          = 0;
     unsigned int        n_accepted = 0;
   };
 } // namespace Amontons

@@ -18,9 +18,11 @@ namespace Amontons
   };
 
   // Open or closed as ActiveSetUpdate says. A closed node with friction slips along trial/|trial|, trial =
-  // shear + c slip, where |trial| exceeds the bound phi(p), and sticks elsewhere; nodes whose slip turns round
-  // stick first (but for directions that were guessed). Two things keep this from running in circles or away:
-  // - where the nodes that slip would leave a rigid motion of a body without hold, the node that slipped least
+  // shear + c slip, where |trial| exceeds the bound phi(p), and sticks elsewhere; nodes whose slip turns
+  // round stick first (but for directions that were guessed). Two things keep this from running in circles or
+  // away:
+  // - where the nodes that slip would leave a rigid motion of a body without hold, the node that slipped
+  // least
   //   along it is held (moved back rigidly until it rests, all nodes slip the right way); if the bound is
   //   exceeded there when nothing else changes, friction cannot hold the body (held_too_much);
   // - when a set of states comes back, bounds are frozen: with given bounds (Tresca) the problem is that of
@@ -44,8 +46,8 @@ namespace Amontons
     unsigned int
     update(const std::vector<NodeAnswer<dim>> &answers, const double rounding);
 
-    // Rigid motions that supports, pins and the present states leave. by_sticking: those that no sticking node
-    // holds, although nodes that slip resist them across their slip (3D).
+    // Rigid motions that supports, pins and the present states leave. by_sticking: those that no sticking
+    // node holds, although nodes that slip resist them across their slip (3D).
     std::vector<std::vector<double>>
     unheld(const bool by_sticking = false) const;
     std::string
@@ -133,7 +135,7 @@ namespace Amontons
     bool                                      first       = true; // no update yet: directions are guesses
     bool                                      is_frozen   = false;
     bool                                      single      = false; // frozen, and states came back even so
-    double                                    last_change = 0; // of the bounds
+    double                                    last_change = 0;     // of the bounds
     std::set<std::string>                     met;
     std::vector<unsigned int>                 held, changed; // in the last update
     std::string                               motion;

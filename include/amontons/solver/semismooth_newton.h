@@ -36,7 +36,8 @@ namespace Amontons
     std::string            message; // a diagnosis if not
     std::vector<Iteration> iterations;
     double                 one_linear_solve_seconds = 0;
-    double start_residual = 0; // of the first guess, moved on to the constraints, relative to the final forces
+    double                 start_residual =
+        0; // of the first guess, moved on to the constraints, relative to the final forces
     double      regularisation_force = 0; // carried by the proximal term in the end, relative to the load
     bool        safeguarded          = false;
     bool        frozen               = false; // bounds of friction were held for a while, see NodeStates

@@ -24,11 +24,13 @@ namespace Amontons
     LA::Vector          traction;
     std::vector<double> peaks; // of p, by pair
     // By pair and coupling row
-    std::vector<std::vector<ContactState>>         states;
-    std::vector<std::vector<double>>               pressures;
-    std::vector<std::vector<double>>               gaps;
-    std::vector<std::vector<dealii::Tensor<1, 3>>> shears; // force per area; friction: along the slip of the slave
-    std::vector<std::vector<dealii::Tensor<1, 3>>> trials; // (shear + c slip)/bound, for the next guess; see traction
+    std::vector<std::vector<ContactState>> states;
+    std::vector<std::vector<double>>       pressures;
+    std::vector<std::vector<double>>       gaps;
+    std::vector<std::vector<dealii::Tensor<1, 3>>>
+        shears; // force per area; friction: along the slip of the slave
+    std::vector<std::vector<dealii::Tensor<1, 3>>>
+        trials; // (shear + c slip)/bound, for the next guess; see traction
     std::vector<std::vector<dealii::Tensor<1, 3>>> slips; // in this increment
   };
 } // namespace Amontons

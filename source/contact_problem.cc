@@ -227,10 +227,12 @@ namespace Amontons
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
         {
-          const auto X      = as_3d(interfaces[i].slave->nodes[interfaces[i].coupling.rows[r].node].X);
-          const bool sticks = state.states[i][r] == ContactState::stick;
-          const auto bound  = shear_bound(*interfaces[i].pair, X, state.t, state.pressures[i][r]);
-          unused[i].push_back(sticks ? std::max(0., bound.value - state.shears[i][r].norm()) : 0.);
+          unused[i].push_back(0);
+          if (state.states[i][r] != ContactState::stick)
+            continue;
+          const auto X     = as_3d(interfaces[i].slave->nodes[interfaces[i].coupling.rows[r].node].X);
+          const auto bound = shear_bound(*interfaces[i].pair, X, state.t, state.pressures[i][r]);
+          unused[i][r]     = std::max(0., bound.value - state.shears[i][r].norm());
         }
     return unused;
   }
@@ -405,9 +407,7 @@ namespace Amontons
         summary.reactions       = compute_reactions(answer());
         summary.checks          = check_physics(answer());
         if (has_history)
-          {
-            add_energy_checks();
-          }
+          add_energy_checks();
       }
     if (parameters.refinement.target_error > 0 && !(estimated_error() <= parameters.refinement.target_error))
       summary.notes.push_back("the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'");

@@ -62,15 +62,7 @@ namespace Amontons
         mesh.contact_work  = work.contact_work;
         mesh.dissipation   = work.dissipation;
         if (mesh.reference && reference->dissipation)
-          {
-            double factor = 1; // of the pair that is compared; the others are its neighbours
-            for (unsigned int i = 0; i < interfaces.size(); ++i)
-              if (i == 0 || interfaces[i].pair->name == scene.reference->pair)
-                factor = fields[i].symmetry_factor;
-            const double whole                    = factor * work.dissipation;
-            mesh.reference->values["dissipation"] = {{whole, *reference->dissipation}};
-            mesh.reference->errors["dissipation"] = std::abs(whole / *reference->dissipation - 1);
-          }
+          compare_dissipation(answer(), *scene.reference, *reference, work.dissipation, *mesh.reference);
         remember_path();
       }
     write_increment();
@@ -78,10 +70,7 @@ namespace Amontons
       return;
     state.committed = state.displacement;
     if (has_history && parameters.refinement.history == "transfer")
-      {
-        collect_fields();
-        make_traction_field();
-      }
+      make_traction_field();
     last_converged = state;
     for (unsigned int i = 0; program.at_corner() && i < interfaces.size(); ++i)
       for (auto &s : state.states[i])
@@ -169,15 +158,21 @@ namespace Amontons
     summary.message = text.str();
   }
 
+  template <int dim>
+  bool
+  ContactProblem<dim>::wants_refinement() const
+  {
+    const auto &refinement = parameters.refinement;
+    return cycle < refinement.cycles &&
+           !(refinement.target_error > 0 && estimated_error() <= refinement.target_error);
+  }
+
   // With history, `Replay`: the whole load program on the refined mesh.
   template <int dim>
   bool
   ContactProblem<dim>::replay_refined()
   {
-    if (!has_history || parameters.refinement.history != "replay" || cycle >= parameters.refinement.cycles ||
-        (parameters.refinement.target_error > 0 && estimated_error() <= parameters.refinement.target_error))
-      return false;
-    if (!refine())
+    if (!has_history || parameters.refinement.history != "replay" || !wants_refinement() || !refine())
       return false;
     vtu.restart();
     return true;
@@ -189,12 +184,12 @@ namespace Amontons
   ContactProblem<dim>::refine_now(const LoadProgram &program) const
   {
     const auto &refinement = parameters.refinement;
-    if (cycle >= refinement.cycles || (has_history && refinement.history == "replay"))
+    if (has_history && refinement.history == "replay")
       return false;
-    if (has_history ? cycle >= std::ceil(refinement.cycles * program.next() / scene.end_time - 1e-9)
-                    : !program.is_last())
-      return false;
-    return !(refinement.target_error > 0 && estimated_error() <= refinement.target_error);
+    const bool due = has_history
+                         ? cycle < std::ceil(refinement.cycles * program.next() / scene.end_time - 1e-9)
+                         : program.is_last();
+    return due && wants_refinement();
   }
 
   // After a refinement on the way: the state that the increment starts from is not in equilibrium on the new

@@ -88,6 +88,8 @@ namespace Amontons
     bool
     rebalance(const LoadProgram &program);
     bool
+    wants_refinement() const;
+    bool
     replay_refined();
     bool
     refine_now(const LoadProgram &program) const;

@@ -253,22 +253,6 @@ namespace Amontons
             fields.gap[i] = gap;
           }
     }
-
-    // Of the displacements, slave against master, along the surface.
-    template <int dim>
-    Tensor<1, dim>
-    tangential_jump(const CouplingRow<dim> &row, const LA::Vector &displacement)
-    {
-      Tensor<1, dim> jump;
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          for (const auto &[dofs, weight] : row.slave)
-            jump[c] += weight * displacement(dofs[c]);
-          for (const auto &[dofs, weight] : row.master)
-            jump[c] -= weight * displacement(dofs[c]);
-        }
-      return jump - (jump * row.normal) / row.normal.norm_square() * row.normal;
-    }
   } // namespace
 
   template <int dim>
@@ -328,7 +312,8 @@ namespace Amontons
             tangential[c][r] = -shears[r][c];
             fields.tangential_force[c] += row.area * tangential[c][r];
           }
-        fields.slip[row.node] = tangential_jump(row, displacement);
+        const auto slip       = jump(row, displacement);
+        fields.slip[row.node] = slip - (slip * row.normal) / row.normal.norm_square() * row.normal;
       }
     fill_hanging_nodes(slave, fields);
     // Resultants need the projection that keeps all moments; what is shown and compared is >= 0 if it is a

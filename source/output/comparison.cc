@@ -212,19 +212,38 @@ namespace Amontons
       if (reference.stress)
         summary.errors["energy"] = std::sqrt(sums[4] / sums[5]);
     }
+    template <int dim>
+    unsigned int
+    compared_pair(const Answer<dim> &answer, const ReferenceData &data)
+    {
+      unsigned int i = 0;
+      for (unsigned int k = 0; k < answer.interfaces.size(); ++k)
+        if (answer.interfaces[k].pair->name == data.pair)
+          i = k;
+      return i;
+    }
   } // namespace
+
+  template <int dim>
+  void
+  compare_dissipation(const Answer<dim>       &answer,
+                      const ReferenceData     &data,
+                      const ReferenceSolution &reference,
+                      const double             dissipation,
+                      ReferenceSummary        &summary)
+  {
+    const double factor = answer.fields.at(compared_pair(answer, data)).symmetry_factor;
+    add_value(summary, "dissipation", factor * dissipation, *reference.dissipation);
+  }
 
   template <int dim>
   ReferenceSummary
   compare(const Answer<dim> &answer, const ReferenceData &data, const ReferenceSolution &reference)
   {
     ReferenceSummary summary;
-    summary.closed_form = data.solution.name;
-    unsigned int i      = 0;
-    for (unsigned int k = 0; k < answer.interfaces.size(); ++k)
-      if (answer.interfaces[k].pair->name == data.pair)
-        i = k;
-    const auto &fields = answer.fields.at(i);
+    summary.closed_form       = data.solution.name;
+    const unsigned int i      = compared_pair(answer, data);
+    const auto        &fields = answer.fields.at(i);
     // What symmetry planes cut is compared as a whole: the components along their normals cancel in the
     // mirror.
     Tensor<1, dim> force = fields.normal_force;
@@ -277,8 +296,14 @@ namespace Amontons
     return summary;
   }
 
+  template void
+  compare_dissipation(
+      const Answer<2> &, const ReferenceData &, const ReferenceSolution &, const double, ReferenceSummary &);
   template ReferenceSummary
   compare(const Answer<2> &, const ReferenceData &, const ReferenceSolution &);
+  template void
+  compare_dissipation(
+      const Answer<3> &, const ReferenceData &, const ReferenceSolution &, const double, ReferenceSummary &);
   template ReferenceSummary
   compare(const Answer<3> &, const ReferenceData &, const ReferenceSolution &);
 } // namespace Amontons

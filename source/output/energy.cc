@@ -26,23 +26,6 @@ namespace Amontons
       forces.compress(VectorOperation::add);
       return forces;
     }
-
-    template <int dim>
-    Tensor<1, dim>
-    change_of_jump(const CouplingRow<dim> &row, const SolutionState &state)
-    {
-      const bool     started = state.committed.size() == state.displacement.size();
-      Tensor<1, dim> jump;
-      const auto     add = [&](const NodeDofs<dim> &dofs, const double weight) {
-        for (unsigned int c = 0; c < dim; ++c)
-          jump[c] += weight * (state.displacement(dofs[c]) - (started ? state.committed(dofs[c]) : 0.));
-      };
-      for (const auto &[dofs, weight] : row.slave)
-        add(dofs, weight);
-      for (const auto &[dofs, weight] : row.master)
-        add(dofs, -weight);
-      return jump;
-    }
   } // namespace
 
   template <int dim>
@@ -104,7 +87,8 @@ namespace Amontons
             const auto &[old_pressure, old_shear] = tractions[i][rows[r].node];
             const double p                        = state.pressures[i][r];
             const auto  &q                        = state.shears[i][r];
-            const auto   change                   = change_of_jump(rows[r], state);
+            const auto   change = started ? jump(rows[r], state.displacement) - jump(rows[r], state.committed)
+                                          : jump(rows[r], state.displacement);
             for (unsigned int d = 0; d < dim; ++d)
               {
                 const double mean = 0.5 * ((p + old_pressure) * rows[r].normal[d] + q[d] + old_shear[d]);

@@ -145,8 +145,6 @@ namespace Amontons
         json.add("external_work", *mesh.external_work)
             .add("contact_work", *mesh.contact_work)
             .add("dissipation", *mesh.dissipation);
-      if (mesh.external_work)
-        json.add("external_work", *mesh.external_work);
       if (mesh.reference)
         json.add("reference", to_json(*mesh.reference));
       return json;
@@ -191,11 +189,11 @@ namespace Amontons
   summarize_pair(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
   {
     PairSummary result;
-    result.name                 = interface.pair->name;
-    result.normal_force         = components(fields.normal_force);
-    result.tangential_force     = components(fields.tangential_force);
-    result.peak_pressure        = fields.peak_pressure;
-    result.contact_size         = fields.contact_size;
+    result.name             = interface.pair->name;
+    result.normal_force     = components(fields.normal_force);
+    result.tangential_force = components(fields.tangential_force);
+    result.peak_pressure    = fields.peak_pressure;
+    result.contact_size     = fields.contact_size;
     if (interface.pair->has_friction())
       result.stick_size = fields.stick_size;
     result.centre               = components<dim>(fields.centre);

@@ -40,7 +40,7 @@ namespace Amontons
 
   template <int dim>
   std::vector<const ContactEquation *>
-  ContactNode<dim>::holding() const
+  CandidateNode<dim>::holding() const
   {
     if (!tied && !frictional)
       return {&closing};
@@ -52,7 +52,7 @@ namespace Amontons
 
   template <int dim>
   Tensor<1, dim>
-  ContactNode<dim>::jump(const LA::Vector &u) const
+  CandidateNode<dim>::jump(const LA::Vector &u) const
   {
     Tensor<1, dim> result;
     for (unsigned int k = 0; k < dim; ++k)
@@ -62,18 +62,18 @@ namespace Amontons
 
   template <int dim>
   Tensor<1, dim>
-  ContactNode<dim>::tangential(const Tensor<1, dim> &vector) const
+  CandidateNode<dim>::tangential(const Tensor<1, dim> &vector) const
   {
     return vector - (vector * normal) / normal.norm_square() * normal;
   }
 
   template <int dim>
-  std::vector<ContactNode<dim>>
+  std::vector<CandidateNode<dim>>
   collect_contact_nodes(const Discretization<dim>                &discretization,
                         const std::vector<ContactInterface<dim>> &interfaces,
                         const double                              scaling)
   {
-    std::vector<ContactNode<dim>> nodes;
+    std::vector<CandidateNode<dim>> nodes;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         const auto  &slave   = *interfaces[i].slave;
@@ -81,9 +81,9 @@ namespace Amontons
         const double modulus = contact_modulus(discretization.scene.bodies[slave.body].material);
         for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
           {
-            const auto      &row          = interfaces[i].coupling.rows[r];
-            const auto      &surface_node = slave.nodes[row.node];
-            ContactNode<dim> node;
+            const auto        &row          = interfaces[i].coupling.rows[r];
+            const auto        &surface_node = slave.nodes[row.node];
+            CandidateNode<dim> node;
             node.interface  = i;
             node.row        = r;
             node.tied       = pair.tied;
@@ -110,10 +110,10 @@ namespace Amontons
 
   template <int dim>
   std::vector<ContactEquation>
-  equations_of(const ContactNode<dim> &node,
-               const ContactState      state,
-               const SlipLaw<dim>     &law,
-               const Tensor<1, dim>   &origin)
+  equations_of(const CandidateNode<dim> &node,
+               const ContactState        state,
+               const SlipLaw<dim>       &law,
+               const Tensor<1, dim>     &origin)
   {
     if (state == ContactState::open)
       return {};
@@ -144,7 +144,7 @@ namespace Amontons
 
   template <int dim>
   ContactEquation
-  all_components(const ContactNode<dim> &node)
+  all_components(const CandidateNode<dim> &node)
   {
     ContactEquation result;
     for (const auto &component : node.components)
@@ -158,7 +158,7 @@ namespace Amontons
 
   template <int dim>
   FurtherMatrix
-  slip_stiffness(const ContactNode<dim> &node, const SlipLaw<dim> &law)
+  slip_stiffness(const CandidateNode<dim> &node, const SlipLaw<dim> &law)
   {
     FurtherMatrix                                further;
     std::vector<std::pair<unsigned int, double>> terms; // component and weight of each DoF
@@ -183,7 +183,7 @@ namespace Amontons
 
   template <int dim>
   std::vector<LinearEquation>
-  resistance_of(const ContactNode<dim> &node, const ContactState state, const SlipLaw<dim> &law)
+  resistance_of(const CandidateNode<dim> &node, const ContactState state, const SlipLaw<dim> &law)
   {
     std::vector<LinearEquation> all;
     for (const auto &e : equations_of(node, state, law, Tensor<1, dim>()))
@@ -202,7 +202,7 @@ namespace Amontons
 
   template <int dim>
   std::vector<bool>
-  first_guess_of_closed_nodes(const std::vector<ContactNode<dim>>      &nodes,
+  first_guess_of_closed_nodes(const std::vector<CandidateNode<dim>>    &nodes,
                               const std::vector<ContactInterface<dim>> &interfaces,
                               const FloatingBodies<dim>                &floating,
                               const LA::Vector                         &u)
@@ -227,35 +227,35 @@ namespace Amontons
     return closed;
   }
 
-  template struct ContactNode<2>;
-  template struct ContactNode<3>;
-  template std::vector<ContactNode<2>>
+  template struct CandidateNode<2>;
+  template struct CandidateNode<3>;
+  template std::vector<CandidateNode<2>>
   collect_contact_nodes(const Discretization<2> &, const std::vector<ContactInterface<2>> &, const double);
-  template std::vector<ContactNode<3>>
+  template std::vector<CandidateNode<3>>
   collect_contact_nodes(const Discretization<3> &, const std::vector<ContactInterface<3>> &, const double);
   template std::vector<ContactEquation>
-  equations_of(const ContactNode<2> &, const ContactState, const SlipLaw<2> &, const Tensor<1, 2> &);
+  equations_of(const CandidateNode<2> &, const ContactState, const SlipLaw<2> &, const Tensor<1, 2> &);
   template std::vector<ContactEquation>
-  equations_of(const ContactNode<3> &, const ContactState, const SlipLaw<3> &, const Tensor<1, 3> &);
+  equations_of(const CandidateNode<3> &, const ContactState, const SlipLaw<3> &, const Tensor<1, 3> &);
   template ContactEquation
-  all_components(const ContactNode<2> &);
+  all_components(const CandidateNode<2> &);
   template ContactEquation
-  all_components(const ContactNode<3> &);
+  all_components(const CandidateNode<3> &);
   template FurtherMatrix
-  slip_stiffness(const ContactNode<2> &, const SlipLaw<2> &);
+  slip_stiffness(const CandidateNode<2> &, const SlipLaw<2> &);
   template FurtherMatrix
-  slip_stiffness(const ContactNode<3> &, const SlipLaw<3> &);
+  slip_stiffness(const CandidateNode<3> &, const SlipLaw<3> &);
   template std::vector<LinearEquation>
-  resistance_of(const ContactNode<2> &, const ContactState, const SlipLaw<2> &);
+  resistance_of(const CandidateNode<2> &, const ContactState, const SlipLaw<2> &);
   template std::vector<LinearEquation>
-  resistance_of(const ContactNode<3> &, const ContactState, const SlipLaw<3> &);
+  resistance_of(const CandidateNode<3> &, const ContactState, const SlipLaw<3> &);
   template std::vector<bool>
-  first_guess_of_closed_nodes(const std::vector<ContactNode<2>> &,
+  first_guess_of_closed_nodes(const std::vector<CandidateNode<2>> &,
                               const std::vector<ContactInterface<2>> &,
                               const FloatingBodies<2> &,
                               const LA::Vector &);
   template std::vector<bool>
-  first_guess_of_closed_nodes(const std::vector<ContactNode<3>> &,
+  first_guess_of_closed_nodes(const std::vector<CandidateNode<3>> &,
                               const std::vector<ContactInterface<3>> &,
                               const FloatingBodies<3> &,
                               const LA::Vector &);

@@ -5,7 +5,7 @@
 namespace Amontons
 {
   template <int dim>
-  NodeStates<dim>::NodeStates(const std::vector<ContactNode<dim>>      &nodes,
+  NodeStates<dim>::NodeStates(const std::vector<CandidateNode<dim>>    &nodes,
                               const std::vector<ContactInterface<dim>> &interfaces,
                               const FloatingBodies<dim>                &floating,
                               const double                              t)

@@ -261,7 +261,6 @@ namespace Amontons
         step.krylov               = result.iterations;
         if (!result.success)
           {
-            first_equation.assign(nodes.size(), numbers::invalid_unsigned_int); // the multipliers are older
             report.message =
                 "the linear solver failed after " + std::to_string(result.iterations) + " iterations";
             return false;
@@ -307,8 +306,8 @@ namespace Amontons
       NodeAnswer<dim>
       answer(const unsigned int k) const
       {
-        NodeAnswer<dim>         result;
-        const ContactNode<dim> &node = nodes[k];
+        NodeAnswer<dim>           result;
+        const CandidateNode<dim> &node = nodes[k];
         if (node.frictional)
           result.slip = slip(k);
         if (states[k] == ContactState::open)
@@ -396,10 +395,7 @@ namespace Amontons
       {
         report.start_residual = force_scale > 0 ? report.start_residual / force_scale : 0;
         if (report.iterations.empty() || !std::isfinite(report.iterations.back().residual))
-          {
-            state.displacement = discretization.make_relevant_vector();
-            std::fill(first_equation.begin(), first_equation.end(), numbers::invalid_unsigned_int);
-          }
+          state.displacement = discretization.make_relevant_vector();
         else if (!unheld.empty())
           {
             double force = 0;
@@ -425,7 +421,7 @@ namespace Amontons
       store(const unsigned int k)
       {
         const unsigned int i      = nodes[k].interface;
-        const bool         solved = !first_equation.empty() && std::isfinite(answers[k].pressure);
+        const bool         solved = std::isfinite(answers[k].pressure);
         const auto         padded = [](const Tensor<1, dim> &vector) {
           Tensor<1, 3> result;
           for (unsigned int d = 0; d < dim; ++d)
@@ -460,12 +456,12 @@ namespace Amontons
       TimerOutput                              &timer;
       const MPI_Comm                            communicator;
 
-      Timer                               clock;
-      const std::vector<ContactNode<dim>> nodes;
-      const bool                          any_friction;
-      FloatingBodies<dim>                 floating;
-      NodeStates<dim>                     states;
-      CondensedSystem                     system;
+      Timer                                 clock;
+      const std::vector<CandidateNode<dim>> nodes;
+      const bool                            any_friction;
+      FloatingBodies<dim>                   floating;
+      NodeStates<dim>                       states;
+      CondensedSystem                       system;
       LinearSolver                 solver; // its factorisation refers to the matrix, which must outlive it
       NewtonReport                 report;
       ProximalTerms                proximal;

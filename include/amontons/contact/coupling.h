@@ -50,6 +50,22 @@ namespace Amontons
         traces; // int psi B_j dA, by slave node: traces of the control values
   };
 
+  // Delta; u readable at relevant DoFs.
+  template <int dim>
+  Tensor<1, dim>
+  jump(const CouplingRow<dim> &row, const LA::Vector &u)
+  {
+    Tensor<1, dim> result;
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        for (const auto &[dofs, weight] : row.slave)
+          result[c] += weight * u(dofs[c]);
+        for (const auto &[dofs, weight] : row.master)
+          result[c] -= weight * u(dofs[c]);
+      }
+    return result;
+  }
+
   template <int dim>
   struct Coupling
   {

@@ -49,9 +49,18 @@ namespace Amontons
   ReferenceSummary
   compare(const Answer<dim> &answer, const ReferenceData &data, const ReferenceSolution &reference);
 
-  // force_balance: norm of loads + reactions + contact forces - internal forces where no support acts, relative
-  // to that of all of them; moment_balance: their moment on a body about the origin, relative to contact forces
-  // times its size; complementarity: max |p g| relative to p_max times the mean face size;
+  // Adds the work of friction, which the closed form must know. Cut models as above.
+  template <int dim>
+  void
+  compare_dissipation(const Answer<dim>       &answer,
+                      const ReferenceData     &data,
+                      const ReferenceSolution &reference,
+                      const double             dissipation,
+                      ReferenceSummary        &summary);
+
+  // force_balance: norm of loads + reactions + contact forces - internal forces where no support acts,
+  // relative to that of all of them; moment_balance: their moment on a body about the origin, relative to
+  // contact forces times its size; complementarity: max |p g| relative to p_max times the mean face size;
   // penetration: max(-g) relative to the face size; tension: max(-p) relative to p_max; coulomb_cone: how far
   // shears exceed their bound, relative to the largest bound.
   template <int dim>

@@ -10,7 +10,7 @@ namespace Amontons
 {
   // One coupling row of one interface. Its jump is Delta = sum slave weight u - sum master weight u.
   template <int dim>
-  struct ContactNode
+  struct CandidateNode
   {
     unsigned int    interface, row;
     bool            tied, frictional;
@@ -32,7 +32,7 @@ namespace Amontons
   };
 
   template <int dim>
-  std::vector<ContactNode<dim>>
+  std::vector<CandidateNode<dim>>
   collect_contact_nodes(const Discretization<dim>                &discretization,
                         const std::vector<ContactInterface<dim>> &interfaces,
                         const double                              scaling);
@@ -46,32 +46,32 @@ namespace Amontons
   // across and `origin` along the surface; tied: zero.
   template <int dim>
   std::vector<ContactEquation>
-  equations_of(const ContactNode<dim> &node,
-               const ContactState      state,
-               const SlipLaw<dim>     &law,
-               const Tensor<1, dim>   &origin);
+  equations_of(const CandidateNode<dim> &node,
+               const ContactState        state,
+               const SlipLaw<dim>       &law,
+               const Tensor<1, dim>     &origin);
 
   // An equation of all DoFs of the node's jump, for the sparsity pattern: slip mixes the components.
   template <int dim>
   ContactEquation
-  all_components(const ContactNode<dim> &node);
+  all_components(const CandidateNode<dim> &node);
 
   // area stiffness (1 - n n^T - d d^T) on the jump (3D): the forces of the shear across the slip.
   template <int dim>
   FurtherMatrix
-  slip_stiffness(const ContactNode<dim> &node, const SlipLaw<dim> &law);
+  slip_stiffness(const CandidateNode<dim> &node, const SlipLaw<dim> &law);
 
   // What resists rigid motions in this state: the equations above and, in 3D, the stiffness across the slip.
   template <int dim>
   std::vector<LinearEquation>
-  resistance_of(const ContactNode<dim> &node, const ContactState state, const SlipLaw<dim> &law);
+  resistance_of(const CandidateNode<dim> &node, const ContactState state, const SlipLaw<dim> &law);
 
   // First guess without a history: what the prescribed displacements press together, and, for bodies that
   // only contact holds, the nodes that will touch first (linear kinematics close their gap exactly, whatever
   // its size).
   template <int dim>
   std::vector<bool>
-  first_guess_of_closed_nodes(const std::vector<ContactNode<dim>>      &nodes,
+  first_guess_of_closed_nodes(const std::vector<CandidateNode<dim>>    &nodes,
                               const std::vector<ContactInterface<dim>> &interfaces,
                               const FloatingBodies<dim>                &floating,
                               const LA::Vector                         &u);

@@ -32,7 +32,7 @@ namespace Amontons
   class NodeStates
   {
   public:
-    NodeStates(const std::vector<ContactNode<dim>>      &nodes,
+    NodeStates(const std::vector<CandidateNode<dim>>    &nodes,
                const std::vector<ContactInterface<dim>> &interfaces,
                const FloatingBodies<dim>                &floating,
                const double                              t);
@@ -123,7 +123,7 @@ namespace Amontons
       return answer.shear + nodes[k].c * answer.slip;
     }
 
-    const std::vector<ContactNode<dim>>      &nodes;
+    const std::vector<CandidateNode<dim>>    &nodes;
     const std::vector<ContactInterface<dim>> &interfaces;
     const FloatingBodies<dim>                &floating;
     const double                              t;

@@ -182,7 +182,7 @@ namespace Amontons
     {
       TimerOutput::Scope scope(timer, "assemble stiffness");
       if (elasticity->n_cells() == 0)
-        elasticity->assemble();
+        elasticity->assemble(state.displacement);
       loads = assemble_loads(*discretization, state.t, covered_points());
     }
     SemismoothNewton<dim> newton(parameters.newton, parameters.linear_solver, *discretization, timer);

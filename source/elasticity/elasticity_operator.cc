@@ -5,8 +5,9 @@
 namespace Amontons
 {
   template <int dim>
-  ElasticityOperator<dim>::ElasticityOperator(const Discretization<dim> &discretization)
-      : discretization(discretization),
+  ElasticityOperator<dim>::ElasticityOperator(const Discretization<dim> &discretization,
+                                              const bool                 finite_strain)
+      : discretization(discretization), is_finite(finite_strain),
         n_values(discretization.fe.n_dofs_per_cell() * (discretization.fe.n_dofs_per_cell() + 1) / 2)
   {
     for (const auto &body : discretization.scene.bodies)
@@ -21,10 +22,34 @@ namespace Amontons
   }
 
   template <int dim>
-  void
-  ElasticityOperator<dim>::assemble()
+  std::optional<InvertedCell<dim>>
+  ElasticityOperator<dim>::assemble(const LA::Vector &)
   {
     clear();
+    find_cells();
+    Assert(!is_finite, ExcNotImplemented());
+    assemble_small();
+    return {};
+  }
+
+  template <int dim>
+  void
+  ElasticityOperator<dim>::find_cells()
+  {
+    const unsigned int n = discretization.fe.n_dofs_per_cell();
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
+        {
+          cells.push_back({std::vector<types::global_dof_index>(n), cell->material_id()});
+          cell->get_dof_indices(cells.back().dofs);
+        }
+    values.reserve(cells.size() * n_values);
+  }
+
+  template <int dim>
+  void
+  ElasticityOperator<dim>::assemble_small()
+  {
     const auto         &fe = discretization.fe;
     const QGauss<dim>   quadrature(fe.degree + 1);
     FEValues<dim>       fe_values(discretization.mapping, fe, quadrature, needed_flags());
@@ -35,16 +60,9 @@ namespace Amontons
     FullMatrix<double> strains(quadrature.size() * n_v, n), weighted(strains.m(), n), K(n, n);
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
-        cells.push_back({std::vector<types::global_dof_index>(n), cell->material_id()});
-    values.reserve(cells.size() * n_values);
-
-    auto stiffness = cells.begin();
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
         {
           fe_values.reinit(cell);
           B.reinit(fe_values);
-          cell->get_dof_indices((stiffness++)->dofs);
           for (unsigned int q = 0; q < quadrature.size(); ++q)
             for (unsigned int i = 0; i < n; ++i)
               {
@@ -78,7 +96,7 @@ namespace Amontons
 
   template <int dim>
   LA::Vector
-  ElasticityOperator<dim>::apply(const LA::Vector &u) const
+  ElasticityOperator<dim>::internal_forces(const LA::Vector &u) const
   {
     LA::Vector          result = discretization.make_owned_vector();
     std::vector<double> local(discretization.fe.n_dofs_per_cell()), force(local.size());
@@ -101,6 +119,17 @@ namespace Amontons
       }
     result.compress(VectorOperation::add);
     return result;
+  }
+
+  template <int dim>
+  double
+  ElasticityOperator<dim>::stored_energy(const LA::Vector &u) const
+  {
+    const LA::Vector force  = internal_forces(u);
+    double           energy = 0;
+    for (const auto dof : discretization.locally_owned)
+      energy += 0.5 * force(dof) * u(dof);
+    return Utilities::MPI::sum(energy, discretization.geometry.communicator);
   }
 
   template <int dim>

@@ -12,7 +12,7 @@ namespace Amontons
     external_forces(const Answer<dim> &answer)
     {
       const IndexSet &owned  = answer.discretization.locally_owned;
-      LA::Vector      forces = answer.elasticity.apply(answer.state.displacement);
+      LA::Vector      forces = answer.elasticity.internal_forces(answer.state.displacement);
       for (const auto &[dof, force] : contact_forces(answer))
         if (owned.is_element(dof))
           forces(dof) -= force;

@@ -69,7 +69,7 @@ namespace Amontons
     support_forces(const Answer<dim> &answer, const std::vector<Place<dim>> &places)
     {
       const IndexSet &owned = answer.discretization.locally_owned;
-      LA::Vector      raw   = answer.elasticity.apply(answer.state.displacement);
+      LA::Vector      raw   = answer.elasticity.internal_forces(answer.state.displacement);
       raw -= answer.loads;
       for (const auto &[dof, force] : contact_forces(answer))
         if (owned.is_element(dof))
@@ -183,11 +183,7 @@ namespace Amontons
   double
   stored_energy(const Answer<dim> &answer)
   {
-    const LA::Vector force  = answer.elasticity.apply(answer.state.displacement);
-    double           energy = 0;
-    for (const auto dof : answer.discretization.locally_owned)
-      energy += 0.5 * force(dof) * answer.state.displacement(dof);
-    return Utilities::MPI::sum(energy, answer.discretization.geometry.communicator);
+    return answer.elasticity.stored_energy(answer.state.displacement);
   }
 
   template <int dim>

@@ -2,6 +2,7 @@
 #include <amontons/solver/diagnosis.h>
 #include <amontons/solver/proximal_terms.h>
 #include <amontons/solver/semismooth_newton.h>
+#include <amontons/solver/stored_states.h>
 
 namespace Amontons
 {
@@ -248,7 +249,7 @@ namespace Amontons
         constraints->trial().distribute(u);
         state.displacement  = u;
         LA::Vector residual = loads;
-        residual -= elasticity.apply(state.displacement);
+        residual -= elasticity.internal_forces(state.displacement);
         if (any_friction)
           residual += known_shear_forces();
         LA::Vector rhs(discretization.locally_owned, communicator);
@@ -280,7 +281,7 @@ namespace Amontons
       void
       recover_contact(NewtonReport::Iteration &step)
       {
-        internal = elasticity.apply(state.displacement);
+        internal = elasticity.internal_forces(state.displacement);
         raw      = internal;
         raw -= loads;
         if (any_friction)
@@ -405,44 +406,9 @@ namespace Amontons
             force                       = Utilities::MPI::sum(force, communicator);
             report.regularisation_force = load > 0 ? force / load : force;
           }
-        state.states.assign(interfaces.size(), {});
-        state.pressures.assign(interfaces.size(), {});
-        state.gaps.assign(interfaces.size(), {});
-        state.shears.assign(interfaces.size(), {});
-        state.trials.assign(interfaces.size(), {});
-        state.slips.assign(interfaces.size(), {});
-        for (unsigned int k = 0; k < nodes.size(); ++k)
-          store(k);
+        store_states(nodes, states, answers, interfaces, state);
         if (!report.converged && report.message.empty())
           report.message = Diagnosis::no_states_found(report, states, any_friction);
-      }
-
-      void
-      store(const unsigned int k)
-      {
-        const unsigned int i      = nodes[k].interface;
-        const bool         solved = std::isfinite(answers[k].pressure);
-        const auto         padded = [](const Tensor<1, dim> &vector) {
-          Tensor<1, 3> result;
-          for (unsigned int d = 0; d < dim; ++d)
-            result[d] = vector[d];
-          return result;
-        };
-        const NodeAnswer<dim> answer = solved ? answers[k] : NodeAnswer<dim>();
-        state.states[i].push_back(states[k]);
-        state.gaps[i].push_back(answer.gap);
-        state.pressures[i].push_back(answer.pressure);
-        state.shears[i].push_back(padded(answer.shear));
-        state.slips[i].push_back(padded(answer.slip));
-        Tensor<1, dim> trial;
-        if (nodes[k].frictional && states[k] != ContactState::open)
-          if (const double limit = states.bound(k, answer.pressure).value; limit > 0)
-            {
-              // Bounded, as it will be interpolated: where the pressure vanishes the ratio has no bound.
-              trial = (answer.shear + nodes[k].c * answer.slip) / limit;
-              trial *= std::min(1., 3 / std::max(trial.norm(), 1e-100));
-            }
-        state.trials[i].push_back(padded(trial));
       }
 
       const NewtonParameters                   &parameters;

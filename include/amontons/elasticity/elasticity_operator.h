@@ -1,4 +1,5 @@
-// The stiffness of all bodies, cell by cell: assembled once per mesh for linear scenes.
+// The stiffness of all bodies, cell by cell: assembled once per mesh for small strain, in every iteration for
+// finite strain.
 #pragma once
 
 #include <amontons/discretization/discretization.h>
@@ -6,15 +7,32 @@
 
 namespace Amontons
 {
+  // A cell that the deformation turns inside out: det F <= 0 (or not a number) at a quadrature point.
+  template <int dim>
+  struct InvertedCell
+  {
+    Point<dim>         centre; // in the reference configuration
+    types::material_id body;
+    double             smallest_jacobian;
+  };
+
   template <int dim>
   class ElasticityOperator
   {
   public:
-    explicit ElasticityOperator(const Discretization<dim> &discretization);
+    explicit ElasticityOperator(const Discretization<dim> &discretization, const bool finite_strain = false);
 
-    // K_e = int B^T C B over every owned cell of a deformable body.
-    void
-    assemble();
+    bool
+    finite_strain() const
+    {
+      return is_finite;
+    }
+
+    // Small strain: K_e = int B^T C B over every owned cell of a deformable body; u is not read, and nothing
+    // fails. Finite strain: the derivative of the internal forces at u (readable at relevant DoFs); where
+    // that inverts a cell, the worst one on all ranks, and the operator is cleared. Collective.
+    std::optional<InvertedCell<dim>>
+    assemble(const LA::Vector &u);
 
     // After a change of the mesh, until the next assemble().
     void
@@ -47,10 +65,14 @@ namespace Amontons
       return cells[c].body;
     }
 
-    // K u on unconstrained degrees of freedom (hanging nodes as if they were free); u readable at relevant
-    // DoFs.
+    // Small strain: K u. Both on unconstrained degrees of freedom (hanging nodes as if they were free); u
+    // readable at relevant DoFs. After assemble().
     LA::Vector
-    apply(const LA::Vector &u) const;
+    internal_forces(const LA::Vector &u) const;
+
+    // Collective; small strain: u.K u / 2.
+    double
+    stored_energy(const LA::Vector &u) const;
 
     // Norm of diag(K) u: what rounding is measured against.
     double
@@ -73,7 +95,13 @@ namespace Amontons
       types::material_id                   body;
     };
 
+    void
+    find_cells();
+    void
+    assemble_small();
+
     const Discretization<dim>      &discretization;
+    const bool                      is_finite;
     std::vector<LinearElastic<dim>> materials; // per body
     std::vector<CellStiffness>      cells;
     const std::size_t               n_values; // per cell

@@ -91,7 +91,7 @@ namespace Amontons
       const auto extent = [](const ContactSurface<dim> &surface) {
         std::vector<Point<dim>> points;
         for (const auto &node : surface.nodes)
-          points.push_back(node.X);
+          points.push_back(node.x);
         const auto box = BoundingBox<dim>(points).get_boundary_points();
         return box.first.distance(box.second);
       };
@@ -205,9 +205,23 @@ namespace Amontons
 
   template <int dim>
   void
+  move_interface(const Discretization<dim> &discretization,
+                 const LA::Vector          &u,
+                 ContactInterface<dim>     &interface)
+  {
+    interface.slave->move(u);
+    if (interface.master_surface)
+      interface.master_surface->move(u);
+    else
+      interface.master.motion = carrier_motion(discretization, interface.master.carrier, u);
+  }
+
+  template <int dim>
+  void
   integrate_couplings(const Discretization<dim>          &discretization,
                       const Constraints                  &supports,
-                      std::vector<ContactInterface<dim>> &interfaces)
+                      std::vector<ContactInterface<dim>> &interfaces,
+                      const bool                          moved)
   {
     std::vector<std::vector<bool>> carries;
     for (auto &interface : interfaces)
@@ -222,7 +236,8 @@ namespace Amontons
                                 interface.master,
                                 interface.reach,
                                 discretization.scene.kind == Kind::axisymmetric,
-                                communicator),
+                                communicator,
+                                moved),
                   carries.back(),
                   interface);
       }
@@ -237,11 +252,21 @@ namespace Amontons
   template std::vector<ContactInterface<2>>
   make_interfaces(const Discretization<2> &, const std::vector<bool> &);
   template void
-  integrate_couplings(const Discretization<2> &, const Constraints &, std::vector<ContactInterface<2>> &);
+  integrate_couplings(const Discretization<2> &,
+                      const Constraints &,
+                      std::vector<ContactInterface<2>> &,
+                      const bool);
+  template void
+  move_interface(const Discretization<2> &, const LA::Vector &, ContactInterface<2> &);
   template std::vector<bool>
   choose_slaves(const Discretization<3> &);
   template std::vector<ContactInterface<3>>
   make_interfaces(const Discretization<3> &, const std::vector<bool> &);
   template void
-  integrate_couplings(const Discretization<3> &, const Constraints &, std::vector<ContactInterface<3>> &);
+  integrate_couplings(const Discretization<3> &,
+                      const Constraints &,
+                      std::vector<ContactInterface<3>> &,
+                      const bool);
+  template void
+  move_interface(const Discretization<3> &, const LA::Vector &, ContactInterface<3> &);
 } // namespace Amontons

@@ -2,6 +2,7 @@
 #include <amontons/base/points.h>
 #include <amontons/contact/contact_surface.h>
 #include <amontons/contact/face_basis.h>
+#include <amontons/contact/face_lattice.h>
 
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
@@ -80,23 +81,6 @@ namespace Amontons
       return p;
     }
 
-    template <int fdim>
-    std::vector<Point<fdim>>
-    lattice(const unsigned int degree)
-    {
-      std::vector<Point<fdim>> points;
-      const unsigned int       n = degree + 1;
-      for (unsigned int i = 0; i < Utilities::fixed_power<fdim>(n); ++i)
-        {
-          Point<fdim>  p;
-          unsigned int rest = i;
-          for (unsigned int d = 0; d < fdim; ++d, rest /= n)
-            p[d] = double(rest % n) / degree;
-          points.push_back(p);
-        }
-      return points;
-    }
-
     // Sign of (cross product of the face tangents, in the order of the remaining coordinates) . outward
     // normal; in 2D the "cross product" of t is (t_y, -t_x).
     template <int dim>
@@ -107,18 +91,6 @@ namespace Amontons
       if (dim == 2)
         return f / 2 == 0 ? side : -side;
       return f / 2 == 1 ? -side : side;
-    }
-
-    Tensor<1, 2>
-    cross(const std::array<Tensor<1, 2>, 1> &t)
-    {
-      return Tensor<1, 2>({t[0][1], -t[0][0]});
-    }
-
-    Tensor<1, 3>
-    cross(const std::array<Tensor<1, 3>, 2> &t)
-    {
-      return cross_product_3d(t[0], t[1]);
     }
   } // namespace
 
@@ -185,20 +157,19 @@ namespace Amontons
     collect_faces(gather_on_all(discretization.geometry.communicator, std::move(own.numbers)));
     find_parents(discretization);
     make_controls();
-    make_normals(discretization);
+    find_symmetry_planes(discretization);
+    make_normals();
+    find_sharpest_edge();
   }
 
   template <int dim>
   void
   ContactSurface<dim>::collect_faces(const std::vector<FaceNumbers> &parts)
   {
-    Point<dim - 1> middle;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      middle[d] = 0.5;
     const unsigned int                              n_nodes = Utilities::fixed_power<dim - 1>(degree + 1);
     std::map<types::global_dof_index, unsigned int> node_of_dof;
 
-    const auto fine = lattice<dim - 1>(geometry_degree);
+    const auto n_fine = Utilities::fixed_power<dim - 1>(geometry_degree + 1);
     for (unsigned int rank = 0; rank < parts.size(); ++rank)
       {
         const auto &part     = parts[rank];
@@ -209,7 +180,7 @@ namespace Amontons
             for (unsigned int k = 0; k < n_nodes; ++k)
               {
                 SurfaceNode<dim> node;
-                node.X = take<dim>(part.positions, position);
+                node.X = node.x = take<dim>(part.positions, position);
                 for (unsigned int c = 0; c < dim; ++c)
                   node.dofs[c] = part.dofs[dof++];
                 const auto found = node_of_dof.emplace(node.dofs[0], nodes.size());
@@ -217,22 +188,35 @@ namespace Amontons
                   nodes.push_back(node);
                 face.nodes.push_back(found.first->second);
               }
-            for (unsigned int k = 0; k < fine.size(); ++k)
+            for (unsigned int k = 0; k < n_fine; ++k)
               face.geometry.push_back(take<dim>(part.positions, position));
             face.sign        = part.signs[i];
             face.rank        = rank;
             face.owned_index = i;
-            face.size        = face.geometry.front().distance(face.geometry.back());
-            face.straight    = true;
-            for (unsigned int k = 0; k < fine.size() && face.straight; ++k)
-              face.straight = interpolate<1, dim>(face.geometry, fine[k]).X.distance(face.geometry[k]) <=
-                              1e-14 * (face.size + face.geometry[k].norm());
+            measure(face);
+            mean_size += face.size;
+            reference_geometry.push_back(face.geometry);
             faces.push_back(std::move(face));
-            faces.back().centre = this->position(faces.size() - 1, middle);
-            mean_size += faces.back().size;
           }
       }
     mean_size /= std::max<std::size_t>(1, faces.size());
+    faces_at.resize(nodes.size());
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      for (unsigned int k = 0; k < n_nodes; ++k)
+        faces_at[faces[f].nodes[k]].emplace_back(f, k);
+  }
+
+  template <int dim>
+  void
+  ContactSurface<dim>::measure(SurfaceFace<dim> &face) const
+  {
+    const auto fine = lattice<dim - 1>(geometry_degree);
+    face.size       = face.geometry.front().distance(face.geometry.back());
+    face.straight   = true;
+    for (unsigned int k = 0; k < fine.size() && face.straight; ++k)
+      face.straight = interpolate<1, dim>(face.geometry, fine[k]).X.distance(face.geometry[k]) <=
+                      1e-14 * (face.size + face.geometry[k].norm());
+    face.centre = face.geometry[face.geometry.size() / 2];
   }
 
   // Hanging nodes with their parents; a parent that is on no face (the edge of a coarser cell that only
@@ -290,10 +274,11 @@ namespace Amontons
             if (node_of_dof.emplace(node_dofs[0], nodes.size()).second)
               {
                 nodes.emplace_back();
-                nodes.back().X    = X;
-                nodes.back().dofs = node_dofs;
+                nodes.back().X = nodes.back().x = X;
+                nodes.back().dofs               = node_dofs;
               }
       }
+    faces_at.resize(nodes.size());
     for (const auto &[dof, line] : lines)
       for (const auto &[parent, weight] : line)
         nodes[node_of_dof.at(dof)].parents.emplace_back(node_of_dof.at(parent), weight);
@@ -360,37 +345,10 @@ namespace Amontons
       }
   }
 
-  // Mean of the face normals at the node, weighted by nothing (2D: two faces); then made to lie in the
-  // symmetry planes (and on the axis of revolution) that the node belongs to.
   template <int dim>
   void
-  ContactSurface<dim>::make_normals(const Discretization<dim> &discretization)
+  ContactSurface<dim>::find_symmetry_planes(const Discretization<dim> &discretization)
   {
-    const auto points = lattice<dim - 1>(degree);
-    for (unsigned int f = 0; f < faces.size(); ++f)
-      for (unsigned int k = 0; k < faces[f].nodes.size(); ++k)
-        nodes[faces[f].nodes[k]].normal += face_normal(f, points[k]);
-    for (unsigned int f = 0; f < faces.size(); ++f)
-      for (unsigned int k = 0; k < faces[f].nodes.size(); ++k)
-        {
-          // The mean normal of two faces halves the angle between them.
-          const auto  &node = nodes[faces[f].nodes[k]];
-          const double angle =
-              2 * std::acos(std::min(1., face_normal(f, points[k]) * node.normal / node.normal.norm())) *
-              180 / numbers::PI;
-          if (angle > sharpest_edge)
-            {
-              sharpest_edge = angle;
-              sharpest_at   = node.X;
-            }
-        }
-    for (const auto &node : nodes)
-      for (const auto &[parent, weight] : node.parents) // on no face
-        if (nodes[parent].normal.norm() == 0)
-          nodes[parent].normal += weight * node.normal;
-    for (auto &node : nodes)
-      node.normal /= node.normal.norm();
-
     std::set<types::boundary_id> planes;
     for (const auto &condition : discretization.scene.conditions)
       if (condition.type == ConditionData::Type::symmetry)
@@ -417,7 +375,7 @@ namespace Amontons
               std::array<Tensor<1, dim>, dim - 1> t;
               for (unsigned int k = 0; k < dim - 1; ++k)
                 t[k] = cell->face(f)->vertex(1 << k) - cell->face(f)->vertex(0);
-              const Tensor<1, dim> normal = cross(t);
+              const Tensor<1, dim> normal = area_vector(t);
               cell->get_dof_indices(dofs);
               for (const unsigned int i : nodes_on_face(base, f))
                 if (const auto node = node_of_dof.find(dofs[fe.component_to_system_index(0, i)]);
@@ -433,10 +391,6 @@ namespace Amontons
                   return std::abs(m * normal) > 1 - 1e-6;
                 }))
               known.push_back(normal);
-            Tensor<1, dim> &n         = nodes[i].normal;
-            const auto      projected = n - (n * normal) * normal;
-            if (projected.norm() > 1e-6)
-              n = projected / projected.norm();
           }
   }
 
@@ -450,6 +404,13 @@ namespace Amontons
 
   template <int dim>
   Point<dim>
+  ContactSurface<dim>::reference_position(const unsigned int face, const Point<dim - 1> &xi) const
+  {
+    return interpolate<geometry_degree, dim>(reference_geometry[face], xi).X;
+  }
+
+  template <int dim>
+  Point<dim>
   ContactSurface<dim>::position(const unsigned int face, const Point<dim - 1> &xi) const
   {
     return frame(face, xi).X;
@@ -459,7 +420,7 @@ namespace Amontons
   Tensor<1, dim>
   ContactSurface<dim>::face_normal(const unsigned int face, const Point<dim - 1> &xi, double *jacobian) const
   {
-    const Tensor<1, dim> n    = cross(frame(face, xi).tangents);
+    const Tensor<1, dim> n    = area_vector(frame(face, xi).tangents);
     const double         area = n.norm();
     if (jacobian != nullptr)
       *jacobian = area;

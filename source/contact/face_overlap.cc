@@ -136,12 +136,15 @@ namespace Amontons
   overlap_obstacle(const ContactSurface<2>      &slave,
                    const unsigned int            slave_face,
                    const ObstacleData           &obstacle,
+                   const AffineMap<2>           &motion,
                    const double                  reach,
                    std::vector<OverlapPoint<2>> &points)
   {
     const auto opposite = [&](const double xi) {
-      return project_to_obstacle(
-          obstacle, slave.position(slave_face, Point<1>(xi)), slave.nodal_normal(slave_face, Point<1>(xi)));
+      return project_to_obstacle(obstacle,
+                                 motion,
+                                 slave.position(slave_face, Point<1>(xi)),
+                                 slave.nodal_normal(slave_face, Point<1>(xi)));
     };
     // Ends of the covered parts: sampled, then bisected. A part smaller than a sample interval inside one
     // face is missed.
@@ -178,9 +181,9 @@ namespace Amontons
             ends[i + 1],
             reach,
             [&](OverlapPoint<2> &p) {
-              const auto x  = project_to_obstacle(obstacle, p.x_slave, p.normal);
+              const auto x  = project_to_obstacle(obstacle, motion, p.x_slave, p.normal);
               p.master_face = numbers::invalid_unsigned_int;
-              p.x_master    = x ? *x : p.x_slave;
+              p.x_master    = x ? x->x : p.x_slave;
               return x.has_value();
             },
             points);

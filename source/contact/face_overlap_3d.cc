@@ -352,16 +352,18 @@ namespace Amontons
   overlap_obstacle(const ContactSurface<3>      &slave,
                    const unsigned int            slave_face,
                    const ObstacleData           &obstacle,
+                   const AffineMap<3>           &motion,
                    const double                  reach,
                    std::vector<OverlapPoint<3>> &points)
   {
     const auto project = [&](OverlapPoint<3> &p) {
-      const auto x = project_to_obstacle(obstacle, p.x_slave, p.normal);
-      p.x_master   = x ? *x : p.x_slave;
+      const auto x = project_to_obstacle(obstacle, motion, p.x_slave, p.normal);
+      p.x_master   = x ? x->x : p.x_slave;
       return x.has_value();
     };
     const auto is_opposite = [&](const Point<2> &xi) {
-      return project_to_obstacle(obstacle, slave.position(slave_face, xi), slave.nodal_normal(slave_face, xi))
+      return project_to_obstacle(
+                 obstacle, motion, slave.position(slave_face, xi), slave.nodal_normal(slave_face, xi))
           .has_value();
     };
     const auto as_it_is = [](const Point<2> &xi) { return std::make_pair(xi, 1.); };

@@ -112,7 +112,7 @@ namespace Amontons
     {
       if (master.surface != nullptr)
         return lagrange_values<dim - 1>(master.surface->degree, p.xi_master);
-      const auto N = discretization.carrier_weights(master.carrier, p.x_master);
+      const auto N = discretization.carrier_weights(master.carrier, master.motion.origin_of(p.x_master));
       return {N.begin(), N.end()};
     }
 
@@ -246,10 +246,11 @@ namespace Amontons
              const double               closest)
     {
       CouplingRow<dim> row;
-      row.node   = node;
-      row.area   = sums.area;
-      row.normal = sums.normal / sums.area;
-      row.gap    = row.normal * sums.gap / sums.area;
+      row.node       = node;
+      row.area       = sums.area;
+      row.normal     = sums.normal / sums.area;
+      row.gap_vector = sums.gap / sums.area;
+      row.gap        = row.normal * row.gap_vector;
       // psi changes sign, and where the surface turns away from the other body gaps grow without bound:
       // what is open all around stays open.
       if (sums.smallest_gap - closest > 0.1 * sums.face_size)
@@ -270,6 +271,29 @@ namespace Amontons
       return row;
     }
   } // namespace
+
+  template <int dim>
+  AffineMap<dim>
+  carrier_motion(const Discretization<dim> &discretization, const unsigned int m, const LA::Vector &u)
+  {
+    const auto displacement = [&](const Point<dim> &X) {
+      const auto     N = discretization.carrier_weights(m, X);
+      Tensor<1, dim> result;
+      for (unsigned int k = 0; k <= dim; ++k)
+        for (unsigned int c = 0; c < dim; ++c)
+          result[c] += N[k] * u(discretization.carrier_dofs[m][k][c]);
+      return result;
+    };
+    AffineMap<dim> motion;
+    motion.b = displacement(Point<dim>());
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const Tensor<1, dim> column = displacement(Point<dim>::unit_vector(d)) - motion.b;
+        for (unsigned int c = 0; c < dim; ++c)
+          motion.A[c][d] += column[c];
+      }
+    return motion;
+  }
 
   template <int dim>
   Coupling<dim>
@@ -308,6 +332,10 @@ namespace Amontons
     return coupling;
   }
 
+  template AffineMap<2>
+  carrier_motion(const Discretization<2> &, const unsigned int, const LA::Vector &);
+  template AffineMap<3>
+  carrier_motion(const Discretization<3> &, const unsigned int, const LA::Vector &);
   template Coupling<2>
   integrate_coupling(const Discretization<2> &,
                      const ContactSurface<2> &,

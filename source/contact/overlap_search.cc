@@ -21,7 +21,7 @@ namespace Amontons
       std::vector<Point<dim>> points;
       for (const unsigned int node : slave.faces[face].nodes)
         for (const double sign : {-1., 1.})
-          points.push_back(slave.nodes[node].X + sign * reach * slave.nodes[node].normal);
+          points.push_back(slave.nodes[node].x + sign * reach * slave.nodes[node].normal);
       BoundingBox<dim> box(points);
       box.extend(0.1 * slave.faces[face].size); // curvature between the nodes
       return box;
@@ -91,7 +91,8 @@ namespace Amontons
                 const MasterSide<dim>     &master,
                 const double               reach,
                 const bool                 axisymmetric,
-                const MPI_Comm             communicator)
+                const MPI_Comm             communicator,
+                const bool                 moved)
   {
     std::vector<std::pair<BoundingBox<dim>, unsigned int>> boxes;
     if (master.surface != nullptr)
@@ -104,7 +105,7 @@ namespace Amontons
       std::vector<OverlapPoint<dim>> points;
       if (master.surface == nullptr)
         {
-          overlap_obstacle(slave, s, *master.obstacle, reach, points);
+          overlap_obstacle(slave, s, *master.obstacle, master.motion, reach, points);
           return points;
         }
       candidates.clear();
@@ -122,7 +123,10 @@ namespace Amontons
       points = without_steps(slave, std::move(points));
     for (auto &p : points)
       {
-        apply_declared_gap(pair, slave.faces[p.slave_face].size, p);
+        if (!moved)
+          apply_declared_gap(pair, slave.faces[p.slave_face].size, p);
+        else if (pair.initial_gap)
+          p.gap += pair.initial_gap->value(as_3d(slave.reference_position(p.slave_face, p.xi_slave)), 0);
         p.weight *= area_factor(axisymmetric, p.x_slave);
       }
     return points;
@@ -134,12 +138,14 @@ namespace Amontons
                 const MasterSide<2> &,
                 const double,
                 const bool,
-                const MPI_Comm);
+                const MPI_Comm,
+                const bool);
   template std::vector<OverlapPoint<3>>
   find_overlaps(const PairData &,
                 const ContactSurface<3> &,
                 const MasterSide<3> &,
                 const double,
                 const bool,
-                const MPI_Comm);
+                const MPI_Comm,
+                const bool);
 } // namespace Amontons

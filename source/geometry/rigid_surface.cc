@@ -132,7 +132,7 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  std::optional<Point<dim>>
+  std::optional<SurfacePoint<dim>>
   project_to_obstacle(const ObstacleData &obstacle, const Point<dim> &x, const Tensor<1, dim> &n)
   {
     Point<dim> centre;
@@ -148,21 +148,41 @@ namespace Amontons
     else if (!is_sphere && !is_cylinder)
       up = direction<dim>(obstacle.normal);
 
-    const AxialLine<dim>  line(centre, up, x, n);
-    const bool            is_limited = obstacle.size > 0 && !is_sphere && !is_cylinder;
-    std::optional<double> nearest;
+    const AxialLine<dim>    line(centre, up, x, n);
+    const bool              is_limited = obstacle.size > 0 && !is_sphere && !is_cylinder;
+    std::optional<Hit<dim>> nearest;
     for (const Hit<dim> &hit : meet(obstacle, line, up))
       if (n * hit.normal < 0 &&
           (!is_limited || (line.t0 + hit.g * line.t1).norm() <= obstacle.size * (1 + 1e-12)) &&
-          (!nearest || std::abs(hit.g) < std::abs(*nearest)))
-        nearest = hit.g;
+          (!nearest || std::abs(hit.g) < std::abs(nearest->g)))
+        nearest = hit;
     if (!nearest)
       return {};
-    return x + *nearest * n;
+    return SurfacePoint<dim>{x + nearest->g * n, nearest->normal / nearest->normal.norm()};
   }
 
-  template std::optional<Point<2>>
-  project_to_obstacle(const ObstacleData &, const Point<2> &, const Tensor<1, 2> &);
-  template std::optional<Point<3>>
-  project_to_obstacle(const ObstacleData &, const Point<3> &, const Tensor<1, 3> &);
+  // Lines are taken back to the obstacle at rest; A^-T takes its normals forward.
+  template <int dim>
+  std::optional<SurfacePoint<dim>>
+  project_to_obstacle(const ObstacleData   &obstacle,
+                      const AffineMap<dim> &motion,
+                      const Point<dim>     &x,
+                      const Tensor<1, dim> &n)
+  {
+    const Tensor<2, dim> back = invert(motion.A);
+    auto                 foot = project_to_obstacle(obstacle, motion.origin_of(x), back * n);
+    if (!foot)
+      return {};
+    const Tensor<1, dim> normal = transpose(back) * foot->normal;
+    return SurfacePoint<dim>{motion(foot->x), normal / normal.norm()};
+  }
+
+#define INSTANTIATE(dim)                                                                                     \
+  template std::optional<SurfacePoint<dim>> project_to_obstacle(                                             \
+      const ObstacleData &, const Point<dim> &, const Tensor<1, dim> &);                                     \
+  template std::optional<SurfacePoint<dim>> project_to_obstacle(                                             \
+      const ObstacleData &, const AffineMap<dim> &, const Point<dim> &, const Tensor<1, dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Amontons

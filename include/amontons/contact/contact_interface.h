@@ -33,12 +33,21 @@ namespace Amontons
   std::vector<ContactInterface<dim>>
   make_interfaces(const Discretization<dim> &discretization, const std::vector<bool> &first_is_slave);
 
-  // Fills the couplings; `supports` tells which slave nodes cannot carry a multiplier.
+  // Takes both sides to where u (readable at all their DoFs) puts them.
+  template <int dim>
+  void
+  move_interface(const Discretization<dim> &discretization,
+                 const LA::Vector          &u,
+                 ContactInterface<dim>     &interface);
+
+  // Fills the couplings; `supports` tells which slave nodes cannot carry a multiplier. moved: see
+  // find_overlaps.
   template <int dim>
   void
   integrate_couplings(const Discretization<dim>          &discretization,
                       const Constraints                  &supports,
-                      std::vector<ContactInterface<dim>> &interfaces);
+                      std::vector<ContactInterface<dim>> &interfaces,
+                      const bool                          moved = false);
 
   // The answer on one slave surface: by slave node.
   template <int dim>

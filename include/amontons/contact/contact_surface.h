@@ -12,6 +12,7 @@ namespace Amontons
   struct SurfaceNode
   {
     Point<dim>                               X; // reference position
+    Point<dim>                               x; // current position: X until the surface is moved
     std::array<types::global_dof_index, dim> dofs;
     Tensor<1, dim> normal; // unit, outward: mean over the faces that meet here; within symmetry planes
     // A hanging node: its displacement is sum of weight x that of these nodes, which do not hang. Else empty.
@@ -27,7 +28,7 @@ namespace Amontons
   {
     std::vector<unsigned int> nodes; // (degree+1)^(dim-1), lexicographic
     std::vector<Point<dim>>
-               geometry; // true surface: lattice of (geometry_degree+1)^(dim-1) points, lexicographic
+               geometry; // true surface, as it lies now: (geometry_degree+1)^(dim-1) points, lexicographic
     double     sign;     // of the outward normal against the cross product of the tangents
     double     size;
     Point<dim> centre;
@@ -80,6 +81,19 @@ namespace Amontons
     // With `own` of several surfaces made before, ranks that have faces of one only work at the same time.
     ContactSurface(const Discretization<dim> &discretization, const BoundaryName &name, OwnedFaces<dim> own);
 
+    // To where u (readable at all DoFs of the surface) takes the reference geometry: lattice points by
+    // interpolation, exact up to geometry_degree. Normals and sizes are made anew, mean_size stays.
+    void
+    move(const LA::Vector &u);
+
+    // d(nodal normal)/d(displacement), for nodes of faces.
+    std::vector<std::pair<types::global_dof_index, Tensor<1, dim>>>
+    normal_gradient(const unsigned int node) const;
+
+    Point<dim>
+    reference_position(const unsigned int face, const Point<dim - 1> &xi) const;
+
+    // All that follows refers to the surface as it lies now.
     Point<dim>
     position(const unsigned int face, const Point<dim - 1> &xi) const;
     // Position and tangent vectors dX/dxi_k.
@@ -121,7 +135,17 @@ namespace Amontons
     void
     make_controls();
     void
-                              make_normals(const Discretization<dim> &discretization);
-    const IndexSet::size_type n_dofs;
+    find_symmetry_planes(const Discretization<dim> &discretization);
+    void
+    find_sharpest_edge();
+    void
+    measure(SurfaceFace<dim> &face) const;
+    void
+    make_normals();
+
+    const IndexSet::size_type            n_dofs;
+    std::vector<std::vector<Point<dim>>> reference_geometry; // by face
+    // By node: the faces there and its place in them.
+    std::vector<std::vector<std::pair<unsigned int, unsigned int>>> faces_at;
   };
 } // namespace Amontons

@@ -18,9 +18,9 @@ namespace Amontons
   {
     unsigned int   slave_face, master_face; // master_face: invalid for an analytic obstacle
     Point<dim - 1> xi_slave, xi_master;
-    Point<dim>     x_slave, x_master; // reference positions on the true surfaces
+    Point<dim>     x_slave, x_master; // positions on the true surfaces as they lie
     Tensor<1, dim> normal;            // unit, outward from the slave
-    double         gap;               // initial gap along the normal (or as the scene declares it)
+    double         gap;               // along the normal (or as the scene declares it)
     double         weight;            // slave area, in axisymmetric scenes of the full turn
 
     template <class Archive>
@@ -44,7 +44,8 @@ namespace Amontons
     unsigned int   node; // of the slave surface: the node that is eliminated
     double         area;
     double         gap;
-    Tensor<1, dim> normal; // int psi n / area; not of unit length on curved surfaces
+    Tensor<1, dim> normal;     // int psi n / area; not of unit length on curved surfaces
+    Tensor<1, dim> gap_vector; // int psi g n / area
     std::vector<std::pair<NodeDofs<dim>, double>> slave, master;
     std::vector<std::pair<unsigned int, double>>
         traces; // int psi B_j dA, by slave node: traces of the control values

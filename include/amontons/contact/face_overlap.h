@@ -60,18 +60,20 @@ namespace Amontons
                 const double                     reach,
                 std::vector<OverlapPoint<3>>    &points);
 
-  // The same for an obstacle. Its edges on the slave face are found by bisection; in 3D on the edges of a
-  // lattice of 8 x 8 squares, and are straight between.
+  // The same for an obstacle that `motion` has taken to where it is. Its edges on the slave face are found by
+  // bisection; in 3D on the edges of a lattice of 8 x 8 squares, and are straight between.
   void
   overlap_obstacle(const ContactSurface<2>      &slave,
                    const unsigned int            slave_face,
                    const ObstacleData           &obstacle,
+                   const AffineMap<2>           &motion,
                    const double                  reach,
                    std::vector<OverlapPoint<2>> &points);
   void
   overlap_obstacle(const ContactSurface<3>      &slave,
                    const unsigned int            slave_face,
                    const ObstacleData           &obstacle,
+                   const AffineMap<3>           &motion,
                    const double                  reach,
                    std::vector<OverlapPoint<3>> &points);
 } // namespace Amontons

@@ -3,23 +3,31 @@
 
 #include <amontons/contact/contact_surface.h>
 #include <amontons/contact/coupling.h>
+#include <amontons/geometry/affine_map.h>
 #include <amontons/geometry/rigid_surface.h>
 
 #include <functional>
 
 namespace Amontons
 {
+  // The motion of carrier m; u readable at its DoFs.
+  template <int dim>
+  AffineMap<dim>
+  carrier_motion(const Discretization<dim> &discretization, const unsigned int m, const LA::Vector &u);
+
   // The side that receives the multiplier: a meshed surface or an analytic obstacle.
   template <int dim>
   struct MasterSide
   {
     const ContactSurface<dim> *surface  = nullptr;
     const ObstacleData        *obstacle = nullptr;
-    unsigned int               carrier  = 0; // of the obstacle
+    unsigned int               carrier  = 0; // of the obstacle, and where it has taken it
+    AffineMap<dim>             motion;
   };
 
   // All overlaps of the pair whose gap is at most `reach`; gaps as the pair declares them (`Initial gap`,
-  // `Adjust`). Throws InputError where the bodies overlap without a declared interference. `pair` gives names
+  // `Adjust`). Throws InputError where the bodies overlap without a declared interference. Where the bodies
+  // have moved, gaps may be negative, and a declared one is added to the geometric one. `pair` gives names
   // for messages. Collective: each rank searches for every n-th slave face, wherever its cell is (often one
   // rank has all of them), and all get all points, in the order of the slave faces.
   template <int dim>
@@ -29,7 +37,8 @@ namespace Amontons
                 const MasterSide<dim>     &master,
                 const double               reach,
                 const bool                 axisymmetric,
-                const MPI_Comm             communicator);
+                const MPI_Comm             communicator,
+                const bool                 moved = false);
 
   // carries_multiplier: by slave node, false where supports own the node whole. `points` in the order of the
   // slave faces. Collective: each rank integrates over its part of the points, and all get all rows, equal to

@@ -1,0 +1,63 @@
+// Derivatives of the coupling of moved surfaces by the displacement: what the exact tangent of large sliding
+// needs.
+#pragma once
+
+#include <amontons/contact/contact_interface.h>
+
+namespace Amontons
+{
+  using Gradient = std::map<types::global_dof_index, double>; // df/du
+
+  // Of CouplingRow::gap, normal and area.
+  template <int dim>
+  struct RowGradient
+  {
+    Gradient                  gap;
+    std::array<Gradient, dim> normal;
+    Gradient                  area;
+  };
+
+  struct SurfaceMatrix
+  {
+    std::vector<types::global_dof_index> dofs;
+    FullMatrix<double>                   matrix; // rows: of the force, columns: of the displacement
+  };
+
+  template <int dim>
+  class FaceDerivatives;
+
+  // For the surfaces where they are now and the coupling integrated there (`moved`). Exact derivatives of the
+  // discrete integrals, quadrature and segments included, but for what is decided by comparison: which pieces
+  // count (`reach`, steps, slivers), the edges of obstacles, and the lower bound of gaps that are open all
+  // around. DoFs of hanging nodes count like others.
+  template <int dim>
+  class CouplingDerivatives
+  {
+  public:
+    // wanted: by coupling row; the others' gradients stay empty, and only faces of these rows cost anything.
+    // Collective.
+    CouplingDerivatives(const Discretization<dim>   &discretization,
+                        const ContactInterface<dim> &interface,
+                        const std::vector<bool>     &wanted);
+    ~CouplingDerivatives();
+
+    // By coupling row, the same on every rank.
+    const std::vector<RowGradient<dim>> &
+    rows() const
+    {
+      return gradients;
+    }
+
+    // df/du of the forces f_d = sum_i area_i t_i . dDelta_i/du_d: on traces of the slave sum_i t_i int psi_i
+    // B_j, on the master -sum_i t_i int psi_i N_q, with the tractions t_i held fixed (by row; those not
+    // wanted count as zero). This rank's part; the sum over ranks is the whole.
+    std::vector<SurfaceMatrix>
+    stiffness(const std::vector<Tensor<1, dim>> &tractions) const;
+
+  private:
+    const ContactInterface<dim>      &interface;
+    const std::vector<bool>           wanted;
+    std::vector<RowGradient<dim>>     gradients;
+    std::vector<FaceDerivatives<dim>> faces; // of this rank
+  };
+} // namespace Amontons

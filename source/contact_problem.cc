@@ -25,9 +25,11 @@ namespace Amontons
                                       const Parameters  &parameters,
                                       const std::string &output_folder,
                                       const bool         quiet)
-      : scene(scene), has_history(std::any_of(scene.pairs.begin(),
-                                              scene.pairs.end(),
-                                              [](const PairData &pair) { return pair.has_friction(); })),
+      : scene(scene), finite_strain(scene.kinematics == Kinematics::finite_strain),
+        has_history(std::any_of(scene.pairs.begin(),
+                                scene.pairs.end(),
+                                [](const PairData &pair) { return pair.has_friction(); })),
+        incremental(has_history || finite_strain),
         parameters(parameters), folder(output_folder), communicator(MPI_COMM_WORLD),
         terminal(communicator, quiet), timer(std::cout, TimerOutput::never, TimerOutput::wall_times),
         geometry(communicator), vtu(output_folder, communicator)
@@ -41,7 +43,7 @@ namespace Amontons
     terminal.scene(scene, Utilities::MPI::n_mpi_processes(communicator));
     if (scene.reference)
       reference = make_reference_solution(scene.reference->solution, scene);
-    state.t = LoadProgram(scene, has_history).next();
+    state.t = LoadProgram(scene, incremental).next();
     make_mesh();
     rebuild();
     refine_where_bodies_are_close();
@@ -63,7 +65,7 @@ namespace Amontons
     TimerOutput::Scope scope(timer, "mesh");
     make_geometry(scene, geometry);
     discretization = std::make_unique<Discretization<dim>>(scene, geometry, parameters.discretization.degree);
-    elasticity     = std::make_unique<ElasticityOperator<dim>>(*discretization);
+    elasticity     = std::make_unique<ElasticityOperator<dim>>(*discretization, finite_strain);
     discretization->distribute_dofs();
     first_is_slave = choose_slaves(*discretization);
   }
@@ -179,6 +181,20 @@ namespace Amontons
   {
     if (state.displacement.size() != discretization->dof_handler.n_dofs())
       state.displacement = discretization->make_relevant_vector();
+    unsigned int iteration = 0;
+    const auto   observer  = [&](const NewtonReport::Iteration &step) {
+      IterationLine line;
+      line.iteration         = ++iteration;
+      line.residual          = step.residual;
+      line.n_open            = step.n_open;
+      line.n_stick           = step.n_stick;
+      line.n_slip            = step.n_slip;
+      line.changes           = step.n_changes;
+      line.krylov_iterations = step.krylov;
+      terminal.iteration(line);
+    };
+    if (finite_strain)
+      return iterate_with_finite_strain(observer);
     {
       TimerOutput::Scope scope(timer, "assemble stiffness");
       if (elasticity->n_cells() == 0)
@@ -186,19 +202,44 @@ namespace Amontons
       loads = assemble_loads(*discretization, state.t, covered_points());
     }
     SemismoothNewton<dim> newton(parameters.newton, parameters.linear_solver, *discretization, timer);
-    unsigned int          iteration = 0;
-    return newton.solve(
-        *elasticity, interfaces, supports, loads, state, [&](const NewtonReport::Iteration &step) {
-          IterationLine line;
-          line.iteration         = ++iteration;
-          line.residual          = step.residual;
-          line.n_open            = step.n_open;
-          line.n_stick           = step.n_stick;
-          line.n_slip            = step.n_slip;
-          line.changes           = step.n_changes;
-          line.krylov_iterations = step.krylov;
-          terminal.iteration(line);
-        });
+    return newton.solve(*elasticity, interfaces, supports, loads, state, observer);
+  }
+
+  template <int dim>
+  NewtonReport
+  ContactProblem<dim>::iterate_with_finite_strain(const typename SemismoothNewton<dim>::Observer &observer)
+  {
+    FollowerLoads follower;
+    follower.forces = [&](const LA::Vector &u) {
+      return assemble_loads(*discretization, state.t, covered_points(), &u);
+    };
+    follower.stiffness = [&](const LA::Vector &u) {
+      std::vector<RectangularMatrix> matrices;
+      for (auto &part : pressure_stiffness(*discretization, state.t, u))
+        {
+          part.matrix *= -1;
+          matrices.push_back({part.dofs, part.dofs, part.matrix});
+        }
+      return matrices;
+    };
+    FiniteNewton<dim> newton(parameters.newton, parameters.linear_solver, *discretization, timer);
+    const auto        report = newton.solve(*elasticity, interfaces, supports, follower, state, observer);
+    loads                    = follower.forces(state.displacement);
+    return report;
+  }
+
+  // Finite strain: couples the surfaces where state.displacement takes them.
+  template <int dim>
+  void
+  ContactProblem<dim>::move_surfaces()
+  {
+    if (!finite_strain)
+      return;
+    TimerOutput::Scope scope(timer, "contact surfaces");
+    for (auto &interface : interfaces)
+      if (!interface.pair->tied)
+        move_interface(*discretization, state.displacement, interface);
+    integrate_couplings(*discretization, supports, interfaces, true);
   }
 
   template <int dim>
@@ -307,7 +348,7 @@ namespace Amontons
         ReferenceData data = *scene.reference;
         mesh.reference     = compare(answer(), data, *reference);
       }
-    if (has_history) // known when the increment is committed
+    if (incremental) // known when the increment is committed
       mesh.external_work = mesh.contact_work = mesh.dissipation = unknown;
     summary.meshes.push_back(mesh);
     summary.one_linear_solve_seconds = report.one_linear_solve_seconds;
@@ -368,7 +409,7 @@ namespace Amontons
     summary.checks["negative_dissipation"] = negative;
     std::ostringstream text;
     text.precision(3);
-    if (work.energy_error > 1e-6)
+    if (work.energy_error > 1e-6 && !finite_strain)
       text << "the energy balance is violated by " << work.energy_error << " of the work";
     if (negative > 1e-9)
       text << (text.str().empty() ? "" : "; ") << "an increment had a negative dissipation, " << negative
@@ -406,7 +447,7 @@ namespace Amontons
         summary.reference       = last.reference;
         summary.reactions       = compute_reactions(answer());
         summary.checks          = check_physics(answer());
-        if (has_history)
+        if (incremental)
           add_energy_checks();
       }
     if (parameters.refinement.target_error > 0 && !(estimated_error() <= parameters.refinement.target_error))

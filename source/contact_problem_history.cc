@@ -9,7 +9,7 @@ namespace Amontons
   bool
   ContactProblem<dim>::run_load_program()
   {
-    LoadProgram program(scene, has_history);
+    LoadProgram program(scene, incremental);
     Failure     failure;
     start_history();
     while (!program.finished())
@@ -22,14 +22,14 @@ namespace Amontons
             commit(program);
             failure = Failure();
           }
-        else if (has_history && !failed_alike(failure) && program.cut_back())
+        else if (incremental && (finite_strain || !failed_alike(failure)) && program.cut_back())
           {
             failure = {last_report, loads, prescribed_values()};
             roll_back(state.t);
           }
         else
           {
-            if (has_history && program.number() > 1)
+            if (incremental && program.number() > 1)
               return_to_last_converged();
             return false;
           }
@@ -54,7 +54,7 @@ namespace Amontons
   void
   ContactProblem<dim>::commit(const LoadProgram &program)
   {
-    if (has_history)
+    if (incremental)
       {
         work.add(answer());
         auto &mesh         = summary.meshes.back();
@@ -95,6 +95,7 @@ namespace Amontons
         state.displacement = discretization->make_relevant_vector();
       }
     state.t = -1; // the supports are still those of the failed time
+    move_surfaces();
   }
 
   // Values that supports prescribe, on the owned DoFs.
@@ -149,7 +150,9 @@ namespace Amontons
     const double t = state.t;
     state.t        = -1;
     set_time(t);
-    loads = assemble_loads(*discretization, t, covered_points());
+    move_surfaces();
+    loads =
+        assemble_loads(*discretization, t, covered_points(), finite_strain ? &state.displacement : nullptr);
     collect_fields();
     recovery->recover(state.displacement);
     std::ostringstream text;
@@ -203,8 +206,9 @@ namespace Amontons
     const LA::Vector traction_at_end = state.traction;
     const auto       peaks_at_end    = state.peaks;
     state.displacement               = state.committed;
-    state.traction                   = last_converged.traction;
-    state.peaks                      = last_converged.peaks;
+    move_surfaces();
+    state.traction = last_converged.traction;
+    state.peaks    = last_converged.peaks;
     carry_active_set();
     terminal.note("equilibrium of the transferred state at t = " + std::to_string(state.t));
     const auto report = iterate();
@@ -228,7 +232,7 @@ namespace Amontons
   void
   ContactProblem<dim>::remember_path()
   {
-    if (parameters.refinement.history != "replay" || cycle >= parameters.refinement.cycles)
+    if (!has_history || parameters.refinement.history != "replay" || cycle >= parameters.refinement.cycles)
       return;
     make_traction_field();
     path.push_back({state.t, state.displacement, state.traction, state.peaks});
@@ -245,6 +249,7 @@ namespace Amontons
           state.displacement = point.displacement;
           state.traction     = point.traction;
           state.peaks        = point.peaks;
+          move_surfaces();
           carry_active_set();
         }
   }

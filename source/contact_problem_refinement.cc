@@ -26,6 +26,8 @@ namespace Amontons
   bool
   ContactProblem<dim>::widen_reach()
   {
+    if (finite_strain) // surfaces are searched wherever they are
+      return false;
     bool too_short = false;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
@@ -112,6 +114,7 @@ namespace Amontons
     refine_and_transfer(*discretization, geometry, moving, [&]() { rebuild(); });
     ++mesh_number;
     ++cycle;
+    move_surfaces();
     carry_active_set();
     return true;
   }

@@ -9,7 +9,7 @@
 #include <amontons/output/terminal.h>
 #include <amontons/output/vtu_output.h>
 #include <amontons/solver/load_program.h>
-#include <amontons/solver/semismooth_newton.h>
+#include <amontons/solver/finite_newton.h>
 
 namespace Amontons
 {
@@ -85,6 +85,10 @@ namespace Amontons
     solve_on_mesh(const LoadProgram &program);
     NewtonReport
     iterate();
+    NewtonReport
+    iterate_with_finite_strain(const typename SemismoothNewton<dim>::Observer &observer);
+    void
+    move_surfaces();
     bool
     rebalance(const LoadProgram &program);
     bool
@@ -131,7 +135,9 @@ namespace Amontons
     covered_points() const;
 
     const Scene         scene;
-    const bool          has_history; // friction
+    bool                finite_strain;
+    bool                has_history; // friction: the answer depends on the path of the load
+    bool                incremental; // it is applied in increments
     const Parameters   &parameters;
     const std::string   folder;
     const MPI_Comm      communicator;

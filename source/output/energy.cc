@@ -5,18 +5,28 @@ namespace Amontons
 {
   namespace
   {
-    // What acts on the bodies from outside: loads and forces of the supports. The residual K u - contact
-    // forces holds both, and on unconstrained DoFs what the iteration left unbalanced, which is no work.
     template <int dim>
     LA::Vector
-    external_forces(const Answer<dim> &answer)
+    contact_force_vector(const Answer<dim> &answer)
+    {
+      LA::Vector result = answer.discretization.make_owned_vector();
+      for (const auto &[dof, force] : contact_forces(answer))
+        if (answer.discretization.locally_owned.is_element(dof))
+          result(dof) += force;
+      result.compress(VectorOperation::add);
+      return result;
+    }
+
+    // What acts on the bodies from outside: loads and forces of the supports. The internal forces without
+    // those of contact hold both, and on unconstrained DoFs what the iteration left unbalanced, which is no
+    // work.
+    template <int dim>
+    LA::Vector
+    external_forces(const Answer<dim> &answer, const LA::Vector &contact)
     {
       const IndexSet &owned  = answer.discretization.locally_owned;
       LA::Vector      forces = answer.elasticity.internal_forces(answer.state.displacement);
-      for (const auto &[dof, force] : contact_forces(answer))
-        if (owned.is_element(dof))
-          forces(dof) -= force;
-      forces.compress(VectorOperation::add);
+      forces -= contact;
       LA::Vector unbalanced = forces;
       unbalanced -= answer.loads;
       unbalanced = condense(unbalanced, answer.supports, answer.discretization.make_owned_vector());
@@ -42,70 +52,43 @@ namespace Amontons
     const double stored = stored_energy(answer);
     transferred_energy += stored - energy;
     energy   = stored;
-    external = external_forces(answer);
-    remember_tractions(answer);
-  }
-
-  template <int dim>
-  void
-  WorkDone<dim>::remember_tractions(const Answer<dim> &answer)
-  {
-    tractions.assign(answer.interfaces.size(), {});
-    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
-      {
-        const auto &rows = answer.interfaces[i].coupling.rows;
-        tractions[i].resize(answer.interfaces[i].slave->nodes.size());
-        for (unsigned int r = 0; r < rows.size(); ++r)
-          tractions[i][rows[r].node] = {answer.state.pressures[i][r], answer.state.shears[i][r]};
-      }
+    contact  = contact_force_vector(answer);
+    external = external_forces(answer, contact);
   }
 
   template <int dim>
   void
   WorkDone<dim>::add(const Answer<dim> &answer)
   {
-    const SolutionState &state   = answer.state;
-    const bool           started = state.committed.size() == state.displacement.size();
-    const LA::Vector     now     = external_forces(answer);
-    const bool           known   = external.size() == now.size();
-    double               work    = 0;
+    const SolutionState &state       = answer.state;
+    const bool           started     = state.committed.size() == state.displacement.size();
+    const LA::Vector     contact_now = contact_force_vector(answer),
+                     external_now    = external_forces(answer, contact_now);
+    const bool known                 = external.size() == external_now.size();
+    double     work = 0, by_contact = 0;
     for (const auto dof : answer.discretization.locally_owned)
-      work += 0.5 * (now(dof) + (known ? external(dof) : 0.)) *
-              (state.displacement(dof) - (started ? state.committed(dof) : 0.));
-    work     = Utilities::MPI::sum(work, answer.discretization.geometry.communicator);
-    external = now;
-
-    double contact = 0, friction = 0;
-    if (tractions.empty())
-      tractions.resize(answer.interfaces.size());
-    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       {
-        const auto &rows = answer.interfaces[i].coupling.rows;
-        tractions[i].resize(answer.interfaces[i].slave->nodes.size());
-        for (unsigned int r = 0; r < rows.size(); ++r)
-          {
-            const auto &[old_pressure, old_shear] = tractions[i][rows[r].node];
-            const double p                        = state.pressures[i][r];
-            const auto  &q                        = state.shears[i][r];
-            const auto   change = started ? jump(rows[r], state.displacement) - jump(rows[r], state.committed)
-                                          : jump(rows[r], state.displacement);
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                const double mean = 0.5 * ((p + old_pressure) * rows[r].normal[d] + q[d] + old_shear[d]);
-                contact += rows[r].area * mean * change[d];
-              }
-            friction += rows[r].area * (q * state.slips[i][r]);
-          }
+        const double change = state.displacement(dof) - (started ? state.committed(dof) : 0.);
+        work += 0.5 * (external_now(dof) + (known ? external(dof) : 0.)) * change;
+        by_contact -= 0.5 * (contact_now(dof) + (known ? contact(dof) : 0.)) * change;
       }
-    remember_tractions(answer);
+    work       = Utilities::MPI::sum(work, answer.discretization.geometry.communicator);
+    by_contact = Utilities::MPI::sum(by_contact, answer.discretization.geometry.communicator);
+    external   = external_now;
+    contact    = contact_now;
+
+    double friction = 0;
+    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
+      for (unsigned int r = 0; r < answer.interfaces[i].coupling.rows.size(); ++r)
+        friction += answer.interfaces[i].coupling.rows[r].area * (state.shears[i][r] * state.slips[i][r]);
     const double stored = stored_energy(answer);
     external_work += work;
-    contact_work += contact;
+    contact_work += by_contact;
     dissipation += friction;
     smallest_dissipation = std::min(smallest_dissipation, friction);
     largest_work         = std::max({largest_work, std::abs(external_work), stored});
     if (largest_work > 0)
-      energy_error = std::max(energy_error, std::abs(work - (stored - energy) - contact) / largest_work);
+      energy_error = std::max(energy_error, std::abs(work - (stored - energy) - by_contact) / largest_work);
     energy = stored;
   }
 

@@ -19,11 +19,14 @@ namespace Amontons
       Point<dim>   X;
     };
 
-    // Of the owned DoFs, in their order; those of rigid bodies and carriers have no body.
+    // Of the owned DoFs, in their order; those of rigid bodies and carriers have no body. Finite strain: where they
+    // are now.
     template <int dim>
     std::vector<Place<dim>>
-    locate_dofs(const Discretization<dim> &discretization)
+    locate_dofs(const Answer<dim> &answer)
     {
+      const auto                          &discretization = answer.discretization;
+      const bool                           moved = answer.elasticity.finite_strain();
       const auto                          &fe    = discretization.fe;
       const auto                          &base  = fe.base_element(0);
       const IndexSet                      &owned = discretization.locally_owned;
@@ -41,9 +44,11 @@ namespace Amontons
             for (unsigned int i = 0; i < dofs.size(); ++i)
               if (owned.is_element(dofs[i]))
                 {
-                  const auto [c, node]                    = fe.system_to_component_index(i);
-                  places[owned.index_within_set(dofs[i])] = {
-                      cell->material_id(), c, values.quadrature_point(node)};
+                  const auto [c, node] = fe.system_to_component_index(i);
+                  Point<dim> X         = values.quadrature_point(node);
+                  for (unsigned int d = 0; moved && d < dim; ++d)
+                    X[d] += answer.state.displacement(dofs[fe.component_to_system_index(d, node)]);
+                  places[owned.index_within_set(dofs[i])] = {cell->material_id(), c, X};
                 }
           }
       return places;
@@ -193,7 +198,7 @@ namespace Amontons
     const auto                  &discretization = answer.discretization;
     const auto                  &fe             = discretization.fe;
     const IndexSet              &owned          = discretization.locally_owned;
-    const auto                   places         = locate_dofs(discretization);
+    const auto                   places         = locate_dofs(answer);
     const auto                   forces         = support_forces(answer, places);
     std::vector<bool>            counted(places.size(), false);
     std::vector<ReactionSummary> reactions;
@@ -284,7 +289,7 @@ namespace Amontons
 
     // By body: the supports' forces are what is missing for equilibrium on constrained DoFs; elsewhere
     // nothing may be missing.
-    const auto          places = locate_dofs(answer.discretization);
+    const auto          places = locate_dofs(answer);
     const auto          forces = support_forces(answer, places);
     const IndexSet     &owned  = answer.discretization.locally_owned;
     std::vector<double> sums(2, 0.);

@@ -82,6 +82,11 @@ namespace Amontons
       declare_mesh(prm);
       prm.declare_entry("Young modulus", "1", Patterns::Double(0), "Young's modulus, positive.");
       prm.declare_entry("Poisson ratio", "0.3", Patterns::Double(), "Poisson's ratio, between -1 and 0.5.");
+      prm.declare_entry("Law",
+                        "neo-Hookean",
+                        Patterns::Selection("neo-Hookean|St. Venant-Kirchhoff"),
+                        "neo-Hookean | St. Venant-Kirchhoff. Finite strain only; small strain is linear "
+                        "elastic. St. Venant-Kirchhoff: large rotations at small strain.");
       prm.declare_entry(
           "Body force", "", anything, "Force per volume, 'fx; fy[; fz]', expressions of x, y, z, t.");
       prm.declare_entry("Rigid",
@@ -220,6 +225,13 @@ namespace Amontons
                       Patterns::Selection("plane strain|plane stress|axisymmetric|3D"),
                       "plane strain | plane stress | axisymmetric | 3D. axisymmetric: x is the radius (r in "
                       "expressions) and y the axis; forces are for the full turn.");
+    prm.declare_entry("Kinematics",
+                      "small strain",
+                      Patterns::Selection("small strain|finite strain|auto"),
+                      "small strain | finite strain | auto. small strain: linear, with contact surfaces where "
+                      "they were at the start. finite strain: large deformation, rotation and sliding. auto: "
+                      "small strain, then finite strain if that would change the answer by more than the "
+                      "target error.");
     prm.declare_entry(
         "End time", "1", Patterns::Double(0), "Loads are functions of a time t from 0 to this one.");
     prm.declare_entry("Increments",

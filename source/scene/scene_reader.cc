@@ -17,6 +17,10 @@ namespace Amontons
       scene.title = top.text("Title");
       scene.file  = input.file;
       scene.kind  = input.kind;
+      const std::string kinematics = top.text("Kinematics");
+      scene.kinematics             = kinematics == "small strain"    ? Kinematics::small_strain
+                                     : kinematics == "finite strain" ? Kinematics::finite_strain
+                                                                     : Kinematics::automatic;
       read_load_program(top, scene);
       if (reference.is_given("Solution"))
         scene.reference = ReferenceData{reference.field("Solution"), reference.text("Contact")};

@@ -68,6 +68,42 @@ namespace Amontons
   }
 
   template <int dim>
+  CandidateNode<dim>
+  make_contact_node(const Discretization<dim>                &discretization,
+                    const std::vector<ContactInterface<dim>> &interfaces,
+                    const unsigned int                        interface,
+                    const unsigned int                        row_number,
+                    const double                              scaling,
+                    const bool                                with_components)
+  {
+    const auto        &slave        = *interfaces[interface].slave;
+    const auto        &pair         = *interfaces[interface].pair;
+    const double       modulus      = contact_modulus(discretization.scene.bodies[slave.body].material);
+    const auto        &row          = interfaces[interface].coupling.rows[row_number];
+    const auto        &surface_node = slave.nodes[row.node];
+    CandidateNode<dim> node;
+    node.interface  = interface;
+    node.row        = row_number;
+    node.tied       = pair.tied;
+    node.frictional = pair.has_friction();
+    node.rounding   = 1e-14 * modulus;
+    node.area       = row.area;
+    node.c          = scaling * modulus / slave.mean_size;
+    node.gap        = pair.tied ? 0. : row.gap;
+    node.normal     = row.normal;
+    for (unsigned int c = 0; c < dim; ++c)
+      node.X[c] = surface_node.X[c];
+    node.closing = equation_along(row.normal, node.gap, row, surface_node);
+    for (unsigned int c = 0; (with_components || node.tied || node.frictional) && c < dim; ++c)
+      {
+        Tensor<1, dim> unit;
+        unit[c]            = 1;
+        node.components[c] = equation_along(unit, 0, row, surface_node);
+      }
+    return node;
+  }
+
+  template <int dim>
   std::vector<CandidateNode<dim>>
   collect_contact_nodes(const Discretization<dim>                &discretization,
                         const std::vector<ContactInterface<dim>> &interfaces,
@@ -75,36 +111,8 @@ namespace Amontons
   {
     std::vector<CandidateNode<dim>> nodes;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      {
-        const auto  &slave   = *interfaces[i].slave;
-        const auto  &pair    = *interfaces[i].pair;
-        const double modulus = contact_modulus(discretization.scene.bodies[slave.body].material);
-        for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
-          {
-            const auto        &row          = interfaces[i].coupling.rows[r];
-            const auto        &surface_node = slave.nodes[row.node];
-            CandidateNode<dim> node;
-            node.interface  = i;
-            node.row        = r;
-            node.tied       = pair.tied;
-            node.frictional = pair.has_friction();
-            node.rounding   = 1e-14 * modulus;
-            node.area       = row.area;
-            node.c          = scaling * modulus / slave.mean_size;
-            node.gap        = pair.tied ? 0. : row.gap;
-            node.normal     = row.normal;
-            for (unsigned int c = 0; c < dim; ++c)
-              node.X[c] = surface_node.X[c];
-            node.closing = equation_along(row.normal, node.gap, row, surface_node);
-            for (unsigned int c = 0; (node.tied || node.frictional) && c < dim; ++c)
-              {
-                Tensor<1, dim> unit;
-                unit[c]            = 1;
-                node.components[c] = equation_along(unit, 0, row, surface_node);
-              }
-            nodes.push_back(node);
-          }
-      }
+      for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
+        nodes.push_back(make_contact_node(discretization, interfaces, i, r, scaling));
     return nodes;
   }
 
@@ -227,6 +235,20 @@ namespace Amontons
     return closed;
   }
 
+  template CandidateNode<2>
+  make_contact_node(const Discretization<2> &,
+                    const std::vector<ContactInterface<2>> &,
+                    const unsigned int,
+                    const unsigned int,
+                    const double,
+                    const bool);
+  template CandidateNode<3>
+  make_contact_node(const Discretization<3> &,
+                    const std::vector<ContactInterface<3>> &,
+                    const unsigned int,
+                    const unsigned int,
+                    const double,
+                    const bool);
   template struct CandidateNode<2>;
   template struct CandidateNode<3>;
   template std::vector<CandidateNode<2>>

@@ -10,7 +10,8 @@ namespace Amontons
   template <int dim>
   FloatingBodies<dim>::FloatingBodies(const Discretization<dim>                &discretization,
                                       const Constraints                        &supports,
-                                      const std::vector<ContactInterface<dim>> &interfaces)
+                                      const std::vector<ContactInterface<dim>> &interfaces,
+                                      const LA::Vector                         *displacement)
       : discretization(discretization), places(discretization.relevant.n_elements())
   {
     const Scene       &scene    = discretization.scene;
@@ -42,7 +43,10 @@ namespace Amontons
           for (unsigned int i = 0; i < dofs.size(); ++i)
             {
               const auto [component, node] = fe.system_to_component_index(i);
-              place(dofs[i])               = {cell->material_id(), component, values.quadrature_point(node)};
+              Point<dim> X                 = values.quadrature_point(node);
+              for (unsigned int d = 0; displacement != nullptr && d < dim; ++d)
+                X[d] += (*displacement)(dofs[fe.component_to_system_index(d, node)]);
+              place(dofs[i]) = {cell->material_id(), component, X};
             }
         }
     for (const auto &interface : interfaces)
@@ -51,7 +55,7 @@ namespace Amontons
           for (const auto &node : surface->nodes)
             for (unsigned int c = 0; c < dim; ++c)
               {
-                place(node.dofs[c]) = {surface->body, c, node.X};
+                place(node.dofs[c]) = {surface->body, c, node.x};
                 surface_dofs.push_back(node.dofs[c]);
               }
     for (unsigned int m = 0; m < discretization.carrier_dofs.size(); ++m)

@@ -23,8 +23,8 @@ namespace Amontons
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         const unsigned int i = nodes[k].interface, r = nodes[k].row;
-        const bool         known =
-            i < state.states.size() && state.states[i].size() == interfaces[i].coupling.rows.size();
+        const bool         known = r < interfaces[i].coupling.rows.size() && i < state.states.size() &&
+                           state.states[i].size() == interfaces[i].coupling.rows.size();
         if (nodes[k].tied)
           states[k] = ContactState::stick;
         else if (known)

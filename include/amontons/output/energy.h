@@ -5,12 +5,13 @@
 
 namespace Amontons
 {
-  // Sums over the increments of a load history on one mesh (small sliding: jumps are linear in u), with the
-  // contact traction -Lambda, Lambda = p n + q, on the slave:
-  //   external work  W = sum (e_old + e)/2 . (u - u_old)              loads and forces of moving supports
-  //   contact work   C = sum area (Lambda_old + Lambda)/2 . (Delta - Delta_old)
-  //   dissipation    D = sum area q . slip                            slip of the increment
-  // so that W = (change of the stored energy) + C in equilibrium. C - D vanishes with the increments.
+  // Sums over the increments of a load history on one mesh, by the trapezoidal rule, with the contact forces c on
+  // the bodies and e = internal forces - c, which holds loads and forces of moving supports:
+  //   external work  W = sum (e_old + e)/2 . (u - u_old)
+  //   contact work   C = - sum (c_old + c)/2 . (u - u_old)
+  //   dissipation    D = sum area q . slip                      slip of the increment
+  // so that W = (change of the stored energy) + C in equilibrium: exactly with small strain, else up to the third
+  // power of the increments. C - D vanishes with the increments.
   template <int dim>
   class WorkDone
   {
@@ -34,11 +35,7 @@ namespace Amontons
     double energy_error = 0, largest_work = 0;
 
   private:
-    void
-    remember_tractions(const Answer<dim> &answer);
-
-    double                                                    energy = 0;
-    LA::Vector                                                external;  // e of the last state
-    std::vector<std::vector<std::pair<double, Tensor<1, 3>>>> tractions; // (pressure, shear) by pair and node
+    double     energy = 0;
+    LA::Vector external, contact; // e and c of the last state
   };
 } // namespace Amontons

@@ -27,16 +27,31 @@ namespace Amontons
     three_dimensional
   };
 
+  enum class Kinematics
+  {
+    small_strain,
+    finite_strain, // Updated Lagrangian, large sliding
+    automatic      // small strain, repeated with finite strain if that would change the answer
+  };
+
   inline int
   dimension_of(const Kind kind)
   {
     return kind == Kind::three_dimensional ? 3 : 2;
   }
 
+  // Of finite strain; small strain is linear elastic.
+  enum class Law
+  {
+    neo_hookean,
+    st_venant_kirchhoff
+  };
+
   struct MaterialData
   {
     double young   = 1;
     double poisson = 0.3;
+    Law    law     = Law::neo_hookean;
   };
 
   // A curved boundary: circle (2D; sphere in 3D) about `centre`, cylinder about the axis (3D), or what a CAD
@@ -219,6 +234,7 @@ namespace Amontons
     std::string                  title;
     std::string                  file; // path as given
     Kind                         kind         = Kind::plane_strain;
+    Kinematics                   kinematics   = Kinematics::small_strain;
     double                       end_time     = 1;
     unsigned int                 n_increments = 0; // to start with, over the end time; 0: automatic
     double                       minimum_increment = 1e-4; // of the end time

@@ -31,6 +31,16 @@ namespace Amontons
     tangential(const Tensor<1, dim> &vector) const;
   };
 
+  // Of one coupling row. with_components: for frictionless nodes, too.
+  template <int dim>
+  CandidateNode<dim>
+  make_contact_node(const Discretization<dim>                &discretization,
+                    const std::vector<ContactInterface<dim>> &interfaces,
+                    const unsigned int                        interface,
+                    const unsigned int                        row,
+                    const double                              scaling,
+                    const bool                                with_components = false);
+
   template <int dim>
   std::vector<CandidateNode<dim>>
   collect_contact_nodes(const Discretization<dim>                &discretization,

@@ -13,14 +13,16 @@ namespace Amontons
   // The displacements of all bodies and carriers as rigid motions: v = sum_m q_m v_m with translations and
   // rotations (scaled by the body's size) of each. A constraint line u_d = sum a u_j is violated by e_m =
   // v_m,d - sum a v_m,j, a contact equation by a . v_m; the null space of S = sum e e^T over the lines are
-  // the motions that supports leave, that of S + C the ones that contact cannot hold either.
+  // the motions that supports leave, that of S + C the ones that contact cannot hold either. With a
+  // displacement (readable at relevant DoFs) the bodies are where it takes them.
   template <int dim>
   class FloatingBodies
   {
   public:
     FloatingBodies(const Discretization<dim>                &discretization,
                    const Constraints                        &supports,
-                   const std::vector<ContactInterface<dim>> &interfaces);
+                   const std::vector<ContactInterface<dim>> &interfaces,
+                   const LA::Vector                         *displacement = nullptr);
 
     // What the loads (raw) do on each motion; to be called before the functions below.
     void

@@ -41,6 +41,13 @@ namespace Amontons
     void
     start(const SolutionState &state, const std::vector<bool> &closed);
 
+    // A node that nothing is opposite of any more.
+    void
+    open(const unsigned int k)
+    {
+      states[k] = ContactState::open;
+    }
+
     // Changes states and laws; returns the number of nodes whose state changed. rounding: see
     // ActiveSetUpdate::update.
     unsigned int

@@ -1,0 +1,47 @@
+// The semismooth Newton iteration with large deformation and sliding.
+#pragma once
+
+#include <amontons/solver/moving_contact.h>
+#include <amontons/solver/semismooth_newton.h>
+
+namespace Amontons
+{
+  // External forces at displacements u, and the derivative of those that follow the surface.
+  struct FollowerLoads
+  {
+    std::function<LA::Vector(const LA::Vector &u)>                     forces;
+    std::function<std::vector<RectangularMatrix>(const LA::Vector &u)> stiffness; // - d forces/du
+  };
+
+  // As SemismoothNewton, for
+  //   internal forces(u) - contact forces(u, p, q) = loads(u),   gaps(u) >= 0, ...
+  // Each iteration integrates surfaces and bodies where they are, takes the multipliers from the residual of
+  // the rows that test functions of closed nodes leave, and linearises everything else: quadratic convergence
+  // once the states are found. Steps that invert a cell are halved; if that does not help, the report says
+  // where.
+  template <int dim>
+  class FiniteNewton
+  {
+  public:
+    FiniteNewton(const NewtonParameters       &parameters,
+                 const LinearSolverParameters &solver_parameters,
+                 const Discretization<dim>    &discretization,
+                 TimerOutput                  &timer);
+
+    // interfaces: in the end coupled at the result. state: displacement is the start and the result,
+    // committed the last converged one; states (if they fit the couplings) the first guess.
+    NewtonReport
+    solve(ElasticityOperator<dim>                        &elasticity,
+          std::vector<ContactInterface<dim>>             &interfaces,
+          const Constraints                              &supports,
+          const FollowerLoads                            &loads,
+          SolutionState                                  &state,
+          const typename SemismoothNewton<dim>::Observer &observer);
+
+  private:
+    const NewtonParameters       &parameters;
+    const LinearSolverParameters &solver_parameters;
+    const Discretization<dim>    &discretization;
+    TimerOutput                  &timer;
+  };
+} // namespace Amontons

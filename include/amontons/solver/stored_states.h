@@ -1,0 +1,16 @@
+// From an iteration to the state that outlives it.
+#pragma once
+
+#include <amontons/solver/node_states.h>
+
+namespace Amontons
+{
+  // Fills states, pressures, gaps, shears, trials and slips, by interface and coupling row.
+  template <int dim>
+  void
+  store_states(const std::vector<CandidateNode<dim>>    &nodes,
+               const NodeStates<dim>                    &states,
+               const std::vector<NodeAnswer<dim>>       &answers,
+               const std::vector<ContactInterface<dim>> &interfaces,
+               SolutionState                            &state);
+} // namespace Amontons

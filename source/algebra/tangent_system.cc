@@ -1,0 +1,138 @@
+#include <amontons/algebra/tangent_system.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // What a DoF stands for under constraints.
+    template <typename Action>
+    void
+    for_each_entry(const Constraints &constraints, const types::global_dof_index dof, const Action &action)
+    {
+      if (!constraints.is_constrained(dof))
+        action(dof, 1.);
+      else
+        for (const auto &[other, weight] : *constraints.get_constraint_entries(dof))
+          action(other, weight);
+    }
+
+    bool
+    insert(std::set<types::global_dof_index> &set, const types::global_dof_index dof)
+    {
+      return set.insert(dof).second;
+    }
+  } // namespace
+
+  TangentSystem::TangentSystem(const IndexSet &locally_owned, const IndexSet &relevant, MPI_Comm communicator)
+      : locally_owned(locally_owned), relevant(relevant), communicator(communicator)
+  {
+  }
+
+  // True if there are new ones. They are kept, so that surfaces that slide to and fro need no new pattern.
+  bool
+  TangentSystem::add_links(const Constraints                    &supports,
+                           const ContactConstraints             &test,
+                           const std::vector<RectangularMatrix> &further,
+                           const std::vector<WrittenRow>        &rows)
+  {
+    bool is_new = false;
+    for (const auto &pivot : test.pivots())
+      if (pivot)
+        for (const auto &entry : *test.test().get_constraint_entries(*pivot))
+          is_new |= insert(replaced[*pivot], entry.first);
+    for (const auto &matrix : further)
+      for (const auto row : matrix.rows)
+        for_each_entry(test.test(), row, [&](const auto i, double) {
+          for (const auto column : matrix.columns)
+            for_each_entry(supports, column, [&](const auto j, double) { is_new |= insert(coupled[i], j); });
+        });
+    for (const auto &row : rows)
+      for (const auto &entry : row.equation.coefficients)
+        for_each_entry(
+            supports, entry.first, [&](const auto j, double) { is_new |= insert(coupled[row.row], j); });
+    return Utilities::MPI::max(int(is_new), communicator) > 0;
+  }
+
+  void
+  TangentSystem::make_pattern(const CellMatrices &cells, const Constraints &supports)
+  {
+    DynamicSparsityPattern               dsp(relevant);
+    std::vector<types::global_dof_index> dofs;
+    std::set<types::global_dof_index>    more;
+    is_surface.assign(cells.n, false);
+    for (unsigned int c = 0; c < cells.n; ++c)
+      {
+        dofs = cells.dofs(c);
+        more.clear();
+        for (const auto dof : cells.dofs(c))
+          for_each_entry(supports, dof, [&](const auto i, double) {
+            if (const auto links = replaced.find(i); links != replaced.end())
+              {
+                is_surface[c] = true;
+                more.insert(links->second.begin(), links->second.end());
+              }
+          });
+        for (const auto dof : dofs)
+          more.erase(dof);
+        dofs.insert(dofs.end(), more.begin(), more.end());
+        supports.add_entries_local_to_global(dofs, dsp, true);
+      }
+    for (const auto &[row, columns] : coupled)
+      for (const auto column : columns)
+        dsp.add(row, column);
+    for (const auto dof : locally_owned)
+      dsp.add(dof, dof);
+    SparsityTools::distribute_sparsity_pattern(dsp, locally_owned, communicator, relevant);
+    system.reinit(locally_owned, locally_owned, dsp, communicator);
+    has_pattern = true;
+  }
+
+  void
+  TangentSystem::assemble(const CellMatrices                   &cells,
+                          const Constraints                    &supports,
+                          const ContactConstraints             &test,
+                          const std::vector<RectangularMatrix> &further,
+                          const LA::Vector                     *diagonal,
+                          const std::vector<WrittenRow>        &rows)
+  {
+    if (add_links(supports, test, further, rows) || !has_pattern)
+      make_pattern(cells, supports);
+    system                     = 0;
+    const Constraints &of_rows = test.test();
+    double             largest = 0;
+    for (unsigned int c = 0; c < cells.n; ++c)
+      {
+        const FullMatrix<double> matrix = cells.matrix(c);
+        for (unsigned int i = 0; i < matrix.m(); ++i)
+          largest = std::max(largest, std::abs(matrix(i, i)));
+        if (is_surface[c])
+          of_rows.distribute_local_to_global(matrix, cells.dofs(c), supports, cells.dofs(c), system);
+        else
+          supports.distribute_local_to_global(matrix, cells.dofs(c), system);
+      }
+    for (const auto &matrix : further)
+      of_rows.distribute_local_to_global(matrix.matrix, matrix.rows, supports, matrix.columns, system);
+    FullMatrix<double> one(1, 1);
+    for (const auto dof : locally_owned)
+      if (diagonal != nullptr && (*diagonal)(dof) != 0)
+        {
+          one(0, 0) = (*diagonal)(dof);
+          of_rows.distribute_local_to_global(one, {dof}, supports, {dof}, system);
+        }
+    diagonal_scale = Utilities::MPI::max(largest, communicator);
+    for (const auto &row : rows)
+      if (locally_owned.is_element(row.row))
+        for (const auto &[dof, coefficient] : row.equation.coefficients)
+          for_each_entry(supports, dof, [&, c = coefficient](const auto column, const double weight) {
+            system.add(row.row, column, diagonal_scale * c * weight);
+          });
+    system.compress(VectorOperation::add);
+    for (const auto dof : locally_owned)
+      if (system.diag_element(dof) == 0 && supports.is_constrained(dof))
+        system.set(dof, dof, diagonal_scale);
+    system.compress(VectorOperation::insert);
+  }
+} // namespace Amontons

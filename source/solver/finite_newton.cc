@@ -1,0 +1,561 @@
+#include <amontons/algebra/rigid_body_modes.h>
+#include <amontons/solver/diagnosis.h>
+#include <amontons/solver/finite_newton.h>
+#include <amontons/solver/proximal_terms.h>
+#include <amontons/solver/stored_states.h>
+
+#include <sstream>
+
+namespace Amontons
+{
+  template <int dim>
+  FiniteNewton<dim>::FiniteNewton(const NewtonParameters       &parameters,
+                                  const LinearSolverParameters &solver_parameters,
+                                  const Discretization<dim>    &discretization,
+                                  TimerOutput                  &timer)
+      : parameters(parameters), solver_parameters(solver_parameters), discretization(discretization),
+        timer(timer)
+  {
+  }
+
+  namespace
+  {
+    Constraints
+    without_values(const Constraints &constraints)
+    {
+      Constraints result(constraints);
+      for (const auto &line : constraints.get_lines())
+        result.set_inhomogeneity(line.index, 0);
+      return result;
+    }
+
+    template <int dim>
+    class FiniteIteration
+    {
+    public:
+      FiniteIteration(const NewtonParameters             &parameters,
+                      const LinearSolverParameters       &solver_parameters,
+                      const Discretization<dim>          &discretization,
+                      ElasticityOperator<dim>            &elasticity,
+                      std::vector<ContactInterface<dim>> &interfaces,
+                      const Constraints                  &prescribed,
+                      const FollowerLoads                &follower_loads,
+                      SolutionState                      &state,
+                      TimerOutput                        &timer)
+          : parameters(parameters), solver_parameters(solver_parameters), discretization(discretization),
+            elasticity(elasticity), interfaces(interfaces), prescribed(prescribed),
+            supports(without_values(prescribed)), follower_loads(follower_loads), state(state), timer(timer),
+            communicator(discretization.geometry.communicator), old_rows(rows_by_node(interfaces)),
+            contact(discretization, supports, interfaces, state.committed, parameters.scaling),
+            floating(discretization, supports, interfaces, &state.displacement),
+            states(contact.nodes(), interfaces, floating, state.t),
+            system(discretization.locally_owned, discretization.relevant, communicator),
+            solver(solver_parameters, dim, false), answers(contact.nodes().size())
+      {
+        u.reinit(discretization.locally_owned, communicator);
+        du.reinit(discretization.locally_owned, communicator);
+        u            = state.displacement;
+        any_friction = std::any_of(
+            contact.nodes().begin(), contact.nodes().end(), [](const auto &node) { return node.frictional; });
+      }
+
+      NewtonReport
+      run(const typename SemismoothNewton<dim>::Observer &observer)
+      {
+        if (!prepare())
+          return report;
+        while (report.iterations.size() < parameters.max_iterations)
+          {
+            NewtonReport::Iteration step{};
+            linearise();
+            if (!solve_step(step))
+              break;
+            recover_contact();
+            count_states(step);
+            step.residual  = relative_residual();
+            step.n_changes = update_states();
+            report.iterations.push_back(step);
+            observer(step);
+            stop_or_go_on(step);
+            if (report.converged || !report.message.empty())
+              break;
+          }
+        finish();
+        return report;
+      }
+
+    private:
+      bool
+      prepare()
+      {
+        contact.move(state.displacement);
+        if (!evaluate())
+          return false;
+        std::vector<const LinearEquation *> equations;
+        for (const auto &node : contact.nodes())
+          for (const auto *e : node.holding())
+            equations.push_back(&e->equation);
+        floating.set_loads(loads);
+        report.note = floating.check_loads(equations);
+        floating.choose_pins(equations);
+        states_to_rows();
+        states.start(state, touching_nodes());
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          if (states[k] != ContactState::open && !contact.is_opposite(k))
+            states.open(k);
+        proximal = make_proximal_terms(discretization, elasticity, floating);
+        if (!solver.is_direct(discretization.dof_handler.n_dofs()))
+          solver.set_near_null_space(rigid_body_modes(discretization));
+        return true;
+      }
+
+      // Rows of the state's couplings by slave node, before the surfaces move.
+      static std::vector<std::map<unsigned int, unsigned int>>
+      rows_by_node(const std::vector<ContactInterface<dim>> &interfaces)
+      {
+        std::vector<std::map<unsigned int, unsigned int>> result(interfaces.size());
+        for (unsigned int i = 0; i < interfaces.size(); ++i)
+          for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
+            result[i][interfaces[i].coupling.rows[r].node] = r;
+        return result;
+      }
+
+      // The state as given, by the rows of the coupling now.
+      void
+      states_to_rows()
+      {
+        const SolutionState before = state;
+        if (before.states.size() != interfaces.size())
+          return;
+        for (unsigned int i = 0; i < interfaces.size(); ++i)
+          {
+            if (before.states[i].size() != old_rows[i].size())
+              {
+                state.states[i].clear();
+                continue;
+              }
+            const auto &rows = interfaces[i].coupling.rows;
+            state.states[i].assign(rows.size(), ContactState::open);
+            state.pressures[i].assign(rows.size(), 0.);
+            state.trials[i].assign(rows.size(), Tensor<1, 3>());
+            const bool any_shears = i < before.shears.size() && before.shears[i].size() == old_rows[i].size();
+            for (unsigned int r = 0; r < rows.size(); ++r)
+              if (const auto row = old_rows[i].find(rows[r].node); row != old_rows[i].end())
+                {
+                  state.states[i][r]    = before.states[i][row->second];
+                  state.pressures[i][r] = before.pressures[i][row->second];
+                  state.trials[i][r]    = before.trials[i][row->second];
+                  const unsigned int k  = contact.number(i, rows[r].node);
+                  if (state.states[i][r] != ContactState::open)
+                    {
+                      answers[k].pressure = state.pressures[i][r];
+                      for (unsigned int d = 0; any_shears && d < dim; ++d)
+                        answers[k].shear[d] = before.shears[i][row->second][d];
+                    }
+                }
+          }
+      }
+
+      std::vector<bool>
+      touching_nodes() const
+      {
+        const auto rest = discretization.make_relevant_vector();
+        return first_guess_of_closed_nodes(contact.nodes(), interfaces, floating, rest);
+      }
+
+      // Forces and stiffness at state.displacement, where the surfaces are.
+      bool
+      evaluate()
+      {
+        TimerOutput::Scope scope(timer, "assemble stiffness");
+        if (const auto inverted = elasticity.assemble(state.displacement))
+          {
+            std::ostringstream text;
+            text << "a cell of body '" << discretization.scene.bodies[inverted->body].name << "' near ("
+                 << inverted->centre << ") is turned inside out (its volume becomes "
+                 << inverted->smallest_jacobian << " of what it was)";
+            inversion = text.str();
+            return false;
+          }
+        internal = elasticity.internal_forces(state.displacement);
+        loads    = follower_loads.forces(state.displacement);
+        raw      = internal;
+        raw -= loads;
+        return true;
+      }
+
+      ContactConstraints
+      constraints_of_closed_nodes()
+      {
+        std::vector<ContactEquation> equations;
+        first_equation.assign(answers.size(), numbers::invalid_unsigned_int);
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          if (states[k] != ContactState::open)
+            {
+              first_equation[k] = equations.size();
+              for (auto &equation : states.equations(k, Tensor<1, dim>()))
+                {
+                  equation.equation.value = 0;
+                  equations.push_back(equation);
+                }
+            }
+        return ContactConstraints(supports, equations);
+      }
+
+      CellMatrices
+      cells() const
+      {
+        CellMatrices result;
+        result.n      = elasticity.n_cells();
+        result.dofs   = [this](const unsigned int c) -> const auto   &{ return elasticity.dofs(c); };
+        result.matrix = [this](const unsigned int c) { return elasticity.matrix(c); };
+        return result;
+      }
+
+      void
+      linearise()
+      {
+        laws.clear();
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          laws.push_back(states.law(k));
+        constraints = std::make_unique<ContactConstraints>(constraints_of_closed_nodes());
+        unheld      = states.describe(states.unheld());
+        {
+          TimerOutput::Scope scope(timer, "differentiate contact");
+          contact.differentiate(states);
+          further = contact.stiffness(states, answers, state.displacement);
+          rows.clear();
+          for (unsigned int k = 0; k < answers.size(); ++k)
+            if (states[k] != ContactState::open)
+              {
+                const auto                                          e      = first_equation[k];
+                std::vector<std::optional<types::global_dof_index>> pivots = {constraints->pivots()[e]};
+                for (unsigned int c = 1; states[k] == ContactState::stick && c < dim; ++c)
+                  pivots.push_back(constraints->pivots()[e + c]);
+                for (auto &row : contact.written_rows(k, states[k], pivots, state.displacement))
+                  rows.push_back(row);
+              }
+        }
+        for (auto &matrix : follower_loads.stiffness(state.displacement))
+          further.push_back(std::move(matrix));
+        TimerOutput::Scope scope(timer, "assemble condensed system");
+        system.assemble(cells(), supports, *constraints, further, springs(), rows);
+        solver.matrix_changed(LinearSolver::all_rows);
+      }
+
+      const LA::Vector *
+      springs() const
+      {
+        return !unheld.empty() ? &proximal.springs : !floating.pins().empty() ? &proximal.pins : nullptr;
+      }
+
+      // The change of what supports prescribe since u was made: they hold it from the first step on, and the
+      // bodies follow in the linear way.
+      LA::Vector
+      prescribed_change() const
+      {
+        LA::Vector moved(u);
+        prescribed.distribute(moved);
+        moved -= u;
+        LA::Vector result = discretization.make_relevant_vector();
+        result            = moved;
+        return result;
+      }
+
+      // K times it, with everything that the system holds.
+      LA::Vector
+      forces_of(const LA::Vector &change) const
+      {
+        LA::Vector          forces = discretization.make_owned_vector();
+        std::vector<double> values;
+        const auto          add =
+            [&](const FullMatrix<double> &matrix, const auto &row_dofs, const auto &column_dofs) {
+              Vector<double> x(column_dofs.size()), y(row_dofs.size());
+              for (unsigned int j = 0; j < column_dofs.size(); ++j)
+                x[j] = change(column_dofs[j]);
+              if (x.all_zero())
+                return;
+              matrix.vmult(y, x);
+              forces.add(row_dofs, y);
+            };
+        for (unsigned int c = 0; c < elasticity.n_cells(); ++c)
+          add(elasticity.matrix(c), elasticity.dofs(c), elasticity.dofs(c));
+        for (const auto &matrix : further)
+          add(matrix.matrix, matrix.rows, matrix.columns);
+        forces.compress(VectorOperation::add);
+        return forces;
+      }
+
+      // Forces of the shears that do not depend on the pressure, as in the small-strain iteration.
+      LA::Vector
+      known_shear_forces() const
+      {
+        LA::Vector forces = discretization.make_owned_vector();
+        for (unsigned int k = 0; any_friction && k < answers.size(); ++k)
+          if (contact.nodes()[k].frictional && states[k] == ContactState::slip && contact.is_opposite(k) &&
+              (laws[k].constant != 0 || laws[k].stiffness > 0))
+            {
+              const auto &node = contact.nodes()[k];
+              const auto  q    = laws[k].traction(0, contact.slip(k, state.displacement));
+              for (unsigned int c = 0; c < dim; ++c)
+                for (const auto &[dof, weight] : node.components[c].equation.coefficients)
+                  if (discretization.locally_owned.is_element(dof))
+                    forces(dof) -= node.area * q[c] * weight;
+            }
+        forces.compress(VectorOperation::add);
+        return forces;
+      }
+
+      bool
+      solve_step(NewtonReport::Iteration &step)
+      {
+        const LA::Vector change   = prescribed_change();
+        LA::Vector       residual = known_shear_forces();
+        residual -= raw;
+        residual -= forces_of(change);
+        LA::Vector rhs(discretization.locally_owned, communicator);
+        rhs = condense(residual, constraints->test(), loads);
+        for (const auto dof : discretization.locally_owned)
+          if (constraints->test().is_constrained(dof))
+            rhs(dof) = 0;
+        for (const auto &row : rows)
+          if (discretization.locally_owned.is_element(row.row))
+            rhs(row.row) =
+                system.row_scale() * (row.equation.value - Amontons::evaluate(row.equation, change));
+        rhs.compress(VectorOperation::insert);
+        {
+          TimerOutput::Scope scope(timer, "linear solve");
+          const double       size   = rhs.l2_norm();
+          const auto         result = solver.solve(system.matrix(), du, rhs, linear_tolerance * size);
+          step.krylov               = result.iterations;
+          if (!result.success)
+            {
+              report.message =
+                  "the linear solver failed after " + std::to_string(result.iterations) + " iterations";
+              return false;
+            }
+        }
+        if (report.iterations.empty())
+          report.one_linear_solve_seconds = clock.wall_time();
+        supports.distribute(du);
+        LA::Vector full(du);
+        full += owned_part(change);
+        return advance(full);
+      }
+
+      LA::Vector
+      owned_part(const LA::Vector &relevant) const
+      {
+        LA::Vector result(discretization.locally_owned, communicator);
+        result = relevant;
+        return result;
+      }
+
+      // u + factor step with the largest factor of 1, 1/2, ... that leaves cells as they are.
+      bool
+      advance(const LA::Vector &step)
+      {
+        if (!std::isfinite(step.l2_norm()))
+          {
+            report.message = Diagnosis::not_a_number();
+            return false;
+          }
+        const LA::Vector start(u);
+        for (double factor = 1; factor > 0.05; factor /= 2)
+          {
+            u = start;
+            u.add(factor, step);
+            state.displacement = u;
+            if (evaluate())
+              {
+                TimerOutput::Scope scope(timer, "contact surfaces");
+                contact.move(state.displacement);
+                for (unsigned int k = 0; k < answers.size(); ++k)
+                  if (states[k] != ContactState::open && !contact.is_opposite(k))
+                    states.open(k);
+                return true;
+              }
+          }
+        u                  = start;
+        state.displacement = u;
+        report.message     = inversion;
+        return false;
+      }
+
+      // Multipliers from the residual at the pivots, where the surfaces are now; gaps of the open nodes.
+      void
+      recover_contact()
+      {
+        constraints = std::make_unique<ContactConstraints>(constraints_of_closed_nodes());
+        balance     = raw;
+        balance -= known_shear_forces();
+        const LA::Vector    on_supports = condense(balance, supports, loads);
+        std::vector<double> at_pivots(constraints->pivots().size(), 0.);
+        for (unsigned int e = 0; e < at_pivots.size(); ++e)
+          if (const auto pivot = constraints->pivots()[e];
+              pivot && discretization.locally_owned.is_element(*pivot))
+            at_pivots[e] = on_supports(*pivot);
+        Utilities::MPI::sum(at_pivots, communicator, at_pivots);
+        const auto multipliers = constraints->recover_multipliers(at_pivots);
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          answers[k] = answer(k, multipliers);
+      }
+
+      NodeAnswer<dim>
+      answer(const unsigned int k, const std::vector<double> &multipliers) const
+      {
+        NodeAnswer<dim>           result;
+        const CandidateNode<dim> &node = contact.nodes()[k];
+        if (states[k] == ContactState::open)
+          {
+            result.gap = node.gap;
+            return result;
+          }
+        if (node.frictional)
+          result.slip = contact.slip(k, state.displacement);
+        const unsigned int e = first_equation[k];
+        if (states[k] == ContactState::stick)
+          {
+            Tensor<1, dim> traction;
+            for (unsigned int d = 0; d < dim; ++d)
+              traction[d] = multipliers[e + d] / node.area;
+            result.pressure = traction * node.normal / node.normal.norm_square();
+            result.shear    = node.tangential(traction);
+            return result;
+          }
+        if (constraints->pivots()[e])
+          result.pressure = multipliers[e] / node.area;
+        else
+          result.gap = node.gap;
+        if (node.frictional)
+          result.shear = laws[k].traction(result.pressure, result.slip);
+        return result;
+      }
+
+      void
+      count_states(NewtonReport::Iteration &step) const
+      {
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          if (contact.is_opposite(k))
+            (states[k] == ContactState::open    ? step.n_open
+             : states[k] == ContactState::stick ? step.n_stick
+                                                : step.n_slip) += 1;
+      }
+
+      // Of equilibrium, relative to the forces, and of the closed nodes' equations, relative to the faces.
+      double
+      relative_residual()
+      {
+        LA::Vector free = condense(balance, constraints->test(), loads);
+        for (const auto dof : discretization.locally_owned)
+          if (constraints->test().is_constrained(dof))
+            free(dof) = 0;
+        free.compress(VectorOperation::insert);
+        const double rounding = 1e-14 * elasticity.rounding_scale(state.displacement);
+        force_scale = std::max({internal.l2_norm(), loads.l2_norm(), rounding / parameters.tolerance});
+        const double forces =
+            force_scale == 0 ? 0 : std::hypot(free.l2_norm(), states.law_error(answers)) / force_scale;
+        double distance = 0;
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          distance = std::max(distance,
+                              contact.violation(k, states[k], state.displacement) /
+                                  interfaces[contact.nodes()[k].interface].slave->mean_size);
+        return std::max(forces, distance);
+      }
+
+      unsigned int
+      update_states()
+      {
+        double rounding = 0, c = 0;
+        for (const auto &node : contact.nodes())
+          if (!node.tied)
+            {
+              rounding = std::max(rounding, node.rounding);
+              c        = std::max(c, node.c);
+            }
+        const unsigned int n = states.update(answers, rounding + 1e-13 * c * u.linfty_norm());
+        report.safeguarded   = report.safeguarded || states.safeguarded();
+        report.frozen        = report.frozen || states.frozen();
+        return n;
+      }
+
+      void
+      stop_or_go_on(const NewtonReport::Iteration &step)
+      {
+        const bool set_changed = step.n_changes > 0 || states.frozen();
+        if (!std::isfinite(step.residual))
+          report.message = Diagnosis::not_a_number();
+        else if (!set_changed && step.residual <= parameters.tolerance && states.held_too_much() == 0)
+          report.converged = true;
+        else if (!set_changed && step.residual <= parameters.tolerance)
+          report.message = Diagnosis::friction_exceeded(states);
+      }
+
+      void
+      finish()
+      {
+        store_states(contact.nodes(), states, answers, interfaces, state);
+        if (!report.converged && report.message.empty())
+          report.message = Diagnosis::no_states_found(report, states, any_friction);
+      }
+
+      const NewtonParameters             &parameters;
+      const LinearSolverParameters       &solver_parameters;
+      const Discretization<dim>          &discretization;
+      ElasticityOperator<dim>            &elasticity;
+      std::vector<ContactInterface<dim>> &interfaces;
+      const Constraints                  &prescribed;
+      const Constraints                   supports; // homogeneous
+      const FollowerLoads                &follower_loads;
+      SolutionState                      &state;
+      TimerOutput                        &timer;
+      const MPI_Comm                      communicator;
+
+      Timer                                             clock;
+      std::vector<std::map<unsigned int, unsigned int>> old_rows;
+      MovingContact<dim>                                contact;
+      FloatingBodies<dim>                               floating;
+      NodeStates<dim>                                   states;
+      TangentSystem                                     system;
+      LinearSolver                                      solver;
+      NewtonReport                                      report;
+      ProximalTerms                                     proximal;
+      bool                                              any_friction = false;
+      LA::Vector                                        u, du, internal, loads, raw, balance;
+      std::vector<NodeAnswer<dim>>                      answers;
+      std::vector<SlipLaw<dim>>                         laws;
+      std::vector<RectangularMatrix>                    further;
+      std::vector<WrittenRow>                           rows;
+      std::unique_ptr<ContactConstraints>               constraints;
+      std::vector<unsigned int>                         first_equation;
+      std::string                                       unheld, inversion;
+      double                                            force_scale      = 0;
+      static constexpr double                           linear_tolerance = 1e-10;
+    };
+  } // namespace
+
+  template <int dim>
+  NewtonReport
+  FiniteNewton<dim>::solve(ElasticityOperator<dim>                        &elasticity,
+                           std::vector<ContactInterface<dim>>             &interfaces,
+                           const Constraints                              &supports,
+                           const FollowerLoads                            &loads,
+                           SolutionState                                  &state,
+                           const typename SemismoothNewton<dim>::Observer &observer)
+  {
+    TimerOutput::Scope scope(timer, "contact iteration");
+    return FiniteIteration<dim>(parameters,
+                                solver_parameters,
+                                discretization,
+                                elasticity,
+                                interfaces,
+                                supports,
+                                loads,
+                                state,
+                                timer)
+        .run(observer);
+  }
+
+  template class FiniteNewton<2>;
+  template class FiniteNewton<3>;
+} // namespace Amontons

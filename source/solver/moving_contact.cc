@@ -1,0 +1,361 @@
+#include <amontons/solver/moving_contact.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    template <int dim>
+    std::array<LinearEquation, dim>
+    weights_of(const CandidateNode<dim> &node)
+    {
+      std::array<LinearEquation, dim> weights;
+      for (unsigned int c = 0; c < dim; ++c)
+        weights[c].coefficients = node.components[c].equation.coefficients;
+      return weights;
+    }
+
+    void
+    add(Gradient &sum, const double factor, const Gradient &term)
+    {
+      for (const auto &[dof, value] : term)
+        sum[dof] += factor * value;
+    }
+
+    // R a for the smallest rotation R that takes the unit vector `from` to `to`, and a normal to `from`:
+    //   R a = a - (a . to)/(1 + from . to) (from + to).
+    template <int dim>
+    Tensor<1, dim>
+    turn(const Tensor<1, dim> &a, const Tensor<1, dim> &from, const Tensor<1, dim> &to)
+    {
+      return a - (a * to) / (1 + from * to) * (from + to);
+    }
+  } // namespace
+
+  template <int dim>
+  MovingContact<dim>::MovingContact(const Discretization<dim>          &discretization,
+                                    const Constraints                  &supports,
+                                    std::vector<ContactInterface<dim>> &interfaces,
+                                    const LA::Vector                   &committed_displacement,
+                                    const double                        scaling)
+      : discretization(discretization), supports(supports), interfaces(interfaces), scaling(scaling),
+        committed(committed_displacement.size() == discretization.dof_handler.n_dofs()
+                      ? committed_displacement
+                      : discretization.make_relevant_vector()),
+        derivatives(interfaces.size())
+  {
+    const auto add_coordinates = [&](const auto &dofs, const Point<dim> &X) {
+      for (unsigned int c = 0; c < dim; ++c)
+        reference_coordinate[dofs[c]] = X[c];
+    };
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        for (const auto *surface : {interfaces[i].slave.get(), interfaces[i].master_surface.get()})
+          if (surface != nullptr)
+            for (const auto &node : surface->nodes)
+              add_coordinates(node.dofs, node.X);
+        if (interfaces[i].master.obstacle != nullptr)
+          {
+            const unsigned int m       = interfaces[i].master.carrier;
+            const auto        &carrier = discretization.geometry.carriers[m];
+            for (unsigned int k = 0; k <= dim; ++k)
+              {
+                Point<dim> X;
+                for (unsigned int d = 0; d < dim; ++d)
+                  X[d] = carrier.motion.reference[d] + (k == d + 1 ? carrier.size : 0.);
+                add_coordinates(discretization.carrier_dofs[m][k], X);
+              }
+          }
+        node_of.emplace_back();
+        for (unsigned int n = 0; n < interfaces[i].slave->nodes.size(); ++n)
+          {
+            node_of[i].push_back(all.size());
+            CandidateNode<dim> node{};
+            node.interface  = i;
+            node.row        = numbers::invalid_unsigned_int;
+            node.tied       = interfaces[i].pair->tied;
+            node.frictional = interfaces[i].pair->has_friction();
+            node.area       = 0;
+            for (unsigned int c = 0; c < dim; ++c)
+              node.X[c] = interfaces[i].slave->nodes[n].X[c];
+            all.push_back(node);
+          }
+      }
+    move(committed);
+    remember_old_rows(committed);
+  }
+
+  template <int dim>
+  void
+  MovingContact<dim>::move(const LA::Vector &u)
+  {
+    for (auto &interface : interfaces)
+      if (!interface.pair->tied)
+        move_interface(discretization, u, interface);
+    integrate_couplings(discretization, supports, interfaces, true);
+    for (auto &node : all)
+      {
+        node.row  = numbers::invalid_unsigned_int;
+        node.gap  = std::numeric_limits<double>::max();
+        node.area = 0;
+      }
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
+        {
+          auto &node = all[node_of[i][interfaces[i].coupling.rows[r].node]];
+          node       = make_contact_node(discretization, interfaces, i, r, scaling, true);
+          // test functions only
+          node.closing.equation.value = 0;
+        }
+  }
+
+  template <int dim>
+  void
+  MovingContact<dim>::remember_old_rows(const LA::Vector &u)
+  {
+    old.resize(all.size());
+    for (unsigned int k = 0; k < all.size(); ++k)
+      if (is_opposite(k))
+        {
+          OldRow row;
+          row.weights         = weights_of(all[k]);
+          row.normal          = all[k].normal / all[k].normal.norm();
+          row.tangential_jump = all[k].tangential(position_jump(row.weights, u));
+          old[k]              = row;
+        }
+  }
+
+  // sum weight (X + u)
+  template <int dim>
+  Tensor<1, dim>
+  MovingContact<dim>::position_jump(const std::array<LinearEquation, dim> &weights, const LA::Vector &u) const
+  {
+    Tensor<1, dim> result;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (const auto &[dof, weight] : weights[c].coefficients)
+        result[c] += weight * (reference_coordinate.at(dof) + u(dof));
+    return result;
+  }
+
+  // z. Nodes that nothing was opposite of in the last converged state: the change of the jump with the
+  // present weights instead.
+  template <int dim>
+  Tensor<1, dim>
+  MovingContact<dim>::jump_since(const unsigned int k, const LA::Vector &u) const
+  {
+    if (old[k])
+      return position_jump(old[k]->weights, u);
+    const auto now = weights_of(all[k]);
+    return position_jump(now, u) - position_jump(now, committed);
+  }
+
+  template <int dim>
+  Tensor<1, dim>
+  MovingContact<dim>::slip(const unsigned int k, const LA::Vector &u) const
+  {
+    if (all[k].tied)
+      return Tensor<1, dim>();
+    const auto v = all[k].tangential(jump_since(k, u));
+    if (!old[k])
+      return v;
+    return v - turn(old[k]->tangential_jump, old[k]->normal, all[k].normal / all[k].normal.norm());
+  }
+
+  template <int dim>
+  double
+  MovingContact<dim>::violation(const unsigned int k, const ContactState state, const LA::Vector &u) const
+  {
+    if (state == ContactState::open || !is_opposite(k))
+      return 0;
+    if (all[k].tied)
+      return all[k].jump(u).norm();
+    const double gap = std::abs(all[k].gap) / all[k].normal.norm();
+    return state == ContactState::stick ? std::hypot(gap, slip(k, u).norm()) : gap;
+  }
+
+  template <int dim>
+  void
+  MovingContact<dim>::differentiate(const NodeStates<dim> &states)
+  {
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        if (interfaces[i].pair->tied)
+          continue;
+        const auto       &rows = interfaces[i].coupling.rows;
+        std::vector<bool> wanted;
+        for (const auto &row : rows)
+          wanted.push_back(states[node_of[i][row.node]] != ContactState::open);
+        derivatives[i] = std::make_unique<CouplingDerivatives<dim>>(discretization, interfaces[i], wanted);
+      }
+  }
+
+  // d n = (1 - n n^T)/|normal| d normal
+  template <int dim>
+  typename MovingContact<dim>::Rows
+  MovingContact<dim>::unit_normal_gradient(const unsigned int k) const
+  {
+    const double         length = all[k].normal.norm();
+    const Tensor<1, dim> n      = all[k].normal / length;
+    const auto          &of     = gradient(k).normal;
+    Rows                 result;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        if (const double factor = (double(c == d) - n[c] * n[d]) / length; factor != 0)
+          add(result[c], factor, of[d]);
+    return result;
+  }
+
+  // dv = (1 - n n^T) dz - (n . z) dn - n (dn . z) - dR a, where with m the old normal, s = 1 + m . n,
+  //   dR a = - [(a . dn) (m + n) + (a . n) dn - (a . n)(m . dn)/s (m + n)] / s.
+  template <int dim>
+  typename MovingContact<dim>::Rows
+  MovingContact<dim>::slip_gradient(const unsigned int k, const LA::Vector &u) const
+  {
+    const Tensor<1, dim> n = all[k].normal / all[k].normal.norm(), z = jump_since(k, u);
+    const auto           weights = old[k] ? old[k]->weights : weights_of(all[k]);
+    const Rows           dn      = unit_normal_gradient(k);
+    Rows                 result;
+    Tensor<2, dim>       by_normal; // dv/dn
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        by_normal[c][d] = -(n * z) * double(c == d) - n[c] * z[d];
+    if (old[k])
+      {
+        const Tensor<1, dim> &m = old[k]->normal, &a = old[k]->tangential_jump;
+        const double          s = 1 + m * n;
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            by_normal[c][d] +=
+                (a[d] * (m[c] + n[c]) + (a * n) * double(c == d) - (a * n) * m[d] / s * (m[c] + n[c])) / s;
+      }
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          add(result[c], double(c == d) - n[c] * n[d], weights[d].coefficients);
+          add(result[c], by_normal[c][d], dn[d]);
+        }
+    return result;
+  }
+
+  template <int dim>
+  std::vector<WrittenRow>
+  MovingContact<dim>::written_rows(const unsigned int                                         k,
+                                   const ContactState                                         state,
+                                   const std::vector<std::optional<types::global_dof_index>> &pivots,
+                                   const LA::Vector                                          &u) const
+  {
+    std::vector<WrittenRow>   rows;
+    const CandidateNode<dim> &node = all[k];
+    if (state == ContactState::slip)
+      {
+        if (pivots[0])
+          {
+            rows.push_back({*pivots[0], {}});
+            add(rows[0].equation.coefficients, -1, gradient(k).gap);
+            rows[0].equation.value = node.gap;
+          }
+        return rows;
+      }
+    std::array<LinearEquation, dim> equations;
+    if (node.tied)
+      for (unsigned int c = 0; c < dim; ++c)
+        equations[c] = {node.components[c].equation.coefficients, -node.jump(u)[c]};
+    else
+      {
+        const double         length = node.normal.norm();
+        const Tensor<1, dim> n = node.normal / length, E = slip(k, u) - node.gap / length * n;
+        const Rows           dv = slip_gradient(k, u);
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            equations[c] = {dv[c], -E[c]};
+            add(equations[c].coefficients, -n[c] / length, gradient(k).gap);
+          }
+      }
+    // Components whose test functions the supports own have no row: the others stand for them.
+    for (unsigned int c = 0; c < dim; ++c)
+      if (pivots[c])
+        rows.push_back({*pivots[c], equations[c]});
+    return rows;
+  }
+
+  // The traction t = p normal + q of a slipping node turns with its normal (p and |q| fixed):
+  //   dt = p d normal - n (q . dn) + stiffness (1 - d d^T) dv,
+  // with force area dt . d(jump).
+  template <int dim>
+  RectangularMatrix
+  MovingContact<dim>::turning_traction(const unsigned int     k,
+                                       const SlipLaw<dim>    &law,
+                                       const NodeAnswer<dim> &answer,
+                                       const LA::Vector      &u) const
+  {
+    const CandidateNode<dim> &node = all[k];
+    const Tensor<1, dim>      n    = node.normal / node.normal.norm();
+    const Rows                dn   = unit_normal_gradient(k);
+    Rows                      dt;
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        add(dt[c], answer.pressure, gradient(k).normal[c]);
+        for (unsigned int d = 0; node.frictional && d < dim; ++d)
+          add(dt[c], -n[c] * answer.shear[d], dn[d]);
+      }
+    if (law.stiffness > 0)
+      {
+        const Rows dv = slip_gradient(k, u);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            add(dt[c],
+                law.stiffness * (double(c == d) - n[c] * n[d] - law.direction[c] * law.direction[d]),
+                dv[d]);
+      }
+
+    RectangularMatrix                               result;
+    std::map<types::global_dof_index, unsigned int> column;
+    for (const auto &component : dt)
+      for (const auto &entry : component)
+        if (column.emplace(entry.first, result.columns.size()).second)
+          result.columns.push_back(entry.first);
+    std::vector<std::pair<unsigned int, double>> row_terms;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (const auto &[dof, weight] : node.components[c].equation.coefficients)
+        {
+          result.rows.push_back(dof);
+          row_terms.emplace_back(c, weight);
+        }
+    result.matrix.reinit(result.rows.size(), result.columns.size());
+    for (unsigned int i = 0; i < row_terms.size(); ++i)
+      for (const auto &[dof, value] : dt[row_terms[i].first])
+        result.matrix(i, column.at(dof)) = node.area * row_terms[i].second * value;
+    return result;
+  }
+
+  template <int dim>
+  std::vector<RectangularMatrix>
+  MovingContact<dim>::stiffness(const NodeStates<dim>              &states,
+                                const std::vector<NodeAnswer<dim>> &answers,
+                                const LA::Vector                   &u) const
+  {
+    std::vector<RectangularMatrix> result;
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        if (interfaces[i].pair->tied)
+          continue;
+        std::vector<Tensor<1, dim>> tractions;
+        for (const auto &row : interfaces[i].coupling.rows)
+          {
+            const unsigned int k = node_of[i][row.node];
+            tractions.push_back(states[k] == ContactState::open
+                                    ? Tensor<1, dim>()
+                                    : answers[k].pressure * all[k].normal + answers[k].shear);
+          }
+        for (auto &part : derivatives[i]->stiffness(tractions))
+          result.push_back({part.dofs, part.dofs, part.matrix});
+      }
+    for (unsigned int k = 0; k < all.size(); ++k)
+      if (!all[k].tied && states[k] == ContactState::slip && is_opposite(k) &&
+          discretization.locally_owned.is_element(all[k].components[0].candidates[0]))
+        result.push_back(turning_traction(k, states.law(k), answers[k], u));
+    return result;
+  }
+
+  template class MovingContact<2>;
+  template class MovingContact<3>;
+} // namespace Amontons

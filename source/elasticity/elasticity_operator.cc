@@ -2,8 +2,28 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <limits>
+
 namespace Amontons
 {
+  namespace
+  {
+    const double infinity = std::numeric_limits<double>::infinity();
+
+    template <int dim>
+    InvertedCell<dim>
+    worst_of_all(const InvertedCell<dim> &mine, const MPI_Comm communicator)
+    {
+      const auto         extremes = Utilities::MPI::min_max_avg(mine.smallest_jacobian, communicator);
+      InvertedCell<dim>  worst    = mine;
+      const unsigned int rank     = extremes.min_index;
+      worst.smallest_jacobian     = extremes.min;
+      worst.centre                = Utilities::MPI::broadcast(communicator, mine.centre, rank);
+      worst.body                  = Utilities::MPI::broadcast(communicator, mine.body, rank);
+      return worst;
+    }
+  } // namespace
+
   template <int dim>
   ElasticityOperator<dim>::ElasticityOperator(const Discretization<dim> &discretization,
                                               const bool                 finite_strain)
@@ -11,7 +31,10 @@ namespace Amontons
         n_values(discretization.fe.n_dofs_per_cell() * (discretization.fe.n_dofs_per_cell() + 1) / 2)
   {
     for (const auto &body : discretization.scene.bodies)
-      materials.emplace_back(body.material, discretization.scene.kind);
+      {
+        materials.emplace_back(body.material, discretization.scene.kind);
+        laws.push_back(make_law(body.material));
+      }
   }
 
   template <int dim>
@@ -23,11 +46,12 @@ namespace Amontons
 
   template <int dim>
   std::optional<InvertedCell<dim>>
-  ElasticityOperator<dim>::assemble(const LA::Vector &)
+  ElasticityOperator<dim>::assemble(const LA::Vector &u)
   {
     clear();
     find_cells();
-    Assert(!is_finite, ExcNotImplemented());
+    if (is_finite)
+      return assemble_finite(u);
     assemble_small();
     return {};
   }
@@ -75,10 +99,59 @@ namespace Amontons
                   }
               }
           strains.Tmmult(K, weighted);
-          for (unsigned int i = 0; i < n; ++i)
-            for (unsigned int j = 0; j <= i; ++j)
-              values.push_back(K(i, j));
+          pack(K);
         }
+  }
+
+  template <int dim>
+  void
+  ElasticityOperator<dim>::pack(const FullMatrix<double> &K)
+  {
+    for (unsigned int i = 0; i < K.m(); ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        values.push_back(K(i, j));
+  }
+
+  template <int dim>
+  template <typename Action>
+  void
+  ElasticityOperator<dim>::for_each_deformed_cell(const LA::Vector &u, const Action &action) const
+  {
+    const auto           &fe = discretization.fe;
+    FEValues<dim>         fe_values(discretization.mapping, fe, QGauss<dim>(fe.degree + 1), needed_flags());
+    FiniteStrainCell<dim> state(fe, discretization.scene.kind);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    std::vector<double>                  local(dofs.size());
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
+        {
+          fe_values.reinit(cell);
+          cell->get_dof_indices(dofs);
+          u.extract_subvector_to(dofs, local);
+          action(cell, dofs, state, state.reinit(fe_values, laws[cell->material_id()], local));
+        }
+  }
+
+  template <int dim>
+  std::optional<InvertedCell<dim>>
+  ElasticityOperator<dim>::assemble_finite(const LA::Vector &u)
+  {
+    InvertedCell<dim>  worst = {{}, 0, std::numeric_limits<double>::max()};
+    FullMatrix<double> K(discretization.fe.n_dofs_per_cell(), discretization.fe.n_dofs_per_cell());
+    for_each_deformed_cell(u, [&](const auto &cell, const auto &, auto &state, const double smallest) {
+      if (!(smallest >= worst.smallest_jacobian))
+        worst = {cell->center(), cell->material_id(), std::isnan(smallest) ? -infinity : smallest};
+      if (worst.smallest_jacobian > 0)
+        {
+          state.make_tangent(K);
+          pack(K);
+        }
+    });
+    worst = worst_of_all(worst, discretization.geometry.communicator);
+    if (worst.smallest_jacobian > 0)
+      return {};
+    clear();
+    return worst;
   }
 
   template <int dim>
@@ -97,6 +170,22 @@ namespace Amontons
   template <int dim>
   LA::Vector
   ElasticityOperator<dim>::internal_forces(const LA::Vector &u) const
+  {
+    if (!is_finite)
+      return multiply(u);
+    LA::Vector result = discretization.make_owned_vector();
+    for_each_deformed_cell(u, [&](const auto &, const auto &dofs, const auto &state, const double smallest) {
+      result.add(dofs,
+                 smallest > 0 ? state.forces()
+                              : std::vector<double>(dofs.size(), std::numeric_limits<double>::quiet_NaN()));
+    });
+    result.compress(VectorOperation::add);
+    return result;
+  }
+
+  template <int dim>
+  LA::Vector
+  ElasticityOperator<dim>::multiply(const LA::Vector &u) const
   {
     LA::Vector          result = discretization.make_owned_vector();
     std::vector<double> local(discretization.fe.n_dofs_per_cell()), force(local.size());
@@ -125,10 +214,17 @@ namespace Amontons
   double
   ElasticityOperator<dim>::stored_energy(const LA::Vector &u) const
   {
-    const LA::Vector force  = internal_forces(u);
-    double           energy = 0;
-    for (const auto dof : discretization.locally_owned)
-      energy += 0.5 * force(dof) * u(dof);
+    double energy = 0;
+    if (is_finite)
+      for_each_deformed_cell(u, [&](const auto &, const auto &, const auto &state, const double smallest) {
+        energy += smallest > 0 ? state.energy() : infinity;
+      });
+    else
+      {
+        const LA::Vector force = multiply(u);
+        for (const auto dof : discretization.locally_owned)
+          energy += 0.5 * force(dof) * u(dof);
+      }
     return Utilities::MPI::sum(energy, discretization.geometry.communicator);
   }
 
@@ -149,22 +245,32 @@ namespace Amontons
                                     const typename DoFHandler<dim>::active_cell_iterator &cell,
                                     const LA::Vector                                     &u) const
   {
-    const auto         &fe = discretization.fe;
-    StrainOperator<dim> B(fe, discretization.scene.kind);
-    B.reinit(values);
+    const auto                          &fe = discretization.fe;
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     cell->get_dof_indices(dofs);
+    std::vector<double> local(dofs.size());
+    u.extract_subvector_to(dofs, local);
     std::vector<Voigt<dim>> result(values.n_quadrature_points);
+    if (is_finite)
+      {
+        FiniteStrainCell<dim> state(fe, discretization.scene.kind);
+        const double          smallest = state.reinit(values, laws[cell->material_id()], local);
+        for (unsigned int q = 0; q < result.size(); ++q)
+          if (smallest > 0)
+            result[q] = state.cauchy_stress(q);
+          else
+            result[q].fill(std::numeric_limits<double>::quiet_NaN());
+        return result;
+      }
+    StrainOperator<dim> B(fe, discretization.scene.kind);
+    B.reinit(values);
     for (unsigned int q = 0; q < result.size(); ++q)
       {
         Voigt<dim> strain;
         strain.fill(0);
         for (unsigned int i = 0; i < dofs.size(); ++i)
-          {
-            const double value = u(dofs[i]);
-            for (unsigned int k = 0; k < n_voigt<dim>; ++k)
-              strain[k] += value * B.strain(i, q)[k];
-          }
+          for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+            strain[k] += local[i] * B.strain(i, q)[k];
         result[q] = materials[cell->material_id()].stress(strain);
       }
     return result;

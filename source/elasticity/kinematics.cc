@@ -2,9 +2,65 @@
 
 namespace Amontons
 {
+  // Least squares in the cell: P f = sum_k m_k a_k with  sum_k (m_j, m_k) a_k = (m_j, f),  m = 1 (, xi_1,
+  // ..., xi_dim about the centre).
+  template <int dim>
+  void
+  PressureProjection<dim>::reinit(const FEValues<dim> &values, const std::vector<double> &weights)
+  {
+    const unsigned int n_q = weights.size(), n_m = values.get_fe().degree == 1 ? 1 : dim + 1;
+    const Point<dim>   centre = values.get_cell()->center();
+    const double       size   = values.get_cell()->diameter();
+    FullMatrix<double> mass(n_m, n_m);
+    polynomials.reinit(n_q, n_m);
+    weighted.reinit(n_q, n_m);
+    for (unsigned int q = 0; q < n_q; ++q)
+      for (unsigned int k = 0; k < n_m; ++k)
+        {
+          polynomials(q, k) = k == 0 ? 1. : (values.quadrature_point(q)[k - 1] - centre[k - 1]) / size;
+          weighted(q, k)    = weights[q] * polynomials(q, k);
+        }
+    for (unsigned int q = 0; q < n_q; ++q)
+      for (unsigned int j = 0; j < n_m; ++j)
+        for (unsigned int k = 0; k < n_m; ++k)
+          mass(j, k) += weighted(q, j) * polynomials(q, k);
+    inverse_mass.reinit(n_m, n_m);
+    inverse_mass.invert(mass);
+    moment.reinit(n_m);
+    coefficient.reinit(n_m);
+  }
+
+  template <int dim>
+  void
+  PressureProjection<dim>::apply(std::vector<double> &f)
+  {
+    moment = 0;
+    for (unsigned int q = 0; q < f.size(); ++q)
+      for (unsigned int k = 0; k < moment.size(); ++k)
+        moment[k] += weighted(q, k) * f[q];
+    inverse_mass.vmult(coefficient, moment);
+    for (unsigned int q = 0; q < f.size(); ++q)
+      {
+        f[q] = 0;
+        for (unsigned int k = 0; k < moment.size(); ++k)
+          f[q] += polynomials(q, k) * coefficient[k];
+      }
+  }
+
+  template <int dim>
+  void
+  PressureProjection<dim>::apply(FullMatrix<double> &f)
+  {
+    moments.reinit(weighted.n(), f.n());
+    coefficients.reinit(weighted.n(), f.n());
+    weighted.Tmmult(moments, f);
+    inverse_mass.mmult(coefficients, moments);
+    polynomials.mmult(f, coefficients);
+  }
+
   template <int dim>
   StrainOperator<dim>::StrainOperator(const FiniteElement<dim> &fe, const Kind kind)
-      : fe(fe), kind(kind), n_dofs(fe.n_dofs_per_cell())
+      : kind(kind), n_dofs(fe.n_dofs_per_cell())
   {
     for (unsigned int i = 0; i < n_dofs; ++i)
       component.push_back(fe.system_to_component_index(i).first);
@@ -59,50 +115,29 @@ namespace Amontons
       project_dilatation(values);
   }
 
-  // Least squares in the cell: P div = sum_k m_k a_k with  sum_k (m_j, m_k) a_k = (m_j, div),  m = 1 (, xi_1,
-  // ..., xi_dim about the centre).
   template <int dim>
   void
   StrainOperator<dim>::project_dilatation(const FEValues<dim> &values)
   {
-    const unsigned int n_q = values.n_quadrature_points, n_m = fe.degree == 1 ? 1 : dim + 1;
-    const Point<dim>   centre = values.get_cell()->center();
-    const double       size   = values.get_cell()->diameter();
-    FullMatrix<double> m(n_q, n_m), mass(n_m, n_m);
-    for (unsigned int q = 0; q < n_q; ++q)
-      for (unsigned int k = 0; k < n_m; ++k)
-        m(q, k) = k == 0 ? 1. : (values.quadrature_point(q)[k - 1] - centre[k - 1]) / size;
-    for (unsigned int q = 0; q < n_q; ++q)
-      for (unsigned int j = 0; j < n_m; ++j)
-        for (unsigned int k = 0; k < n_m; ++k)
-          mass(j, k) += weights[q] * m(q, j) * m(q, k);
-    FullMatrix<double> inverse(n_m, n_m);
-    inverse.invert(mass);
-
-    std::vector<double> divergence(n_q);
-    Vector<double>      moments(n_m), a(n_m);
+    projection.reinit(values, weights);
+    std::vector<double> divergence(weights.size()), projected;
     for (unsigned int i = 0; i < n_dofs; ++i)
       {
-        moments = 0;
-        for (unsigned int q = 0; q < n_q; ++q)
+        for (unsigned int q = 0; q < weights.size(); ++q)
           {
             const Voigt<dim> &b = B[q * n_dofs + i];
             divergence[q]       = b[0] + b[1] + b[2];
-            for (unsigned int k = 0; k < n_m; ++k)
-              moments[k] += weights[q] * m(q, k) * divergence[q];
           }
-        inverse.vmult(a, moments);
-        for (unsigned int q = 0; q < n_q; ++q)
-          {
-            double p = 0;
-            for (unsigned int k = 0; k < n_m; ++k)
-              p += m(q, k) * a[k];
-            for (unsigned int k = 0; k < 3; ++k)
-              B[q * n_dofs + i][k] += (p - divergence[q]) / 3;
-          }
+        projected = divergence;
+        projection.apply(projected);
+        for (unsigned int q = 0; q < weights.size(); ++q)
+          for (unsigned int k = 0; k < 3; ++k)
+            B[q * n_dofs + i][k] += (projected[q] - divergence[q]) / 3;
       }
   }
 
+  template class PressureProjection<2>;
+  template class PressureProjection<3>;
   template class StrainOperator<2>;
   template class StrainOperator<3>;
 } // namespace Amontons

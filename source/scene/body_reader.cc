@@ -200,6 +200,8 @@ namespace Amontons
       MaterialData material;
       material.young   = section.positive_number("Young modulus");
       material.poisson = section.number("Poisson ratio");
+      if (section.text("Law") != "neo-Hookean")
+        material.law = Law::st_venant_kirchhoff;
       if (material.poisson >= 0.5)
         section.fail("Poisson ratio",
                      "found " + section.text("Poisson ratio"),

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <amontons/discretization/discretization.h>
+#include <amontons/elasticity/finite_strain_cell.h>
 #include <amontons/elasticity/linear_elastic.h>
+
+#include <optional>
 
 namespace Amontons
 {
@@ -65,12 +68,12 @@ namespace Amontons
       return cells[c].body;
     }
 
-    // Small strain: K u. Both on unconstrained degrees of freedom (hanging nodes as if they were free); u
-    // readable at relevant DoFs. After assemble().
+    // Small strain: K u, after assemble(). Both on unconstrained degrees of freedom (hanging nodes as if they
+    // were free); u readable at relevant DoFs. Not a number on cells that u inverts.
     LA::Vector
     internal_forces(const LA::Vector &u) const;
 
-    // Collective; small strain: u.K u / 2.
+    // Collective; small strain: u.K u / 2. Infinite if u inverts a cell.
     double
     stored_energy(const LA::Vector &u) const;
 
@@ -79,7 +82,7 @@ namespace Amontons
     rounding_scale(const LA::Vector &u) const;
 
     // Stress at the points of `values` (reinited on the cell; update flags as StrainOperator needs), from the
-    // same projected strain as the stiffness.
+    // same projected strain as the stiffness. Finite strain: Cauchy stress.
     std::vector<Voigt<dim>>
     stresses(const FEValues<dim>                                  &values,
              const typename DoFHandler<dim>::active_cell_iterator &cell,
@@ -99,10 +102,24 @@ namespace Amontons
     find_cells();
     void
     assemble_small();
+    std::optional<InvertedCell<dim>>
+    assemble_finite(const LA::Vector &u);
+
+    // action(cell, its degrees of freedom, its FiniteStrainCell, reinit() of that), for owned deformable
+    // cells.
+    template <typename Action>
+    void
+    for_each_deformed_cell(const LA::Vector &u, const Action &action) const;
+
+    void
+    pack(const FullMatrix<double> &K);
+    LA::Vector
+    multiply(const LA::Vector &u) const;
 
     const Discretization<dim>      &discretization;
     const bool                      is_finite;
     std::vector<LinearElastic<dim>> materials; // per body
+    std::vector<HyperelasticLaw>    laws;      // per body
     std::vector<CellStiffness>      cells;
     const std::size_t               n_values; // per cell
     std::vector<double>             values;   // of the cells' lower triangles, row by row

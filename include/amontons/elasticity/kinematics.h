@@ -26,12 +26,32 @@ namespace Amontons
     return kind == Kind::axisymmetric ? 2 * numbers::PI * X[0] : 1.;
   }
 
+  // L2 projection P in a cell, in the weight of the kind, on to the polynomials that the pressure can carry:
+  // constants for Q1 and span{1, x, y(, z)} for Q2 (inf-sup stable pairs Q1/P0 in practice, Q2/P1disc).
+  template <int dim>
+  class PressureProjection
+  {
+  public:
+    // weights: JxW times measure
+    void
+    reinit(const FEValues<dim> &values, const std::vector<double> &weights);
+
+    // From values at the quadrature points to those of the projection.
+    void
+    apply(std::vector<double> &f);
+    // The same for every column.
+    void
+    apply(FullMatrix<double> &f);
+
+  private:
+    FullMatrix<double> polynomials, weighted, inverse_mass, moments, coefficients; // rows: points
+    Vector<double>     moment, coefficient;
+  };
+
   // Strain operator of one cell at all quadrature points: B[q][i] = strain of shape function i of the
   // vector-valued element.
   //
-  // Mean dilatation: div v is replaced by its projection on to the polynomials that the pressure can carry,
-  // constants for Q1 and span{1, x, y(, z)} for Q2 (inf-sup stable pairs Q1/P0 in practice, Q2/P1disc), in
-  // the weight of the kind:
+  // Mean dilatation: div v is replaced by its projection,
   //   B_bar = B + 1/3 (P div - div) (1, 1, 1, 0, ...).
   // For nu = 0.3 it changes results by less than the discretisation error (doc/results), so it is always on;
   // plane stress needs none.
@@ -61,11 +81,11 @@ namespace Amontons
     void
     project_dilatation(const FEValues<dim> &values);
 
-    const FiniteElement<dim> &fe;
     const Kind                kind;
     const unsigned int        n_dofs;
     std::vector<Voigt<dim>>   B;
     std::vector<double>       weights;
+    PressureProjection<dim>   projection;
     std::vector<unsigned int> component; // of shape function i
   };
 } // namespace Amontons

@@ -1,0 +1,101 @@
+// Deformation of one cell at finite strain, with the mean-dilatation projection against locking.
+#pragma once
+
+#include <amontons/elasticity/kinematics.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+namespace Amontons
+{
+  // F = I + Grad u at the quadrature points, always 3x3: F_33 = 1 in plane strain (and here in plane stress),
+  // 1 + u_r/R in axisymmetry.
+  //
+  // Mean dilatation (Simo, Taylor and Pister 1985): the law sees
+  //   F_bar = (theta/J)^(1/3) F,  theta = P J,
+  // whose determinant theta is J projected on to what the pressure can carry. At u = 0 its derivative is the
+  // strain of StrainOperator. Plane stress needs none: theta = J there.
+  template <int dim>
+  class FiniteKinematics
+  {
+  public:
+    FiniteKinematics(const FiniteElement<dim> &fe, const Kind kind);
+
+    // Values as for StrainOperator; u on the cell's degrees of freedom. Returns the smallest det F or theta
+    // (or not a number); unless that is positive, nothing below holds.
+    double
+    reinit(const FEValues<dim> &values, const std::vector<double> &u);
+
+    unsigned int
+    n_points() const
+    {
+      return weights.size();
+    }
+    double
+    weight(const unsigned int q) const // JxW times measure, in the reference configuration
+    {
+      return weights[q];
+    }
+    double
+    jacobian(const unsigned int q) const
+    {
+      return jacobians[q];
+    }
+    double
+    dilatation(const unsigned int q) const // theta
+    {
+      return dilatations[q];
+    }
+
+    // b = F_bar F_bar^T
+    SymmetricTensor<2, 3>
+    left_cauchy_green(const unsigned int q) const;
+
+    // Of the scalar shape functions, row q dim + d: d/dx_d at point q in the current configuration.
+    const FullMatrix<double> &
+    gradients() const
+    {
+      return spatial_gradients;
+    }
+    // Axisymmetric: N_m/r at point q, with the current r; else zero.
+    double
+    hoop(const unsigned int m, const unsigned int q) const
+    {
+      return hoops.empty() ? 0. : hoops[q * n_nodes + m];
+    }
+
+    // P of every column; P of one.
+    void
+    project(FullMatrix<double> &f)
+    {
+      projection.apply(f);
+    }
+    void
+    project(std::vector<double> &f)
+    {
+      projection.apply(f);
+    }
+
+    // Shape function of the cell with component c at node m.
+    unsigned int
+    index(const unsigned int c, const unsigned int m) const
+    {
+      return indices[c][m];
+    }
+
+    const Kind         kind;
+    const unsigned int n_nodes; // of the scalar element
+
+  private:
+    Tensor<2, 3>
+    deformation_gradient(const FEValues<dim> &values, const unsigned int q, const std::vector<double> &u);
+    void
+    push_forward(const FEValues<dim> &values, const unsigned int q);
+
+    std::array<std::vector<unsigned int>, dim> indices;
+
+    std::vector<Tensor<2, 3>> deformation; // F
+    std::vector<double>       weights, jacobians, dilatations, hoops;
+    FullMatrix<double>        spatial_gradients;
+    PressureProjection<dim>   projection;
+  };
+} // namespace Amontons

@@ -1,0 +1,78 @@
+// Energy, forces and tangent of one cell at finite strain.
+#pragma once
+
+#include <amontons/elasticity/finite_kinematics.h>
+#include <amontons/elasticity/hyperelastic.h>
+
+namespace Amontons
+{
+  // The energy of the displacement u of a cell is
+  //   Pi(u) = int W(F_bar) dV0,
+  // its derivatives are forces and tangent: symmetric, and free of locking up to nu = 0.4999. All integrals
+  // are those of Updated Lagrangian, over the current configuration with spatial gradients and Cauchy stress:
+  // tau dV0 = sigma dv.
+  //
+  // With spatial gradients B of a test function and A of an increment,
+  //   a(B) = (P(J tr B)/theta - tr B)/3,  e_bar(B) = sym B + a(B) I,  pi = P(tr tau/(3 theta)),
+  // pi being the pressure that the projection admits. Plane stress: a = 0, and the law's tangent with the
+  // thickness condensed.
+  template <int dim>
+  class FiniteStrainCell
+  {
+  public:
+    FiniteStrainCell(const FiniteElement<dim> &fe, const Kind kind);
+
+    // As FiniteKinematics::reinit(); not positive also where plane stress finds no thickness.
+    double
+    reinit(const FEValues<dim> &values, const HyperelasticLaw &law, const std::vector<double> &u);
+
+    double
+    energy() const;
+
+    // int tau : e_bar(B) dV0 = int (dev tau + J pi I) : B dV0
+    std::vector<double>
+    forces() const;
+
+    // int [ e_bar(B):c:e_bar(A) + tr(B tau A^T) + 2 a(A) tau:B + 2 a(B) tau:A + 2 a(B) a(A) tr tau
+    //       + tr tau/3 (tr(B A) - P(J tr B) P(J tr A)/theta^2) + J pi (tr A tr B - tr(B A)) ] dV0
+    void
+    make_tangent(FullMatrix<double> &K);
+
+    // sigma = tau(F_bar)/det F_bar
+    Voigt<dim>
+    cauchy_stress(const unsigned int q) const;
+
+  private:
+    static constexpr unsigned int n_rows = n_voigt<dim> + 1; // e_bar and tr B
+    using Matrix                         = std::array<std::array<double, n_rows>, n_rows>;
+
+    double
+    trace_of_stress(const unsigned int q) const
+    {
+      return stress[q][0] + stress[q][1] + stress[q][2];
+    }
+    Matrix
+    material_matrix(const unsigned int q) const;
+    void
+    fill_strains();
+    void
+    add_mean_dilatation();
+    void
+    fill_material_stresses();
+    void
+    add_geometric(FullMatrix<double> &K);
+    void
+    add_hoop(FullMatrix<double> &K) const;
+
+    FiniteKinematics<dim>              kinematics;
+    const bool                         projects;
+    const HyperelasticLaw             *law = nullptr;
+    std::vector<SymmetricTensor<2, 3>> b;
+    std::vector<Voigt<3>>              stress;   // tau
+    std::vector<double>                pressure; // J pi; plane stress: tr tau/3
+
+    // Rows by point, columns: shape functions of the cell or (scalar) nodes.
+    FullMatrix<double> strains, material_stresses, divergences, dilatations, weighted_divergences,
+        stressed_gradients, of_components, of_nodes;
+  };
+} // namespace Amontons

@@ -1,0 +1,100 @@
+#include <amontons/elasticity/finite_kinematics.h>
+
+namespace Amontons
+{
+  template <int dim>
+  FiniteKinematics<dim>::FiniteKinematics(const FiniteElement<dim> &fe, const Kind kind)
+      : kind(kind), n_nodes(fe.n_dofs_per_cell() / dim)
+  {
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int m = 0; m < n_nodes; ++m)
+        indices[c].push_back(fe.component_to_system_index(c, m));
+  }
+
+  template <int dim>
+  double
+  FiniteKinematics<dim>::reinit(const FEValues<dim> &values, const std::vector<double> &u)
+  {
+    const unsigned int n_q = values.n_quadrature_points;
+    deformation.resize(n_q);
+    weights.resize(n_q);
+    jacobians.resize(n_q);
+    spatial_gradients.reinit(n_q * dim, n_nodes, true);
+    if (kind == Kind::axisymmetric)
+      hoops.resize(n_q * n_nodes);
+
+    for (unsigned int q = 0; q < n_q; ++q)
+      {
+        weights[q]     = values.JxW(q) * measure<dim>(kind, values.quadrature_point(q));
+        deformation[q] = deformation_gradient(values, q, u);
+        jacobians[q]   = determinant(deformation[q]);
+        if (!(jacobians[q] > 0))
+          return jacobians[q];
+        push_forward(values, q);
+      }
+    dilatations = jacobians;
+    if (kind != Kind::plane_stress)
+      {
+        projection.reinit(values, weights);
+        projection.apply(dilatations);
+      }
+    return std::min(*std::min_element(jacobians.begin(), jacobians.end()),
+                    *std::min_element(dilatations.begin(), dilatations.end()));
+  }
+
+  template <int dim>
+  Tensor<2, 3>
+  FiniteKinematics<dim>::deformation_gradient(const FEValues<dim>       &values,
+                                              const unsigned int         q,
+                                              const std::vector<double> &u)
+  {
+    Tensor<2, 3> F = unit_symmetric_tensor<3>();
+    for (unsigned int m = 0; m < n_nodes; ++m)
+      {
+        const auto &gradient = values.shape_grad(index(0, m), q);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            F[c][d] += u[index(c, m)] * gradient[d];
+      }
+    if (kind == Kind::axisymmetric)
+      for (unsigned int m = 0; m < n_nodes; ++m)
+        {
+          const unsigned int i = index(0, m);
+          F[2][2] += u[i] * values.shape_value(i, q) / values.quadrature_point(q)[0];
+        }
+    return F;
+  }
+
+  // grad N = F^-T Grad N
+  template <int dim>
+  void
+  FiniteKinematics<dim>::push_forward(const FEValues<dim> &values, const unsigned int q)
+  {
+    const Tensor<2, 3> inverse = invert(deformation[q]);
+    for (unsigned int m = 0; m < n_nodes; ++m)
+      {
+        const unsigned int i        = index(0, m);
+        const auto        &gradient = values.shape_grad(i, q);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            double sum = 0;
+            for (unsigned int e = 0; e < dim; ++e)
+              sum += inverse[e][d] * gradient[e];
+            spatial_gradients(q * dim + d, m) = sum;
+          }
+        if (kind == Kind::axisymmetric)
+          hoops[q * n_nodes + m] = values.shape_value(i, q) / values.quadrature_point(q)[0] * inverse[2][2];
+      }
+  }
+
+  template <int dim>
+  SymmetricTensor<2, 3>
+  FiniteKinematics<dim>::left_cauchy_green(const unsigned int q) const
+  {
+    const double scale = std::pow(dilatations[q] / jacobians[q], 2. / 3);
+    return scale * symmetrize(deformation[q] * transpose(deformation[q]));
+  }
+
+  template class FiniteKinematics<2>;
+  template class FiniteKinematics<3>;
+} // namespace Amontons

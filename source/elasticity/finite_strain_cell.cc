@@ -1,0 +1,266 @@
+#include <amontons/elasticity/finite_strain_cell.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // Of tau + p I, the components that act in the space of the mesh.
+    template <int dim>
+    Tensor<2, dim>
+    in_space(const Voigt<3> &tau, const double p)
+    {
+      Tensor<2, dim> result;
+      for (unsigned int k = 0; k < 6; ++k)
+        if (const auto [i, j] = voigt_indices[k]; j < dim)
+          result[i][j] = result[j][i] = i == j ? tau[k] + p : tau[k];
+      return result;
+    }
+  } // namespace
+
+  template <int dim>
+  FiniteStrainCell<dim>::FiniteStrainCell(const FiniteElement<dim> &fe, const Kind kind)
+      : kinematics(fe, kind), projects(kind != Kind::plane_stress)
+  {
+  }
+
+  template <int dim>
+  double
+  FiniteStrainCell<dim>::reinit(const FEValues<dim>       &values,
+                                const HyperelasticLaw     &law,
+                                const std::vector<double> &u)
+  {
+    this->law             = &law;
+    const double smallest = kinematics.reinit(values, u);
+    if (!(smallest > 0))
+      return smallest;
+    const unsigned int n_q = kinematics.n_points();
+    b.resize(n_q);
+    stress.resize(n_q);
+    pressure.resize(n_q);
+    for (unsigned int q = 0; q < n_q; ++q)
+      {
+        b[q] = kinematics.left_cauchy_green(q);
+        if (!projects)
+          b[q][2][2] = squared_thickness(law, b[q]);
+        if (!(b[q][2][2] > 0))
+          return b[q][2][2];
+        stress[q]   = kirchhoff_stress(law, b[q]);
+        pressure[q] = trace_of_stress(q) / 3;
+      }
+    if (projects)
+      {
+        for (unsigned int q = 0; q < n_q; ++q)
+          pressure[q] /= kinematics.dilatation(q);
+        kinematics.project(pressure);
+        for (unsigned int q = 0; q < n_q; ++q)
+          pressure[q] *= kinematics.jacobian(q);
+      }
+    return smallest;
+  }
+
+  template <int dim>
+  double
+  FiniteStrainCell<dim>::energy() const
+  {
+    double sum = 0;
+    for (unsigned int q = 0; q < kinematics.n_points(); ++q)
+      sum += kinematics.weight(q) * Amontons::energy(*law, b[q]);
+    return sum;
+  }
+
+  template <int dim>
+  std::vector<double>
+  FiniteStrainCell<dim>::forces() const
+  {
+    std::vector<double> f(kinematics.n_nodes * dim);
+    for (unsigned int q = 0; q < kinematics.n_points(); ++q)
+      {
+        const double         shift = pressure[q] - trace_of_stress(q) / 3;
+        const double         hoop  = kinematics.weight(q) * (stress[q][2] + shift);
+        const Tensor<2, dim> tau   = kinematics.weight(q) * in_space<dim>(stress[q], shift);
+        for (unsigned int m = 0; m < kinematics.n_nodes; ++m)
+          {
+            f[kinematics.index(0, m)] += hoop * kinematics.hoop(m, q);
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int d = 0; d < dim; ++d)
+                f[kinematics.index(c, m)] += tau[c][d] * kinematics.gradients()(q * dim + d, m);
+          }
+      }
+    return f;
+  }
+
+  template <int dim>
+  void
+  FiniteStrainCell<dim>::make_tangent(FullMatrix<double> &K)
+  {
+    fill_strains();
+    fill_material_stresses();
+    strains.Tmmult(K, material_stresses);
+    add_geometric(K);
+    if (kinematics.kind == Kind::axisymmetric)
+      add_hoop(K);
+  }
+
+  // Rows e_bar(B) and tr B of every point; the latter's projection first.
+  template <int dim>
+  void
+  FiniteStrainCell<dim>::fill_strains()
+  {
+    const unsigned int n_q = kinematics.n_points(), n = kinematics.n_nodes * dim;
+    const auto        &g = kinematics.gradients();
+    divergences.reinit(n_q, n, true);
+    dilatations.reinit(n_q, n, true);
+    strains.reinit(n_q * n_rows, n);
+    for (unsigned int q = 0; q < n_q; ++q)
+      for (unsigned int m = 0; m < kinematics.n_nodes; ++m)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const unsigned int i    = kinematics.index(c, m);
+            const double       hoop = c == 0 ? kinematics.hoop(m, q) : 0.;
+            divergences(q, i)       = g(q * dim + c, m);
+            dilatations(q, i)       = kinematics.jacobian(q) * (divergences(q, i) + hoop);
+
+            strains(q * n_rows + c, i) = g(q * dim + c, m);
+            if (dim == 2)
+              strains(q * n_rows + 2, i) = hoop;
+            for (unsigned int k = 3; k < n_voigt<dim>; ++k)
+              if (const auto [a, b] = voigt_indices[k]; c == a || c == b)
+                strains(q * n_rows + k, i) = g(q * dim + a + b - c, m);
+          }
+    if (projects)
+      add_mean_dilatation();
+  }
+
+  template <int dim>
+  void
+  FiniteStrainCell<dim>::add_mean_dilatation()
+  {
+    kinematics.project(dilatations);
+    for (unsigned int q = 0; q < kinematics.n_points(); ++q)
+      for (unsigned int i = 0; i < dilatations.n(); ++i)
+        {
+          const double divergence =
+              strains(q * n_rows, i) + strains(q * n_rows + 1, i) + strains(q * n_rows + 2, i);
+          for (unsigned int k = 0; k < 3; ++k)
+            strains(q * n_rows + k, i) += (dilatations(q, i) / kinematics.dilatation(q) - divergence) / 3;
+          strains(q * n_rows + n_voigt<dim>, i) = divergence;
+        }
+  }
+
+  // All but the terms of B tau A^T and B A, as a form in (e_bar, tr B): with a(B) = (tr e_bar(B) - tr B)/3,
+  //   e_bar:e_bar  c + 2/3 (dev tau x I + I x dev tau) - tr tau/9 I x I
+  //   e_bar:tr     -2/3 dev tau
+  //   tr:tr        J pi - 2/9 tr tau
+  template <int dim>
+  typename FiniteStrainCell<dim>::Matrix
+  FiniteStrainCell<dim>::material_matrix(const unsigned int q) const
+  {
+    SpatialTangent c = spatial_tangent(*law, b[q]);
+    if (!projects)
+      c = condense_thickness(c);
+    Matrix M = {};
+    for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+      for (unsigned int l = 0; l < n_voigt<dim>; ++l)
+        M[k][l] = c[k][l];
+    if (!projects)
+      return M;
+
+    const double trace = trace_of_stress(q);
+    for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+      {
+        const double deviator = 2. / 3 * (k < 3 ? stress[q][k] - trace / 3 : stress[q][k]);
+        for (unsigned int l = 0; l < 3; ++l)
+          {
+            M[k][l] += deviator - (k < 3 ? trace / 9 : 0.);
+            M[l][k] += deviator;
+          }
+        M[k][n_voigt<dim>] = M[n_voigt<dim>][k] = -deviator;
+      }
+    M[n_voigt<dim>][n_voigt<dim>] = pressure[q] - 2. / 9 * trace;
+    return M;
+  }
+
+  template <int dim>
+  void
+  FiniteStrainCell<dim>::fill_material_stresses()
+  {
+    const unsigned int n = strains.n();
+    material_stresses.reinit(strains.m(), n);
+    for (unsigned int q = 0; q < kinematics.n_points(); ++q)
+      {
+        const Matrix M = material_matrix(q);
+        for (unsigned int k = 0; k < n_rows; ++k)
+          for (unsigned int l = 0; l < n_rows; ++l)
+            if (const double factor = kinematics.weight(q) * M[k][l]; factor != 0)
+              {
+                double       *to   = &material_stresses(q * n_rows + k, 0);
+                const double *from = &strains(q * n_rows + l, 0);
+                for (unsigned int i = 0; i < n; ++i)
+                  to[i] += factor * from[i];
+              }
+      }
+  }
+
+  // Shape functions N_m e_c and N_n e_d, with gradients g:
+  // int [ d_cd g_m.tau g_n + (tr tau/3 - J pi) g_m[d] g_n[c] ] dV0
+  template <int dim>
+  void
+  FiniteStrainCell<dim>::add_geometric(FullMatrix<double> &K)
+  {
+    const unsigned int n_q = kinematics.n_points(), n_nodes = kinematics.n_nodes;
+    const auto        &g = kinematics.gradients();
+    stressed_gradients.reinit(n_q * dim, n_nodes);
+    weighted_divergences.reinit(n_q, n_nodes * dim, true);
+    for (unsigned int q = 0; q < n_q; ++q)
+      {
+        const Tensor<2, dim> tau   = kinematics.weight(q) * in_space<dim>(stress[q], 0);
+        const double         kappa = kinematics.weight(q) * (trace_of_stress(q) / 3 - pressure[q]);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int m = 0; m < n_nodes; ++m)
+              stressed_gradients(q * dim + c, m) += tau[c][d] * g(q * dim + d, m);
+        for (unsigned int i = 0; i < n_nodes * dim; ++i)
+          weighted_divergences(q, i) = kappa * divergences(q, i);
+      }
+    of_nodes.reinit(n_nodes, n_nodes, true);
+    of_components.reinit(n_nodes * dim, n_nodes * dim, true);
+    g.Tmmult(of_nodes, stressed_gradients);
+    divergences.Tmmult(of_components, weighted_divergences);
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int m = 0; m < n_nodes; ++m)
+          for (unsigned int n = 0; n < n_nodes; ++n)
+            K(kinematics.index(c, m), kinematics.index(d, n)) +=
+                of_components(kinematics.index(d, m), kinematics.index(c, n)) +
+                (c == d ? of_nodes(m, n) : 0.);
+  }
+
+  // The same of the hoop components: int (tau_33 + tr tau/3 - J pi) N_m/r N_n/r dV0
+  template <int dim>
+  void
+  FiniteStrainCell<dim>::add_hoop(FullMatrix<double> &K) const
+  {
+    for (unsigned int q = 0; q < kinematics.n_points(); ++q)
+      {
+        const double factor = kinematics.weight(q) * (stress[q][2] + trace_of_stress(q) / 3 - pressure[q]);
+        for (unsigned int m = 0; m < kinematics.n_nodes; ++m)
+          for (unsigned int n = 0; n < kinematics.n_nodes; ++n)
+            K(kinematics.index(0, m), kinematics.index(0, n)) +=
+                factor * kinematics.hoop(m, q) * kinematics.hoop(n, q);
+      }
+  }
+
+  template <int dim>
+  Voigt<dim>
+  FiniteStrainCell<dim>::cauchy_stress(const unsigned int q) const
+  {
+    const double J = std::sqrt(determinant(b[q]));
+    Voigt<dim>   sigma;
+    for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+      sigma[k] = stress[q][k] / J;
+    return sigma;
+  }
+
+  template class FiniteStrainCell<2>;
+  template class FiniteStrainCell<3>;
+} // namespace Amontons

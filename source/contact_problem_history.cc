@@ -95,7 +95,8 @@ namespace Amontons
         state.displacement = discretization->make_relevant_vector();
       }
     state.t = -1; // the supports are still those of the failed time
-    move_surfaces();
+    if (finite_strain)
+      move_surfaces(state.displacement);
   }
 
   // Values that supports prescribe, on the owned DoFs.
@@ -150,7 +151,8 @@ namespace Amontons
     const double t = state.t;
     state.t        = -1;
     set_time(t);
-    move_surfaces();
+    if (finite_strain)
+      move_surfaces(state.displacement);
     loads =
         assemble_loads(*discretization, t, covered_points(), finite_strain ? &state.displacement : nullptr);
     collect_fields();
@@ -206,7 +208,8 @@ namespace Amontons
     const LA::Vector traction_at_end = state.traction;
     const auto       peaks_at_end    = state.peaks;
     state.displacement               = state.committed;
-    move_surfaces();
+    if (finite_strain)
+      move_surfaces(state.displacement);
     state.traction = last_converged.traction;
     state.peaks    = last_converged.peaks;
     carry_active_set();
@@ -249,7 +252,8 @@ namespace Amontons
           state.displacement = point.displacement;
           state.traction     = point.traction;
           state.peaks        = point.peaks;
-          move_surfaces();
+          if (finite_strain)
+            move_surfaces(state.displacement);
           carry_active_set();
         }
   }

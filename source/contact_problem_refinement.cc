@@ -114,7 +114,8 @@ namespace Amontons
     refine_and_transfer(*discretization, geometry, moving, [&]() { rebuild(); });
     ++mesh_number;
     ++cycle;
-    move_surfaces();
+    if (finite_strain)
+      move_surfaces(state.displacement);
     carry_active_set();
     return true;
   }

@@ -52,6 +52,12 @@ namespace Amontons
     run();
 
   private:
+    bool
+    run_all_meshes();
+    bool
+    needs_finite_strain();
+    void
+    restart_with_finite_strain();
     void
     make_mesh();
     void
@@ -87,8 +93,12 @@ namespace Amontons
     iterate();
     NewtonReport
     iterate_with_finite_strain(const typename SemismoothNewton<dim>::Observer &observer);
+    FollowerLoads
+    follower_loads() const;
     void
-    move_surfaces();
+    move_surfaces(const LA::Vector &u);
+    double
+    change_by_finite_strain();
     bool
     rebalance(const LoadProgram &program);
     bool
@@ -134,7 +144,7 @@ namespace Amontons
     std::vector<CoveredPoint<dim>>
     covered_points() const;
 
-    const Scene         scene;
+    Scene               scene; // its kinematics: those in effect
     bool                finite_strain;
     bool                has_history; // friction: the answer depends on the path of the load
     bool                incremental; // it is applied in increments
@@ -173,6 +183,7 @@ namespace Amontons
     std::optional<ReferenceSolution>     reference;
     VtuOutput                            vtu;
     unsigned int                         mesh_number = 0;
+    std::map<std::string, double>        neglected_checks; // Kinematics = auto
     RunSummary                           summary;
   };
 } // namespace Amontons

@@ -5,6 +5,7 @@
 #include <amontons/scene/reference_solution.h>
 
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/physics/transformations.h>
 
 namespace Amontons
 {
@@ -79,6 +80,26 @@ namespace Amontons
             own.set_inhomogeneity(dof.first, dof.second);
           }
     }
+
+    // Columns R e_k of the rotation by theta (about theta, by its length).
+    template <int dim>
+    Tensor<2, 3>
+    turned_axes(const MotionData &motion, const double t)
+    {
+      Point<3> theta;
+      for (unsigned int k = dim == 2 ? 2 : 0; k < 3; ++k)
+        {
+          if (!motion.rotation[k])
+            throw InputError(motion.where,
+                             "a free rotation, which finite strain does not have",
+                             "'Rotation' given or left out (held); or a meshed body instead");
+          theta[k] = motion.rotation[k]->value(motion.reference, t);
+        }
+      const double angle = theta.norm();
+      if (angle == 0)
+        return unit_symmetric_tensor<3>();
+      return Physics::Transformations::Rotations::rotation_matrix_3d(Point<3>(theta / angle), angle);
+    }
   } // namespace
 
   template <int dim>
@@ -136,7 +157,8 @@ namespace Amontons
     return own;
   }
 
-  // With A the corner at the reference point, B, C, D at distance s along x, y, z:
+  // With A the corner at the reference point, B, C, D at distance s along x, y, z, finite strain:
+  //   u_B = u_A + s (R - 1) e_x, ..., where R turns by the prescribed rotation vector theta. Small strain:
   //   u_B = u_A + s theta x e_x = u_A + s (0, theta_z, -theta_y),   u_C = u_A + s (-theta_z, 0, theta_x),
   //   u_D = u_A + s (theta_y, -theta_x, 0).
   // A free rotation is carried by B_y (theta_z), B_z (theta_y) and C_z (theta_x).
@@ -171,6 +193,14 @@ namespace Amontons
           }
         if (axisymmetric)
           continue;
+        if (scene.kinematics == Kinematics::finite_strain)
+          {
+            const auto turned = turned_axes<dim>(motion, t);
+            for (unsigned int k = 0; k < dim; ++k)
+              for (unsigned int c = 0; c < dim; ++c)
+                tie(u[k + 1][c], {{u[0][c], 1.}}, s * (turned[c][k] - double(c == k)));
+            continue;
+          }
 
         // theta about `axis`: u[k+1][c] = u[0][c] + sign s theta for (k, c, sign) and its opposite.
         struct Rotation

@@ -1,4 +1,5 @@
 #include <amontons/base/points.h>
+#include <amontons/elasticity/boundary_faces.h>
 #include <amontons/elasticity/kinematics.h>
 #include <amontons/elasticity/loads.h>
 
@@ -8,32 +9,21 @@ namespace Amontons
 {
   namespace
   {
-    template <int dim, typename Action>
-    void
-    for_each_face(const Discretization<dim> &discretization,
-                  const types::boundary_id   boundary,
-                  const Action              &action)
-    {
-      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned() && cell->at_boundary())
-          for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == boundary)
-              action(cell, f);
-    }
-
     template <int dim>
     class LoadAssembly
     {
     public:
       LoadAssembly(const Discretization<dim>            &discretization,
                    const double                          t,
-                   const std::vector<CoveredPoint<dim>> &covered)
-          : discretization(discretization), kind(discretization.scene.kind), t(t), covered(covered),
+                   const std::vector<CoveredPoint<dim>> &covered,
+                   const LA::Vector                     *u)
+          : discretization(discretization), kind(discretization.scene.kind), t(t), covered(covered), u(u),
             loads(discretization.make_owned_vector()),
             face_values(discretization.mapping,
                         discretization.fe,
                         QGauss<dim - 1>(discretization.fe.degree + 2),
-                        update_values | update_quadrature_points | update_JxW_values | update_normal_vectors),
+                        update_values | update_quadrature_points | update_JxW_values | update_normal_vectors |
+                            gradients_of_u()),
             dofs(discretization.fe.n_dofs_per_cell())
       {
       }
@@ -95,29 +85,38 @@ namespace Amontons
         if (condition.type == Type::total_force)
           area = total_area(condition);
         if (!(area > 0))
-          throw InputError(condition.where, "a total force on a boundary without area", "a boundary off the axis");
+          throw InputError(
+              condition.where, "a total force on a boundary without area", "a boundary off the axis");
         for (const auto &name : condition.boundaries)
           {
             const auto id = discretization.geometry.boundary(name, discretization.scene).id;
             for_each_face(discretization, id, [&](const auto &cell, const unsigned int f) {
               face_values.reinit(cell, f);
               cell->get_dof_indices(dofs);
-              for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
-                {
-                  const Point<dim> &X = face_values.quadrature_point(q);
-                  if (condition.type == Type::pressure)
-                    add_point_force(face_values,
-                                    q,
-                                    -condition.value[0].value(as_3d(X), t) * weight(face_values, q) *
-                                        face_values.normal_vector(q));
-                  else
-                    add_point_force(
-                        face_values, q, vector_at(condition.value, X) * (weight(face_values, q) / area));
-                }
+              if (condition.type == Type::pressure)
+                add_pressure(condition);
+              else
+                for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
+                  add_point_force(face_values,
+                                  q,
+                                  vector_at(condition.value, face_values.quadrature_point(q)) *
+                                      (weight(face_values, q) / area));
             });
             if (condition.type == Type::pressure)
               remove_covered_pressure(condition, id);
           }
+      }
+
+      // -int p n da over the face of face_values
+      void
+      add_pressure(const ConditionData &condition)
+      {
+        const auto face = deform(face_values, u);
+        for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
+          add_point_force(face_values,
+                          q,
+                          -condition.value[0].value(as_3d(face_values.quadrature_point(q)), t) *
+                              (face_values.JxW(q) * measure<dim>(kind, face.positions[q])) * face.normals[q]);
       }
 
       void
@@ -129,8 +128,7 @@ namespace Amontons
             const auto             &cell = covered[begin].cell;
             const unsigned int      face = covered[begin].face;
             std::vector<Point<dim>> points;
-            for (end = begin;
-                 end < covered.size() && covered[end].cell == cell && covered[end].face == face;
+            for (end = begin; end < covered.size() && covered[end].cell == cell && covered[end].face == face;
                  ++end)
               points.push_back(covered[end].unit_point);
             if (cell->face(face)->boundary_id() != id)
@@ -138,12 +136,18 @@ namespace Amontons
             FEValues<dim> values(discretization.mapping,
                                  discretization.fe,
                                  Quadrature<dim>(points),
-                                 update_values | update_quadrature_points | update_inverse_jacobians);
+                                 update_values | update_quadrature_points | update_inverse_jacobians |
+                                     gradients_of_u());
             values.reinit(cell);
             cell->get_dof_indices(dofs);
+            std::vector<Tensor<2, dim>> gradients(points.size());
+            if (u != nullptr)
+              values[FEValuesExtractors::Vector(0)].get_function_gradients(*u, gradients);
             for (unsigned int q = 0; q < points.size(); ++q)
               {
                 Tensor<1, dim> normal = values.inverse_jacobian(q)[face / 2]; // J^-T N
+                if (u != nullptr)
+                  normal = transpose(invert(unit_symmetric_tensor<dim>() + gradients[q])) * normal;
                 normal *= (face % 2 == 1 ? 1 : -1) / normal.norm();
                 add_point_force(values,
                                 q,
@@ -200,6 +204,12 @@ namespace Amontons
         return values.JxW(q) * measure<dim>(kind, values.quadrature_point(q));
       }
 
+      UpdateFlags
+      gradients_of_u() const
+      {
+        return u == nullptr ? update_default : update_gradients;
+      }
+
       Tensor<1, dim>
       vector_at(const std::array<Expression, 3> &expressions, const Point<dim> &X) const
       {
@@ -213,6 +223,7 @@ namespace Amontons
       const Kind                            kind;
       const double                          t;
       const std::vector<CoveredPoint<dim>> &covered;
+      const LA::Vector                     *u; // of finite strain
       LA::Vector                            loads;
       FEFaceValues<dim>                     face_values;
       std::vector<types::global_dof_index>  dofs;
@@ -223,13 +234,20 @@ namespace Amontons
   LA::Vector
   assemble_loads(const Discretization<dim>            &discretization,
                  const double                          t,
-                 const std::vector<CoveredPoint<dim>> &covered)
+                 const std::vector<CoveredPoint<dim>> &covered,
+                 const LA::Vector                     *u)
   {
-    return LoadAssembly<dim>(discretization, t, covered).run();
+    return LoadAssembly<dim>(discretization, t, covered, u).run();
   }
 
   template LA::Vector
-  assemble_loads(const Discretization<2> &, const double, const std::vector<CoveredPoint<2>> &);
+  assemble_loads(const Discretization<2> &,
+                 const double,
+                 const std::vector<CoveredPoint<2>> &,
+                 const LA::Vector *);
   template LA::Vector
-  assemble_loads(const Discretization<3> &, const double, const std::vector<CoveredPoint<3>> &);
+  assemble_loads(const Discretization<3> &,
+                 const double,
+                 const std::vector<CoveredPoint<3>> &,
+                 const LA::Vector *);
 } // namespace Amontons

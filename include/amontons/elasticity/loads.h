@@ -3,6 +3,8 @@
 
 #include <amontons/discretization/discretization.h>
 
+#include <deal.II/lac/full_matrix.h>
+
 namespace Amontons
 {
   // A quadrature point of a boundary face of an owned cell where another body lies on it: pressure does not
@@ -19,9 +21,28 @@ namespace Amontons
   // Body forces, tractions, pressures (on the exposed part of a face: its integral minus that over the
   // covered points), total forces (as uniform tractions) and the forces and moments on rigid motions, on
   // unconstrained degrees of freedom.
+  //
+  // With u (finite strain; readable at relevant DoFs), pressures act on the current surface, along its normal
+  // and per current area, which is also that of the covered points' weights (plane stress: per reference
+  // thickness). All other loads keep their direction and are per reference area and volume. Expressions are
+  // of the reference position.
   template <int dim>
   LA::Vector
   assemble_loads(const Discretization<dim>            &discretization,
                  const double                          t,
-                 const std::vector<CoveredPoint<dim>> &covered);
+                 const std::vector<CoveredPoint<dim>> &covered,
+                 const LA::Vector                     *u = nullptr);
+
+  // d f_i/d u_j of the loads f on the degrees of freedom of a cell.
+  template <int dim>
+  struct CellFaceMatrix
+  {
+    std::vector<types::global_dof_index> dofs;
+    FullMatrix<double>                   matrix;
+  };
+
+  // How the loads change with u, by owned face under pressure: unsymmetric, and as if no point was covered.
+  template <int dim>
+  std::vector<CellFaceMatrix<dim>>
+  pressure_stiffness(const Discretization<dim> &discretization, const double t, const LA::Vector &u);
 } // namespace Amontons

@@ -1,0 +1,96 @@
+#include <amontons/base/points.h>
+#include <amontons/elasticity/boundary_faces.h>
+#include <amontons/elasticity/kinematics.h>
+#include <amontons/elasticity/loads.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // f_i = -int p N_i n m da/dA dA,  n da/dA = cof F N =: v,  m = measure(x):
+    //   d f_i/du_j = -int p N_i [ (div N_j v - (grad N_j)^T v) m + dm/du_j v ] dA
+    // with spatial gradients; dm/du_r = 2 pi N_j in axisymmetry, else 0.
+    template <int dim>
+    class PressureStiffness
+    {
+    public:
+      PressureStiffness(const Discretization<dim> &discretization, const double t, const LA::Vector &u)
+          : fe(discretization.fe), kind(discretization.scene.kind), t(t), u(u),
+            values(discretization.mapping,
+                   fe,
+                   QGauss<dim - 1>(fe.degree + 2),
+                   update_values | update_gradients | update_quadrature_points | update_JxW_values |
+                       update_normal_vectors)
+      {
+      }
+
+      CellFaceMatrix<dim>
+      matrix(const typename DoFHandler<dim>::active_cell_iterator &cell,
+             const unsigned int                                    f,
+             const Expression                                     &pressure)
+      {
+        values.reinit(cell, f);
+        const auto          face = deform(values, &u);
+        const unsigned int  n    = fe.n_dofs_per_cell();
+        CellFaceMatrix<dim> result{std::vector<types::global_dof_index>(n), FullMatrix<double>(n, n)};
+        cell->get_dof_indices(result.dofs);
+        for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+          {
+            const double p = pressure.value(as_3d(values.quadrature_point(q)), t) * values.JxW(q);
+            for (unsigned int j = 0; j < n; ++j)
+              {
+                const Tensor<1, dim> change = change_of_normal(face, q, j);
+                for (unsigned int i = 0; i < n; ++i)
+                  result.matrix(i, j) -=
+                      p * values.shape_value(i, q) * change[fe.system_to_component_index(i).first];
+              }
+          }
+        return result;
+      }
+
+    private:
+      Tensor<1, dim>
+      change_of_normal(const DeformedFace<dim> &face, const unsigned int q, const unsigned int j) const
+      {
+        const unsigned int   c        = fe.system_to_component_index(j).first;
+        const Tensor<1, dim> gradient = transpose(invert(face.gradients[q])) * values.shape_grad(j, q);
+        const auto          &normal   = face.normals[q];
+        Tensor<1, dim>       change =
+            measure<dim>(kind, face.positions[q]) * (gradient[c] * normal - normal[c] * gradient);
+        if (kind == Kind::axisymmetric && c == 0)
+          change += 2 * numbers::PI * values.shape_value(j, q) * normal;
+        return change;
+      }
+
+      const FiniteElement<dim> &fe;
+      const Kind                kind;
+      const double              t;
+      const LA::Vector         &u;
+      FEFaceValues<dim>         values;
+    };
+  } // namespace
+
+  template <int dim>
+  std::vector<CellFaceMatrix<dim>>
+  pressure_stiffness(const Discretization<dim> &discretization, const double t, const LA::Vector &u)
+  {
+    PressureStiffness<dim>           stiffness(discretization, t, u);
+    std::vector<CellFaceMatrix<dim>> matrices;
+    for (const auto &condition : discretization.scene.conditions)
+      if (condition.type == ConditionData::Type::pressure)
+        for (const auto &name : condition.boundaries)
+          for_each_face(discretization,
+                        discretization.geometry.boundary(name, discretization.scene).id,
+                        [&](const auto &cell, const unsigned int f) {
+                          matrices.push_back(stiffness.matrix(cell, f, condition.value[0]));
+                        });
+    return matrices;
+  }
+
+  template std::vector<CellFaceMatrix<2>>
+  pressure_stiffness(const Discretization<2> &, const double, const LA::Vector &);
+  template std::vector<CellFaceMatrix<3>>
+  pressure_stiffness(const Discretization<3> &, const double, const LA::Vector &);
+} // namespace Amontons

@@ -1,32 +1,14 @@
+#include <amontons/contact/covered_basis.h>
 #include <amontons/contact/dual_basis.h>
 #include <amontons/contact/face_basis.h>
 
-#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
 
 namespace Amontons
 {
   using namespace dealii;
-
-  namespace
-  {
-    double
-    legendre(const unsigned int k, const double s)
-    {
-      return k == 0 ? 1. : k == 1 ? s : 0.5 * (3 * s * s - 1);
-    }
-
-    template <int fdim>
-    std::vector<double>
-    legendre_values(const unsigned int degree, const Point<fdim> &s)
-    {
-      const unsigned int  n = degree + 1;
-      std::vector<double> values(Utilities::fixed_power<fdim>(n), 1.);
-      for (unsigned int i = 0; i < values.size(); ++i)
-        for (unsigned int d = 0, rest = i; d < fdim; ++d, rest /= n)
-          values[i] *= legendre(rest % n, s[d]);
-      return values;
-    }
-  } // namespace
 
   template <int fdim>
   DualBasis<fdim>
@@ -36,55 +18,18 @@ namespace Amontons
                   const std::vector<bool>        &carries_multiplier,
                   const FullMatrix<double>       &subdivision)
   {
-    const unsigned int n = Utilities::fixed_power<fdim>(degree + 1), n_q = points.size();
-    Point<fdim>        lower = points[0], upper = points[0];
-    for (const auto &p : points)
-      for (unsigned int d = 0; d < fdim; ++d)
-        {
-          lower[d] = std::min(lower[d], p[d]);
-          upper[d] = std::max(upper[d], p[d]);
-        }
-    const auto to_box = [&](const Point<fdim> &p) {
-      Point<fdim> s;
-      for (unsigned int d = 0; d < fdim; ++d)
-        s[d] = (2 * p[d] - lower[d] - upper[d]) / std::max(upper[d] - lower[d], 1e-300);
-      return s;
-    };
-
-    // B = R L, from interpolation at the Gauss points of the box.
-    FullMatrix<double> R(n, n);
-    const QGauss<fdim> gauss(degree + 1);
-    for (unsigned int q = 0; q < gauss.size(); ++q)
-      {
-        Point<fdim> p, s;
-        for (unsigned int d = 0; d < fdim; ++d)
-          {
-            p[d] = lower[d] + gauss.point(q)[d] * (upper[d] - lower[d]);
-            s[d] = 2 * gauss.point(q)[d] - 1;
-          }
-        const auto B = bernstein_values(degree, p);
-        const auto L = legendre_values(degree, s);
-        for (unsigned int k = 0; k < n; ++k)
-          {
-            double norm = 1; // int L_k^2 over the unit box
-            for (unsigned int d = 0, rest = k; d < fdim; ++d, rest /= degree + 1)
-              norm *= 1. / (2 * (rest % (degree + 1)) + 1);
-            for (unsigned int i = 0; i < n; ++i)
-              R(i, k) += gauss.weight(q) * B[i] * L[k] / norm;
-          }
-      }
-
-    FullMatrix<double> B(n, n_q), L(n, n_q), G(n, n);
-    Vector<double>     D(n);
-    DualBasis<fdim>    result;
+    const unsigned int       n = Utilities::fixed_power<fdim>(degree + 1), n_q = points.size();
+    const CoveredBasis<fdim> legendre(degree, points);
+    FullMatrix<double>       L(n, n_q), G(n, n);
+    Vector<double>           D(n);
+    DualBasis<fdim>          result;
     result.mass.reinit(n, n);
     for (unsigned int q = 0; q < n_q; ++q)
       {
         const auto b = bernstein_values(degree, points[q]);
-        const auto l = legendre_values(degree, to_box(points[q]));
+        const auto l = legendre.values(points[q]);
         for (unsigned int i = 0; i < n; ++i)
           {
-            B(i, q) = b[i];
             L(i, q) = l[i];
             D[i] += weights[q] * b[i];
             for (unsigned int j = 0; j < n; ++j)
@@ -121,7 +66,7 @@ namespace Amontons
     // psi = D R^-T G^-1 L
     FullMatrix<double> G_inverse(n, n), R_inverse(n, n), RG(n, n);
     G_inverse.invert(G);
-    R_inverse.invert(R);
+    R_inverse.invert(legendre.R);
     R_inverse.Tmmult(RG, G_inverse);
     if (!subdivision.empty())
       {

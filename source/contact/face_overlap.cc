@@ -1,7 +1,6 @@
 #include <amontons/contact/face_overlap.h>
 #include <amontons/contact/overlap_piece.h>
-
-#include <deal.II/base/quadrature_lib.h>
+#include <amontons/contact/segment_clipping.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -28,38 +27,6 @@ namespace Amontons
       const auto       bracket    = boost::math::tools::toms748_solve(
           f, 0., 1., f0, f1, boost::math::tools::eps_tolerance<double>(52), iterations);
       return 0.5 * (bracket.first + bracket.second);
-    }
-
-    // Quadrature on [a, b] of the slave face; at each point `opposite` returns the master's (face, xi,
-    // position), if any.
-    template <typename Opposite>
-    void
-    integrate_segment(const ContactSurface<2>      &slave,
-                      const unsigned int            slave_face,
-                      const double                  a,
-                      const double                  b,
-                      const double                  reach,
-                      const Opposite               &opposite,
-                      std::vector<OverlapPoint<2>> &points)
-    {
-      // psi x N x geometry x r: degree 2p + 1 on straight faces; curved ones get two points more.
-      const QGauss<1> gauss(slave.degree + 3);
-      append_piece<2>(
-          gauss.size(),
-          [&](const unsigned int q) {
-            OverlapPoint<2> p;
-            p.slave_face = slave_face;
-            p.xi_slave   = Point<1>(a + (b - a) * gauss.point(q)[0]);
-            p.x_slave    = slave.position(slave_face, p.xi_slave);
-            p.normal     = slave.nodal_normal(slave_face, p.xi_slave);
-            double jacobian;
-            slave.face_normal(slave_face, p.xi_slave, &jacobian);
-            p.weight = gauss.weight(q) * (b - a) * jacobian;
-            return p;
-          },
-          opposite, // may miss by rounding at the ends of a sliver
-          reach,
-          points);
     }
   } // namespace
 
@@ -102,34 +69,7 @@ namespace Amontons
                 const double                     reach,
                 std::vector<OverlapPoint<2>>    &points)
   {
-    const Tensor<1, 2> n_slave = slave.face_normal(slave_face, Point<1>(0.5));
-    for (const unsigned int master_face : master_faces)
-      {
-        if (n_slave * master.face_normal(master_face, Point<1>(0.5)) > -0.1)
-          continue;
-        double a = project_to_slave(slave, slave_face, master.position(master_face, Point<1>(0)));
-        double b = project_to_slave(slave, slave_face, master.position(master_face, Point<1>(1)));
-        if (a > b)
-          std::swap(a, b);
-        if (b - a < 1e-12)
-          continue;
-        integrate_segment(
-            slave,
-            slave_face,
-            a,
-            b,
-            reach,
-            [&](OverlapPoint<2> &p) {
-              const auto eta = project_to_master(master, master_face, p.x_slave, p.normal);
-              if (!eta)
-                return false;
-              p.master_face = master_face;
-              p.xi_master   = Point<1>(*eta);
-              p.x_master    = master.position(master_face, p.xi_master);
-              return true;
-            },
-            points);
-      }
+    append_overlaps<2>(slave, slave_face, master, master_faces, reach, points);
   }
 
   void
@@ -174,18 +114,9 @@ namespace Amontons
 
     for (unsigned int i = 0; i + 1 < ends.size(); i += 2)
       if (ends[i + 1] - ends[i] > 1e-12)
-        integrate_segment(
-            slave,
-            slave_face,
-            ends[i],
-            ends[i + 1],
-            reach,
-            [&](OverlapPoint<2> &p) {
-              const auto x  = project_to_obstacle(obstacle, motion, p.x_slave, p.normal);
-              p.master_face = numbers::invalid_unsigned_int;
-              p.x_master    = x ? x->x : p.x_slave;
-              return x.has_value();
-            },
-            points);
+        integrate_segment<double>(
+            {slave, slave_face}, ends[i], ends[i + 1], [&](const unsigned int n, const auto &slave_point) {
+              append_piece<2>(n, slave_face, slave_point, project_to(obstacle, motion), reach, points);
+            });
   }
 } // namespace Amontons

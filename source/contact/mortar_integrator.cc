@@ -86,24 +86,7 @@ namespace Amontons
       return std::move(sums);
     }
 
-    // Unknowns of the master at a point,
-    template <int dim>
-    std::vector<NodeDofs<dim>>
-    master_dofs(const Discretization<dim> &discretization,
-                const MasterSide<dim>     &master,
-                const OverlapPoint<dim>   &p)
-    {
-      std::vector<NodeDofs<dim>> dofs;
-      if (master.surface != nullptr)
-        for (const unsigned int node : master.surface->faces[p.master_face].nodes)
-          dofs.push_back(master.surface->nodes[node].dofs);
-      else
-        dofs.assign(discretization.carrier_dofs[master.carrier].begin(),
-                    discretization.carrier_dofs[master.carrier].end());
-      return dofs;
-    }
-
-    // and their shape values there.
+    // Shape values of the master's unknowns at a point.
     template <int dim>
     std::vector<double>
     master_values(const Discretization<dim> &discretization,
@@ -273,6 +256,22 @@ namespace Amontons
   } // namespace
 
   template <int dim>
+  std::vector<NodeDofs<dim>>
+  master_dofs(const Discretization<dim> &discretization,
+              const MasterSide<dim>     &master,
+              const OverlapPoint<dim>   &p)
+  {
+    std::vector<NodeDofs<dim>> dofs;
+    if (master.surface != nullptr)
+      for (const unsigned int node : master.surface->faces[p.master_face].nodes)
+        dofs.push_back(master.surface->nodes[node].dofs);
+    else
+      dofs.assign(discretization.carrier_dofs[master.carrier].begin(),
+                  discretization.carrier_dofs[master.carrier].end());
+    return dofs;
+  }
+
+  template <int dim>
   AffineMap<dim>
   carrier_motion(const Discretization<dim> &discretization, const unsigned int m, const LA::Vector &u)
   {
@@ -332,6 +331,10 @@ namespace Amontons
     return coupling;
   }
 
+  template std::vector<NodeDofs<2>>
+  master_dofs<2>(const Discretization<2> &, const MasterSide<2> &, const OverlapPoint<2> &);
+  template std::vector<NodeDofs<3>>
+  master_dofs<3>(const Discretization<3> &, const MasterSide<3> &, const OverlapPoint<3> &);
   template AffineMap<2>
   carrier_motion(const Discretization<2> &, const unsigned int, const LA::Vector &);
   template AffineMap<3>

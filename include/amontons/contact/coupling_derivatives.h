@@ -15,6 +15,13 @@ namespace Amontons
     Gradient                  gap;
     std::array<Gradient, dim> normal;
     Gradient                  area;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &gap &normal &area;
+    }
   };
 
   struct SurfaceMatrix
@@ -55,7 +62,6 @@ namespace Amontons
     stiffness(const std::vector<Tensor<1, dim>> &tractions) const;
 
   private:
-    const ContactInterface<dim>      &interface;
     const std::vector<bool>           wanted;
     std::vector<RowGradient<dim>>     gradients;
     std::vector<FaceDerivatives<dim>> faces; // of this rank

@@ -25,6 +25,13 @@ namespace Amontons
     AffineMap<dim>             motion;
   };
 
+  // Unknowns of the master at a point of the overlap.
+  template <int dim>
+  std::vector<NodeDofs<dim>>
+  master_dofs(const Discretization<dim> &discretization,
+              const MasterSide<dim>     &master,
+              const OverlapPoint<dim>   &p);
+
   // All overlaps of the pair whose gap is at most `reach`; gaps as the pair declares them (`Initial gap`,
   // `Adjust`). Throws InputError where the bodies overlap without a declared interference. Where the bodies
   // have moved, gaps may be negative, and a declared one is added to the geometric one. `pair` gives names

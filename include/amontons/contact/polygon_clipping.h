@@ -1,0 +1,137 @@
+// The common part of a slave face and a master face in 3D: a polygon, cut into triangles with a formula each.
+#pragma once
+
+#include <amontons/contact/face_overlap.h>
+#include <amontons/contact/polygon.h>
+#include <amontons/contact/varied_face.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace Amontons
+{
+  template <int dim, typename Number>
+  class Clipper;
+
+  // With degree 4p for psi phi on parallelograms; more where area elements vary (see `variation`).
+  const Quadrature<2> &
+  triangle_formula(const unsigned int degree, const double variation);
+
+  // Calls on_piece(n, slave_point) for the formula on each triangle of a polygon; slave_point(q), q < n.
+  // to_xi takes its points to (xi, area element dxi).
+  template <typename Number, typename ToXi, typename OnPiece>
+  void
+  integrate_polygon(const VariedFace<3, Number> &slave,
+                    const Polygon<Number>       &polygon,
+                    const Quadrature<2>         &formula,
+                    const ToXi                  &to_xi,
+                    const OnPiece               &on_piece)
+  {
+    for (unsigned int i = 1; i + 1 < polygon.size(); ++i)
+      {
+        const auto   a = polygon[i] - polygon[0], b = polygon[i + 1] - polygon[0];
+        const Number twice_area = cross(a, b);
+        if (value_of(twice_area) != 0)
+          on_piece(formula.size(), [&](const unsigned int q) {
+            const auto [xi, element] =
+                to_xi(polygon[0] + (scaled(formula.point(q)[0], a) + scaled(formula.point(q)[1], b)));
+            return SlavePoint<3, Number>(slave, xi, Number(formula.weight(q) * twice_area * element));
+          });
+      }
+  }
+
+  // See overlap_faces.
+  template <typename Number>
+  class Clipper<3, Number>
+  {
+    using Vector = Components<3, Number>;
+
+  public:
+    explicit Clipper(const VariedFace<3, Number> &slave)
+        : slave(slave), normal(slave.surface.face_normal(slave.face, Point<2>(0.5, 0.5)))
+    {
+      const auto   middle = slave.frame(Components<2, Number>(Point<2>(0.5, 0.5)));
+      const Vector n      = area_vector(middle.tangents);
+      origin              = middle.x;
+      axes[0]             = scaled(Number(1. / norm(middle.tangents[0])), middle.tangents[0]);
+      axes[1]             = cross(scaled(Number(slave.surface.faces[slave.face].sign / norm(n)), n), axes[0]);
+      for (unsigned int v = 0; v < 4; ++v)
+        corners[v] = project(corner(slave, v));
+      window = around(corners);
+      flat   = slave.surface.faces[slave.face].straight;
+      for (const unsigned int i : slave.surface.faces[slave.face].nodes)
+        flat = flat && (slave.surface.nodes[i].normal - normal).norm() < 1e-12;
+    }
+
+    template <typename OnPiece>
+    void
+    for_each_piece(const VariedFace<3, Number> &master, const OnPiece &on_piece) const
+    {
+      Corners<Number> master_corners;
+      for (unsigned int v = 0; v < 4; ++v)
+        master_corners[v] = foot(corner(master, v));
+      Polygon<Number> polygon = around(master_corners);
+      hold_on_edges(polygon, window);
+      for (unsigned int i = 0; i < 4 && polygon.size() > 2; ++i)
+        polygon = cut(polygon, window[i], window[(i + 1) % 4]);
+      if (polygon.size() < 3 || area(polygon) < 1e-24 * area(window))
+        return;
+
+      // on curved faces nothing is exact: no large formulas there
+      const bool straight =
+          slave.surface.faces[slave.face].straight && master.surface.faces[master.face].straight;
+      const double varies = std::min(
+          straight ? 0.9 : 0.1, std::max(variation(corners, polygon), variation(master_corners, polygon)));
+      integrate_polygon(
+          slave,
+          polygon,
+          triangle_formula(std::max(slave.surface.degree, master.surface.degree), varies),
+          [&](const Components<2, Number> &s) {
+            const auto xi = pull_back(corners, s);
+            return std::make_pair(xi, Number(1. / area_ratio(corners, xi)));
+          },
+          on_piece);
+    }
+
+    const VariedFace<3, Number> slave;
+    const Tensor<1, 3>          normal; // at the middle of the slave face
+
+  private:
+    static Vector
+    corner(const VariedFace<3, Number> &face, const unsigned int v)
+    {
+      return face.frame(Components<2, Number>(Point<2>(v % 2, v / 2))).x;
+    }
+
+    Components<2, Number>
+    project(const Vector &y) const
+    {
+      Components<2, Number> s;
+      for (unsigned int k = 0; k < 2; ++k)
+        s[k] = dot(axes[k], y - origin);
+      return s;
+    }
+
+    // Of a point opposite of the face. A flat one is a special case of values, not of derivatives.
+    Components<2, Number>
+    foot(const Vector &y) const
+    {
+      Components<2, Number> s = project(y);
+      if (flat && std::is_same_v<Number, double>)
+        return s;
+      const auto xi = project_to_slave(slave.surface, slave.face, value_of(y));
+      if (!xi)
+        return s;
+      auto result = bilinear(corners, vary_foot_on_slave<3, Number>(slave, *xi, y));
+      if (flat)
+        for (unsigned int k = 0; k < 2; ++k)
+          result[k] += value_of(s[k]) - value_of(result[k]);
+      return result;
+    }
+
+    Vector                origin;
+    std::array<Vector, 2> axes;    // of the plane in which faces are clipped
+    Corners<Number>       corners; // of the slave face
+    Polygon<Number>       window;  // the same
+    bool                  flat;    // plane, with one normal
+  };
+} // namespace Amontons

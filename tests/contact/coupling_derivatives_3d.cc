@@ -1,0 +1,62 @@
+// The same in space: warped faces that do not match, hanging nodes, obstacles, and faces that do match.
+#include "contact/moved_scene.h"
+
+std::mt19937 generator(1);
+
+void
+check_scene(const Scene       &scene,
+            const unsigned int degree,
+            const double       size,
+            const std::string &what,
+            const unsigned int n_refinements = 0)
+{
+  const std::string name = what + ", degree " + std::to_string(degree);
+  Problem<3>        problem(scene, degree, n_refinements);
+  Moved<3>          moved(problem);
+  moved.displace_at_random(0.03 * size, generator);
+  check_derivatives(moved, size, 6, generator, name);
+  check_rotation(moved, size, name);
+}
+
+Scene
+two_blocks(const Point<3> &lower, const Point<3> &upper, const std::array<unsigned int, 3> &cells)
+{
+  Scene scene;
+  scene.bodies = {block("lower", {0, 0, 0}, {1, 1, 0.5}, {{2, 2, 1}}), block("upper", lower, upper, cells)};
+  scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+  return scene;
+}
+
+void
+check_blocks(const unsigned int degree)
+{
+  check_scene(two_blocks({0.11, 0.07, 0.51}, {0.9, 0.95, 1}, {{1, 1, 1}}), degree, 0.5, "blocks");
+  check_scene(
+      two_blocks({-0.2, 0.13, 0.51}, {0.7, 1.2, 1}, {{2, 1, 1}}), degree, 0.5, "partly covered blocks");
+  check_scene(two_blocks({0.11, 0.07, 0.51}, {0.9, 0.95, 1}, {{2, 1, 1}}), degree, 0.4, "hanging nodes", 1);
+}
+
+void
+check_obstacle(const unsigned int degree)
+{
+  ObstacleData sphere;
+  sphere.type   = ObstacleData::Type::sphere;
+  sphere.centre = {0.1, 0.1, 3.6};
+  sphere.radius = 3;
+  check_scene(scene_with_obstacle(block("it", {0, 0, 0}, {1, 1, 0.5}, {{2, 1, 1}}), "top", sphere),
+              degree,
+              0.5,
+              "sphere");
+}
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  for (const unsigned int degree : {1, 2})
+    {
+      check_blocks(degree);
+      check_obstacle(degree);
+    }
+  return check::result();
+}

@@ -1,0 +1,244 @@
+// Surfaces moved by given displacements, and the derivatives of their coupling against central differences.
+#pragma once
+
+#include "contact/contact_scene.h"
+
+#include <amontons/contact/coupling_derivatives.h>
+
+#include <chrono>
+
+// A coupling of the first pair that is integrated where a displacement puts the surfaces.
+template <int dim>
+class Moved
+{
+public:
+  Moved(Problem<dim> &problem)
+      : problem(problem), u(problem.discretization->locally_owned, MPI_COMM_WORLD),
+        supports(problem.discretization->make_supports(0))
+  {
+    const auto &interface = problem.interfaces[0];
+    for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
+      if (surface != nullptr)
+        for (const auto &node : surface->nodes)
+          dofs.insert(node.dofs.begin(), node.dofs.end());
+    if (interface.master_surface == nullptr)
+      for (const auto &corner : problem.discretization->carrier_dofs[interface.master.carrier])
+        dofs.insert(corner.begin(), corner.end());
+  }
+
+  // Hanging nodes follow.
+  void
+  displace_at_random(const double amplitude, std::mt19937 &generator)
+  {
+    std::uniform_real_distribution<double> number(-amplitude, amplitude);
+    for (const auto dof : dofs)
+      u(dof) = number(generator);
+    problem.discretization->hanging_nodes.distribute(u);
+  }
+
+  const ContactInterface<dim> &
+  at(const LA::Vector &displacement)
+  {
+    move_interface(*problem.discretization, displacement, problem.interfaces[0]);
+    integrate_couplings(*problem.discretization, supports, problem.interfaces, true);
+    return problem.interfaces[0];
+  }
+
+  Problem<dim>                     &problem;
+  LA::Vector                        u;
+  std::set<types::global_dof_index> dofs; // of both sides
+
+private:
+  const Constraints supports;
+};
+
+// Forces with fixed tractions (by row), by DoF.
+template <int dim>
+Gradient
+contact_forces(const Coupling<dim> &coupling, const std::vector<Tensor<1, dim>> &tractions)
+{
+  Gradient forces;
+  for (unsigned int r = 0; r < coupling.rows.size(); ++r)
+    {
+      const auto &row = coupling.rows[r];
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          for (const auto &[dofs, weight] : row.slave)
+            forces[dofs[c]] += row.area * tractions[r][c] * weight;
+          for (const auto &[dofs, weight] : row.master)
+            forces[dofs[c]] -= row.area * tractions[r][c] * weight;
+        }
+    }
+  return forces;
+}
+
+// Largest deviations by kind, relative to the largest derivative of that kind.
+struct Deviation
+{
+  void
+  compare(const double derivative, const double difference)
+  {
+    scale    = std::max(scale, std::abs(difference));
+    absolute = std::max(absolute, std::abs(derivative - difference));
+  }
+
+  double
+  relative() const
+  {
+    return absolute / scale;
+  }
+
+  double scale = 0, absolute = 0;
+};
+
+inline double
+along(const Gradient &gradient, const std::map<types::global_dof_index, double> &direction)
+{
+  double sum = 0;
+  for (const auto &[dof, value] : direction)
+    if (const auto entry = gradient.find(dof); entry != gradient.end())
+      sum += value * entry->second;
+  return sum;
+}
+
+// Along `n_single` single DoFs chosen at random (0: all) and three random directions.
+template <int dim>
+void
+check_derivatives(Moved<dim>        &moved,
+                  const double       length,
+                  const unsigned int n_single,
+                  std::mt19937      &generator,
+                  const std::string &what)
+{
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto                            &interface = moved.at(moved.u);
+  const Coupling<dim>                    coupling  = interface.coupling;
+  std::vector<Tensor<1, dim>>            tractions(coupling.rows.size());
+  for (auto &t : tractions)
+    for (unsigned int c = 0; c < dim; ++c)
+      t[c] = number(generator);
+  const auto                     begin = std::chrono::steady_clock::now();
+  const CouplingDerivatives<dim> derivatives(
+      *moved.problem.discretization, interface, std::vector<bool>(coupling.rows.size(), true));
+  std::map<types::global_dof_index, Gradient> stiffness; // by DoF of the force
+  for (const auto &part : derivatives.stiffness(tractions))
+    for (unsigned int i = 0; i < part.dofs.size(); ++i)
+      for (unsigned int j = 0; j < part.dofs.size(); ++j)
+        if (part.matrix(i, j) != 0)
+          stiffness[part.dofs[i]][part.dofs[j]] += part.matrix(i, j);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+
+  std::vector<types::global_dof_index> singles(moved.dofs.begin(), moved.dofs.end());
+  std::shuffle(singles.begin(), singles.end(), generator);
+  if (n_single > 0)
+    singles.resize(std::min<std::size_t>(n_single, singles.size()));
+  std::vector<std::map<types::global_dof_index, double>> directions;
+  for (const auto dof : singles)
+    directions.push_back({{dof, 1.}});
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      directions.emplace_back();
+      for (const auto dof : moved.dofs)
+        directions.back()[dof] = number(generator);
+    }
+
+  Deviation    gaps, normals, areas, forces;
+  const double h = 1e-5 * length;
+  for (const auto &direction : directions)
+    {
+      std::array<Coupling<dim>, 2> sides;
+      for (const unsigned int side : {0, 1})
+        {
+          LA::Vector u = moved.u;
+          for (const auto &[dof, value] : direction)
+            u(dof) += (side == 0 ? -h : h) * value;
+          sides[side] = moved.at(u).coupling;
+        }
+      const auto difference = [&](const double above, const double below) {
+        return (above - below) / (2 * h);
+      };
+      for (unsigned int r = 0; r < coupling.rows.size(); ++r)
+        {
+          const auto &row = derivatives.rows()[r];
+          const auto &a = sides[0].rows.at(r), &b = sides[1].rows.at(r);
+          check::is_true(a.node == coupling.rows[r].node && b.node == a.node, what + ": the same rows");
+          // without the lower bound of gaps that are open all around
+          gaps.compare(along(row.gap, direction),
+                       difference(b.normal * b.gap_vector, a.normal * a.gap_vector));
+          areas.compare(along(row.area, direction), difference(b.area, a.area));
+          for (unsigned int c = 0; c < dim; ++c)
+            normals.compare(along(row.normal[c], direction), difference(b.normal[c], a.normal[c]));
+        }
+      const auto below = contact_forces(sides[0], tractions), above = contact_forces(sides[1], tractions);
+      for (const auto dof : moved.dofs)
+        {
+          const auto value = [&](const Gradient &f) { return f.count(dof) > 0 ? f.at(dof) : 0.; };
+          forces.compare(stiffness.count(dof) > 0 ? along(stiffness[dof], direction) : 0,
+                         difference(value(above), value(below)));
+        }
+    }
+  std::set<unsigned int> faces;
+  for (const auto &p : coupling.points)
+    faces.insert(p.slave_face);
+  std::cout << what << ": " << coupling.rows.size() << " rows, deviations of gaps " << gaps.relative()
+            << ", normals " << normals.relative() << ", areas " << areas.relative() << ", forces "
+            << forces.relative() << "; " << 1e3 * seconds / faces.size() << " ms per slave face" << std::endl;
+  for (const auto &[kind, deviation] : std::map<std::string, Deviation>{
+           {"gap", gaps}, {"normal", normals}, {"area", areas}, {"force", forces}})
+    {
+      check::is_true(deviation.scale > 0, what + ": the " + kind + " changes");
+      check::is_close(deviation.relative(), 0, 1e-6, what + ": derivative of the " + kind, 1);
+    }
+}
+
+// Gaps, areas and weights do not change with a rigid rotation by 40 degrees in the x-y plane; normals turn.
+template <int dim>
+void
+check_rotation(Moved<dim> &moved, const double length, const std::string &what)
+{
+  const Coupling<dim> before = moved.at(moved.u).coupling;
+  const double        angle  = 40 * numbers::PI / 180;
+  Tensor<2, dim>      R      = unit_symmetric_tensor<dim>();
+  R[0][0] = R[1][1]     = std::cos(angle);
+  R[1][0]               = std::sin(angle);
+  R[0][1]               = -R[1][0];
+  const auto &interface = moved.problem.interfaces[0];
+  LA::Vector  u         = moved.u;
+  const auto  turn      = [&](const NodeDofs<dim> &dofs, const Point<dim> &X) {
+    Point<dim> x;
+    for (unsigned int c = 0; c < dim; ++c)
+      x[c] = X[c] + moved.u(dofs[c]);
+    const Tensor<1, dim> displacement = R * x - X;
+    for (unsigned int c = 0; c < dim; ++c)
+      u(dofs[c]) = displacement[c];
+  };
+  for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
+    if (surface != nullptr)
+      for (const auto &node : surface->nodes)
+        turn(node.dofs, node.X);
+  if (interface.master_surface == nullptr)
+    {
+      const auto &carrier = moved.problem.geometry.carriers[interface.master.carrier];
+      const auto &dofs    = moved.problem.discretization->carrier_dofs[interface.master.carrier];
+      Point<dim>  corner;
+      for (unsigned int d = 0; d < dim; ++d)
+        corner[d] = carrier.motion.reference[d];
+      for (unsigned int k = 0; k <= dim; ++k)
+        turn(dofs[k], k == 0 ? corner : corner + carrier.size * Point<dim>::unit_vector(k - 1));
+    }
+  const Coupling<dim> after = moved.at(u).coupling;
+  check::is_true(after.rows.size() == before.rows.size() && !before.rows.empty(), what + ": turned rows");
+  for (unsigned int r = 0; r < before.rows.size(); ++r)
+    {
+      const auto &a = before.rows[r], &b = after.rows[r];
+      check::is_close(b.gap, a.gap, 1e-12, what + ": turned gap", length);
+      check::is_close(b.area, a.area, 1e-11, what + ": turned area");
+      check::is_close((b.normal - R * a.normal).norm(), 0, 1e-11, what + ": turned normal", 1);
+      check::is_true(b.slave.size() == a.slave.size() && b.master.size() == a.master.size(),
+                     what + ": turned weights");
+      for (unsigned int k = 0; k < a.slave.size(); ++k)
+        check::is_close(b.slave[k].second, a.slave[k].second, 1e-11, what + ": turned slave weights", 1);
+      for (unsigned int k = 0; k < a.master.size(); ++k)
+        check::is_close(b.master[k].second, a.master[k].second, 1e-10, what + ": turned master weights", 1);
+    }
+}

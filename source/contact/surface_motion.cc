@@ -43,6 +43,7 @@ namespace Amontons
   void
   ContactSurface<dim>::move(const LA::Vector &u)
   {
+    moved = true;
     std::vector<Tensor<1, dim>> displacements;
     for (auto &node : nodes)
       {

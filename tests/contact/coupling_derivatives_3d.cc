@@ -8,11 +8,16 @@ check_scene(const Scene       &scene,
             const unsigned int degree,
             const double       size,
             const std::string &what,
-            const unsigned int n_refinements = 0)
+            const unsigned int n_refinements = 0,
+            const unsigned int seed          = 1)
 {
   const std::string name = what + ", degree " + std::to_string(degree);
-  Problem<3>        problem(scene, degree, n_refinements);
-  Moved<3>          moved(problem);
+  Problem<3>        problem(scene, degree, n_refinements, seed);
+  unsigned int      n_hanging = 0;
+  for (const auto &node : problem.slave().nodes)
+    n_hanging += !node.parents.empty();
+  check::is_true((n_hanging > 0) == (n_refinements > 0), name + ": hanging nodes");
+  Moved<3> moved(problem);
   moved.displace_at_random(0.03 * size, generator);
   check_derivatives(moved, size, 6, generator, name);
   check_rotation(moved, size, name);
@@ -33,7 +38,21 @@ check_blocks(const unsigned int degree)
   check_scene(two_blocks({0.11, 0.07, 0.51}, {0.9, 0.95, 1}, {{1, 1, 1}}), degree, 0.5, "blocks");
   check_scene(
       two_blocks({-0.2, 0.13, 0.51}, {0.7, 1.2, 1}, {{2, 1, 1}}), degree, 0.5, "partly covered blocks");
-  check_scene(two_blocks({0.11, 0.07, 0.51}, {0.9, 0.95, 1}, {{2, 1, 1}}), degree, 0.4, "hanging nodes", 1);
+  check_scene(
+      two_blocks({0.11, 0.07, 0.51}, {0.9, 0.95, 1}, {{2, 2, 1}}), degree, 0.4, "hanging nodes", 1, 10);
+}
+
+// Lines of the master lie on the edges of the slave's faces: where these are covered whole, derivatives are
+// continuous.
+void
+check_matching_faces(const unsigned int degree)
+{
+  const std::string what  = "matching faces, degree " + std::to_string(degree);
+  Scene             scene = two_blocks({0.25, 0.25, 0.5}, {0.75, 0.75, 1}, {{2, 2, 1}});
+  scene.bodies[0].cells   = {{4, 4, 1}};
+  Problem<3> problem(scene, degree);
+  Moved<3>   moved(problem);
+  check_derivatives(moved, 0.25, 6, generator, what, 1e-4);
 }
 
 void
@@ -56,6 +75,7 @@ main(int argc, char **argv)
   for (const unsigned int degree : {1, 2})
     {
       check_blocks(degree);
+      check_matching_faces(degree);
       check_obstacle(degree);
     }
   return check::result();

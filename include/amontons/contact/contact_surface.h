@@ -123,6 +123,7 @@ namespace Amontons
     // Cells and face numbers behind the faces that this rank owns.
     std::vector<std::pair<typename DoFHandler<dim>::active_cell_iterator, unsigned int>> owned;
     double                                                                               mean_size = 0;
+    bool                                                                                 moved     = false;
     // The largest angle (degrees) between two faces at a node, and where: a sharp edge has no normal.
     double     sharpest_edge = 0;
     Point<dim> sharpest_at;

@@ -44,6 +44,7 @@ namespace Amontons
     unsigned int   node; // of the slave surface: the node that is eliminated
     double         area;
     double         gap;
+    double         mean_gap;   // int B g / int B: of one sign with g, while psi changes its own
     Tensor<1, dim> normal;     // int psi n / area; not of unit length on curved surfaces
     Tensor<1, dim> gap_vector; // int psi g n / area
     std::vector<std::pair<NodeDofs<dim>, double>> slave, master;

@@ -93,15 +93,16 @@ namespace Amontons
         }
   }
 
-  template <typename Number>
+  template <typename Number, typename Place>
   Components<2, Number>
-  bilinear(const Corners<Number> &corners, const Components<2, Number> &xi)
+  bilinear(const Corners<Number> &corners, const Components<2, Place> &xi)
   {
     Components<2, Number> s;
     for (unsigned int v = 0; v < 4; ++v)
-      s = s +
-          scaled(Number((v % 2 == 1 ? xi[0] : Number(1 - xi[0])) * (v / 2 == 1 ? xi[1] : Number(1 - xi[1]))),
-                 corners[v]);
+      {
+        const Place a = v % 2 == 1 ? xi[0] : Place(1 - xi[0]), b = v / 2 == 1 ? xi[1] : Place(1 - xi[1]);
+        s = s + scaled(Place(a * b), corners[v]);
+      }
     return s;
   }
 
@@ -147,7 +148,7 @@ namespace Amontons
     const auto               at    = pull_back(fixed, Components<2, double>(value_of(s)));
     const auto               t     = bilinear_tangents(fixed, at);
     Components<2, Varied<n>> xi(value_of(at));
-    const auto step = solve<2, Varied<n>>({{value_of(t[0]), value_of(t[1])}}, s - bilinear(corners, xi));
+    const auto step = solve<2, Varied<n>>({{value_of(t[0]), value_of(t[1])}}, s - bilinear(corners, at));
     for (unsigned int k = 0; k < 2; ++k)
       xi[k] += step[k] - value_of(step[k]);
     return xi;

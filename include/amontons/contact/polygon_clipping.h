@@ -12,9 +12,13 @@ namespace Amontons
   template <int dim, typename Number>
   class Clipper;
 
-  // With degree 4p for psi phi on parallelograms; more where area elements vary (see `variation`).
+  // The degree that psi phi asks for with elements of degree p: 4p on parallelograms, else more (see
+  // `variation`).
+  double
+  degree_on_piece(const unsigned int p, const double variation);
+
   const Quadrature<2> &
-  triangle_formula(const unsigned int degree, const double variation);
+  triangle_formula(const double degree);
 
   // Calls on_piece(n, slave_point) for the formula on each triangle of a polygon; slave_point(q), q < n.
   // to_xi takes its points to (xi, area element dxi).
@@ -76,15 +80,17 @@ namespace Amontons
       if (polygon.size() < 3 || area(polygon) < 1e-24 * area(window))
         return;
 
-      // on curved faces nothing is exact: no large formulas there
-      const bool straight =
+      // On curved faces nothing is exact: no large formulas there. Derivatives of psi phi by displacements
+      // have degree 6p - 1 on parallelograms.
+      const unsigned int p = std::max(slave.surface.degree, master.surface.degree);
+      const bool         straight =
           slave.surface.faces[slave.face].straight && master.surface.faces[master.face].straight;
       const double varies = std::min(
           straight ? 0.9 : 0.1, std::max(variation(corners, polygon), variation(master_corners, polygon)));
       integrate_polygon(
           slave,
           polygon,
-          triangle_formula(std::max(slave.surface.degree, master.surface.degree), varies),
+          triangle_formula(std::max(slave.surface.moved ? 6. * p - 1 : 0., degree_on_piece(p, varies))),
           [&](const Components<2, Number> &s) {
             const auto xi = pull_back(corners, s);
             return std::make_pair(xi, Number(1. / area_ratio(corners, xi)));
@@ -99,7 +105,7 @@ namespace Amontons
     static Vector
     corner(const VariedFace<3, Number> &face, const unsigned int v)
     {
-      return face.frame(Components<2, Number>(Point<2>(v % 2, v / 2))).x;
+      return face.position(Point<2>(v % 2, v / 2));
     }
 
     Components<2, Number>

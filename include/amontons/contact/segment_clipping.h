@@ -61,8 +61,7 @@ namespace Amontons
       const double   xi = project_to_slave(slave.surface, slave.face, y);
       if constexpr (!std::is_same_v<Number, double>)
         if (xi > 1e-12 && xi < 1 - 1e-12)
-          return vary_foot_on_slave<2, Number>(
-              slave, Point<1>(xi), master.frame(Components<1, Number>(Point<1>(eta))).x)[0];
+          return vary_foot_on_slave<2, Number>(slave, Point<1>(xi), master.position(Point<1>(eta)))[0];
       return xi;
     }
   };

@@ -29,6 +29,21 @@ namespace Amontons
     unsigned int               face;
     unsigned int               first_displacement = 0, first_normal = 0;
 
+    // X + sum_j N_j du_j
+    Components<dim, Number>
+    position(const Point<dim - 1> &xi) const
+    {
+      Components<dim, Number> x(surface.position(face, xi));
+      if constexpr (!std::is_same_v<Number, double>)
+        {
+          const auto N = lagrange_values<dim - 1>(surface.degree, xi);
+          for (unsigned int j = 0; j < N.size(); ++j)
+            for (unsigned int d = 0; d < dim; ++d)
+              x[d].fastAccessDx(first_displacement + j * dim + d) = N[j];
+        }
+      return x;
+    }
+
     // To first order in the variables and in xi - value(xi), as is all that follows:
     //   x = X + sum_k dX/dxi_k dxi_k + sum_j N_j du_j.
     VariedFrame<dim, Number>
@@ -152,7 +167,7 @@ namespace Amontons
     for (unsigned int k = 0; k < dim - 1; ++k)
       columns[k] = frame.tangents[k] + g * slopes[k];
     columns[dim - 1] = n;
-    const auto step  = solve<dim, Number>(columns, y - slave.frame(at).x - scaled(g, slave.normal(at)));
+    const auto step  = solve<dim, Number>(columns, y - slave.position(xi) - scaled(g, slave.normal(at)));
     Components<dim - 1, Number> result;
     for (unsigned int k = 0; k < dim - 1; ++k)
       result[k] = xi[k] + (step[k] - value_of(step[k]));
@@ -171,9 +186,8 @@ namespace Amontons
     std::array<Tensor<1, dim>, dim> columns;
     for (unsigned int k = 0; k < dim - 1; ++k)
       columns[k] = master.surface.frame(master.face, eta).tangents[k];
-    columns[dim - 1] = -value_of(n);
-    const auto step =
-        solve<dim, Number>(columns, x + scaled(g, n) - master.frame(Components<dim - 1, Number>(eta)).x);
+    columns[dim - 1]             = -value_of(n);
+    const auto              step = solve<dim, Number>(columns, x + scaled(g, n) - master.position(eta));
     Components<dim, Number> result;
     for (unsigned int k = 0; k < dim; ++k)
       result[k] = (k < dim - 1 ? eta[k] : g) + (step[k] - value_of(step[k]));

@@ -1,5 +1,7 @@
 #include <amontons/elasticity/finite_kinematics.h>
 
+#include <algorithm>
+
 namespace Amontons
 {
   template <int dim>
@@ -28,18 +30,21 @@ namespace Amontons
         weights[q]     = values.JxW(q) * measure<dim>(kind, values.quadrature_point(q));
         deformation[q] = deformation_gradient(values, q, u);
         jacobians[q]   = determinant(deformation[q]);
-        if (!(jacobians[q] > 0))
+        if (std::isnan(jacobians[q]))
           return jacobians[q];
-        push_forward(values, q);
       }
+    const double smallest = *std::min_element(jacobians.begin(), jacobians.end());
+    if (smallest <= 0)
+      return smallest;
+    for (unsigned int q = 0; q < n_q; ++q)
+      push_forward(values, q);
     dilatations = jacobians;
     if (kind != Kind::plane_stress)
       {
         projection.reinit(values, weights);
         projection.apply(dilatations);
       }
-    return std::min(*std::min_element(jacobians.begin(), jacobians.end()),
-                    *std::min_element(dilatations.begin(), dilatations.end()));
+    return std::min(smallest, *std::min_element(dilatations.begin(), dilatations.end()));
   }
 
   template <int dim>

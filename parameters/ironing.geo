@@ -12,5 +12,6 @@ Transfinite Curve {2, 4} = n / 2 + 1;
 Transfinite Surface {1} = {1, 2, 3, 4};
 Recombine Surface {1};
 Physical Curve("bottom") = {1};
+Physical Curve("sides") = {2, 4};
 Physical Curve("top") = {3};
 Physical Surface("indenter") = {1};

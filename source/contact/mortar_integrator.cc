@@ -19,6 +19,7 @@ namespace Amontons
     {
       double                          area         = 0; // int psi
       double                          smallest_gap = std::numeric_limits<double>::max(), face_size = 0;
+      double                          trace = 0, trace_gap = 0; // int B, int B g
       Tensor<1, dim>                  normal, gap; // int psi n, int psi g n
       std::map<unsigned int, double>  traces;      // int psi B_j
       std::map<NodeDofs<dim>, double> master;      // int psi N_q
@@ -29,6 +30,8 @@ namespace Amontons
         area += other.area;
         smallest_gap = std::min(smallest_gap, other.smallest_gap);
         face_size    = std::max(face_size, other.face_size);
+        trace += other.trace;
+        trace_gap += other.trace_gap;
         normal += other.normal;
         gap += other.gap;
         for (const auto &[j, value] : other.traces)
@@ -42,7 +45,7 @@ namespace Amontons
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &area &smallest_gap &face_size &normal &gap &traces &master;
+        archive &area &smallest_gap &face_size &trace &trace_gap &normal &gap &traces &master;
       }
     };
 
@@ -125,14 +128,26 @@ namespace Amontons
           rows[i]->master[dofs[k]] += M(i, k);
     }
 
-    // Adds int psi, int psi n, int psi g n.
+    // Adds int psi, int psi n, int psi g n, int B, int B g.
     template <int dim>
     void
-    add_points(const PointsView<dim>             &points,
-               const double                       face_size,
+    add_points(const ContactSurface<dim>         &slave,
+               const PointsView<dim>             &points,
                const FullMatrix<double>          &psi,
                const std::vector<RowSums<dim> *> &rows)
     {
+      const auto &face = slave.faces[points[0].slave_face];
+      for (const auto &p : points)
+        {
+          const auto B =
+              traces_of_unknowns(bernstein_values<dim - 1>(slave.degree, p.xi_slave), face.subdivision);
+          for (unsigned int i = 0; i < rows.size(); ++i)
+            if (rows[i] != nullptr)
+              {
+                rows[i]->trace += B[i] * p.weight;
+                rows[i]->trace_gap += B[i] * p.weight * p.gap;
+              }
+        }
       for (unsigned int i = 0; i < rows.size(); ++i)
         for (unsigned int q = 0; rows[i] != nullptr && q < points.size(); ++q)
           {
@@ -142,7 +157,7 @@ namespace Amontons
             row.normal += weight * points[q].normal;
             row.gap += weight * points[q].gap * points[q].normal;
             row.smallest_gap = std::min(row.smallest_gap, points[q].gap);
-            row.face_size    = std::max(row.face_size, face_size);
+            row.face_size    = std::max(row.face_size, face.size);
           }
     }
 
@@ -190,7 +205,7 @@ namespace Amontons
             if (rows[i] != nullptr && basis.traces(i, j) != 0)
               rows[i]->traces[nodes[j]] += basis.traces(i, j);
           }
-      add_points(points, face.size, basis.psi, rows);
+      add_points(slave, points, basis.psi, rows);
       for (unsigned int begin = 0, end = 0; begin < points.size(); begin = end)
         {
           while (end < points.size() && points[end].master_face == points[begin].master_face)
@@ -234,6 +249,7 @@ namespace Amontons
       row.normal     = sums.normal / sums.area;
       row.gap_vector = sums.gap / sums.area;
       row.gap        = row.normal * row.gap_vector;
+      row.mean_gap   = sums.trace_gap / sums.trace;
       // psi changes sign, and where the surface turns away from the other body gaps grow without bound:
       // what is open all around stays open.
       if (sums.smallest_gap - closest > 0.1 * sums.face_size)

@@ -239,8 +239,8 @@ namespace Amontons
         for (auto &matrix : follower_loads.stiffness(state.displacement))
           further.push_back(std::move(matrix));
         TimerOutput::Scope scope(timer, "assemble condensed system");
+        solver.matrix_changed(LinearSolver::all_rows); // lets go of the matrix, which may be made anew
         system.assemble(cells(), supports, *constraints, further, springs(), rows);
-        solver.matrix_changed(LinearSolver::all_rows);
       }
 
       const LA::Vector *
@@ -373,6 +373,11 @@ namespace Amontons
                 for (unsigned int k = 0; k < answers.size(); ++k)
                   if (states[k] != ContactState::open && !contact.is_opposite(k))
                     states.open(k);
+                  else if (states[k] == ContactState::slip && contact.nodes()[k].frictional)
+                    {
+                      states.turn(k);
+                      laws[k] = states.law(k);
+                    }
                 return true;
               }
           }
@@ -408,7 +413,7 @@ namespace Amontons
         const CandidateNode<dim> &node = contact.nodes()[k];
         if (states[k] == ContactState::open)
           {
-            result.gap = node.gap;
+            result.gap = contact.open_gap(k);
             return result;
           }
         if (node.frictional)

@@ -80,6 +80,7 @@ namespace Amontons
             all.push_back(node);
           }
       }
+    old_gap.assign(all.size(), 0.);
     move(committed);
     remember_old_rows(committed);
   }
@@ -105,6 +106,7 @@ namespace Amontons
           node       = make_contact_node(discretization, interfaces, i, r, scaling, true);
           // test functions only
           node.closing.equation.value = 0;
+          node.old_gap                = old_gap[node_of[i][interfaces[i].coupling.rows[r].node]];
         }
   }
 
@@ -113,6 +115,11 @@ namespace Amontons
   MovingContact<dim>::remember_old_rows(const LA::Vector &u)
   {
     old.resize(all.size());
+    for (unsigned int k = 0; k < all.size(); ++k)
+      {
+        const double h = interfaces[all[k].interface].slave->mean_size;
+        old_gap[k]     = !is_opposite(k) ? 1e-3 * h : all[k].gap > 1e-6 * h ? all[k].gap : 0.;
+      }
     for (unsigned int k = 0; k < all.size(); ++k)
       if (is_opposite(k))
         {
@@ -303,7 +310,8 @@ namespace Amontons
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
             add(dt[c],
-                law.stiffness * (double(c == d) - n[c] * n[d] - law.direction[c] * law.direction[d]),
+                law.stiffness * (double(c == d) - n[c] * n[d]) +
+                    (law.along - law.stiffness) * law.direction[c] * law.direction[d],
                 dv[d]);
       }
 

@@ -119,8 +119,14 @@ namespace Amontons
           states[k] = ContactState::slip;
         else
           {
-            const double p      = answers[k].pressure - nodes[k].c * answers[k].gap;
-            const auto   limit  = bound(k, p);
+            const double p     = answers[k].pressure - nodes[k].c * answers[k].gap;
+            const auto   limit = bound(k, p);
+            if (nodes[k].old_gap > 0)
+              {
+                states[k] = ContactState::slip;
+                laws[k]   = linearise_closing(answers[k].slip, p, limit, nodes[k].old_gap);
+                continue;
+              }
             const auto   q      = trial(k, answers[k]);
             const double excess = q.norm() - limit.value;
             const bool   turned = !first && old == ContactState::slip && q * laws[k].direction < 0;
@@ -302,10 +308,14 @@ namespace Amontons
     for (unsigned int k = 0; k < nodes.size(); ++k)
       if (nodes[k].frictional && states[k] == ContactState::slip)
         {
-          const double p        = answers[k].pressure;
-          const auto   q        = trial(k, answers[k]);
-          const auto   limit    = shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, p);
-          const auto   expected = q.norm() > 0 ? limit.value / q.norm() * q : q;
+          const double p     = answers[k].pressure;
+          const auto   q     = trial(k, answers[k]);
+          const auto   limit = shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, p);
+          const auto   expected =
+              nodes[k].old_gap > 0
+                    ? limit.value / std::hypot(answers[k].slip.norm(), nodes[k].old_gap) * answers[k].slip
+                : q.norm() > 0 ? limit.value / q.norm() * q
+                               : q;
           sum += std::pow(nodes[k].area, 2) * (answers[k].shear - expected).norm_square();
         }
     return std::sqrt(sum);

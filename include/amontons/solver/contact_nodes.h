@@ -17,6 +17,7 @@ namespace Amontons
     double          rounding; // a pressure that is none: 1e-14 times the modulus
     double          area, c;  // c: complementarity parameter, scaling x E/(1 - nu^2) / mean face size
     double          gap;
+    double          old_gap = 0; // finite strain: how far it was open in the last converged state
     Tensor<1, dim>  normal; // not of unit length on curved surfaces
     Point<3>        X;
     ContactEquation closing;                     // normal . Delta = gap

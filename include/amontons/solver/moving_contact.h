@@ -52,6 +52,15 @@ namespace Amontons
     {
       return all[k].row != numbers::invalid_unsigned_int;
     }
+    // Where the gap grows faster than the shape functions, beyond the edge of the contact, its projection on to them
+    // is negative at some nodes: what does not penetrate on average is open.
+    double
+    open_gap(const unsigned int k) const
+    {
+      return is_opposite(k)
+                 ? std::max(all[k].gap, interfaces[all[k].interface].coupling.rows[all[k].row].mean_gap)
+                 : all[k].gap;
+    }
     // v; u as in move().
     Tensor<1, dim>
     slip(const unsigned int k, const LA::Vector &u) const;
@@ -108,6 +117,7 @@ namespace Amontons
     const double                                           scaling;
     std::vector<CandidateNode<dim>>                        all;
     std::vector<std::vector<unsigned int>>                 node_of; // by interface and slave node
+    std::vector<double>                                    old_gap;
     std::vector<std::optional<OldRow>>                     old;
     LA::Vector                                             committed;
     std::map<types::global_dof_index, double>              reference_coordinate;

@@ -48,6 +48,15 @@ namespace Amontons
       states[k] = ContactState::open;
     }
 
+    // After its normal has turned, the direction of slip lies in the surface again.
+    void
+    turn(const unsigned int k)
+    {
+      auto      &d = laws[k].direction;
+      const auto t = nodes[k].tangential(d);
+      d            = t.norm() > 0 ? t / t.norm() : t;
+    }
+
     // Changes states and laws; returns the number of nodes whose state changed. rounding: see
     // ActiveSetUpdate::update.
     unsigned int

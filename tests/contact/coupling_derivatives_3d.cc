@@ -39,7 +39,14 @@ check_blocks(const unsigned int degree)
   check_scene(
       two_blocks({-0.2, 0.13, 0.51}, {0.7, 1.2, 1}, {{2, 1, 1}}), degree, 0.5, "partly covered blocks");
   check_scene(
-      two_blocks({0.11, 0.07, 0.51}, {0.9, 0.95, 1}, {{2, 2, 1}}), degree, 0.4, "hanging nodes", 1, 10);
+      two_blocks({0.11, 0.07, 0.51}, {0.9, 0.95, 1}, {{2, 2, 1}}), degree, 0.4, "hanging nodes", 1, 4);
+
+  Scene         held = two_blocks({0.11, 0.07, 0.51}, {0.9, 0.95, 1}, {{2, 1, 1}});
+  ConditionData condition;
+  condition.boundaries   = {{"upper", "left", {}}};
+  condition.displacement = {{Expression(0.), Expression(0.), Expression(0.)}};
+  held.conditions        = {condition};
+  check_scene(held, degree, 0.4, "a held edge");
 }
 
 // Lines of the master lie on the edges of the slave's faces: where these are covered whole, derivatives are

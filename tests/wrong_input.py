@@ -203,6 +203,8 @@ def scenes():
     # values
     change("wrong type", "= 1000", "= stiff", "found 'stiff'.*number")
     change("wrong choice", "Kind = plane strain", "Kind = plain strain", "found 'plain strain'.*plane strain")
+    change("unknown kinematics", "set Kind", "set Kinematics = large strain\nset Kind", "found 'large strain'.*small strain, finite strain, auto", ranks=2)
+    change("unknown law", "= 0.3", "= 0.3\n  set Law = Mooney-Rivlin", "Body upper/Law: found 'Mooney-Rivlin'.*neo-Hookean, St. Venant-Kirchhoff", part="set Law")
     change("not a flag", "= lower/top", "= lower/top\n  set Tied = perhaps", "found 'perhaps'", part="set Tied")
     change("nu = 0.5", "= 0.3", "= 0.5", r"found 0\.5.*less than 0\.5")
     change("nu = 0.6", "= 0.3", "= 0.6", r"found 0\.6.*less than 0\.5", ranks=2)
@@ -345,8 +347,10 @@ def scenes():
                               ("motion", "  set Displacement = 0", "1 component"), ("expression", "  set Displacement = 0; -q", "cannot be read"),
                               ("no number", "  set Normal = 0, -1\n  set Displacement = 0; log(-t)", "not a number|infinite"),
                               ("force that is no number", "  set Normal = 0, -1\n  set Force = 0; log(-t)", "not a number"),
+                              ("free rotation at finite strain", "  set Displacement = 0; -0.01\n  set Rotation = free", "a free rotation, which finite strain does not have"),
                               ("moment without free rotation", "  set Normal = 0, -1\n  set Rotation = 0\n  set Moment = 1", "free")]:
-        case("obstacle: " + name, OBSTACLE % text, r"^scene\.prm:\d+: .*" + words, ranks=2 if "number" in name else 1)
+        kinematics = "set Kinematics = finite strain\n" if "finite strain" in name else ""
+        case("obstacle: " + name, kinematics + OBSTACLE % text, r"^scene\.prm:\d+: .*" + words, ranks=2 if "number" in name else 1)
     case("obstacle overlaps", OBSTACLE % "  set Normal = 0, -1\n  set Centre = 0, -0.3", "overlap")
     change("platen with a value", "  set Value      = 0; -0.01", "  set Type = platen\n  set Value      = 0; -0.01", "no meaning.*platen", part="set Value      = 0; -0.01")
     change("platen with a held force", "  set Value      = 0; -0.01", "  set Type = platen\n  set Displacement = 0; 0\n  set Force = 0; -1", "'free'", part="set Force")

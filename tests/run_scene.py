@@ -3,8 +3,10 @@
 
 path: dots through objects, numbers through arrays ("pairs.0.peak_pressure", "meshes.-1.reference.errors.contact_size"); what follows a slice
 ("newton.1:.iterations") or a choice ("contact.X=1.pressure", "contact.pair=roller,state=slip.tx") holds for every element; peak(path) is the
-largest magnitude. "contact" and "history" are the rows of the two tables, "skew" see below.  A '|' in X stands for ';', at which CMake splits.
-OP: <= >= == abs<= is (a word) has (words in a text), or ~ with "value relative-tolerance".  --fails: the program must end with exit code 1.
+largest magnitude, kink(path) the largest second difference over it. "contact" and "history" are the rows of the two tables, "skew" see below.
+A '|' in X stands for ';', at which CMake splits.
+OP: <= >= == abs<= is (a word) has (words in a text), or ~ with "value relative-tolerance"; the value may be a path, which must be one number.
+--fails: the program must end with exit code 1.
 """
 import csv
 import json
@@ -31,18 +33,32 @@ def values(node, path):
             wanted = [word.split("=") for word in head.split(",")]
             return [v for item in node if all(matches(item[key], text) for key, text in wanted) for v in values(item, rest)]
         return values(node[int(head)], rest)
-    return values(node[head], rest)
+    # column names have dots themselves
+    n = next(n for n in range(1, len(path) + 1) if ".".join(path[:n]) in node)
+    return values(node[".".join(path[:n])], path[n:])
 
 
 def find(node, text):
-    """The values at a path; peak(path): the largest of their magnitudes."""
+    """The values at a path; peak(path): the largest of their magnitudes; kink(path): of their second differences, relative to the peak."""
     if text.startswith("peak("):
         return [max(abs(v) for v in find(node, text[5:-1]))]
+    if text.startswith("kink("):
+        v = find(node, text[5:-1])
+        return [max(abs(a - 2 * b + c) for a, b, c in zip(v, v[1:], v[2:])) / max(abs(x) for x in v)]
     return values(node, text.split("."))
 
 
+def number(node, text):
+    """A number, or that at a path."""
+    try:
+        return float(text)
+    except ValueError:
+        (value,) = find(node, text)
+        return value
+
+
 def rows(path):
-    def number(text):
+    def cell(text):
         try:
             return float(text)
         except (TypeError, ValueError):
@@ -51,7 +67,7 @@ def rows(path):
     if not os.path.exists(path):
         return []
     with open(path) as file:
-        return [{key: number(text) for key, text in row.items()} for row in csv.DictReader(file)]
+        return [{key: cell(text) for key, text in row.items()} for row in csv.DictReader(file)]
 
 
 def skew(contact):
@@ -66,12 +82,12 @@ def skew(contact):
     return across / along if along > 0 else 0
 
 
-def holds(value, operator, numbers):
+def holds(summary, value, operator, numbers):
     if operator == "is":
         return str(value) == numbers[0]
     if operator == "has":
         return " ".join(numbers) in value
-    target = float(numbers[0])
+    target = number(summary, numbers[0])
     if value is None:
         return False
     if operator == "~":
@@ -107,7 +123,7 @@ def main():
     for check in checks:
         words = check.split()
         found = find(summary, words[0])
-        good = bool(found) and all(holds(v, words[1], words[2:]) for v in found)
+        good = bool(found) and all(holds(summary, v, words[1], words[2:]) for v in found)
         print(f"{'ok    ' if good else 'FAILED'} {check}   found {found if len(found) < 9 else found[:9]}")
         failed += not good
     sys.exit(1 if failed else 0)

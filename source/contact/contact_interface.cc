@@ -218,6 +218,15 @@ namespace Amontons
 
   template <int dim>
   void
+  turn_interface(const LA::Vector &u, ContactInterface<dim> &interface)
+  {
+    interface.slave->turn(u);
+    if (interface.master_surface)
+      interface.master_surface->turn(u);
+  }
+
+  template <int dim>
+  void
   integrate_couplings(const Discretization<dim>          &discretization,
                       const Constraints                  &supports,
                       std::vector<ContactInterface<dim>> &interfaces,
@@ -257,6 +266,8 @@ namespace Amontons
                       std::vector<ContactInterface<2>> &,
                       const bool);
   template void
+  turn_interface(const LA::Vector &, ContactInterface<2> &);
+  template void
   move_interface(const Discretization<2> &, const LA::Vector &, ContactInterface<2> &);
   template std::vector<bool>
   choose_slaves(const Discretization<3> &);
@@ -267,6 +278,8 @@ namespace Amontons
                       const Constraints &,
                       std::vector<ContactInterface<3>> &,
                       const bool);
+  template void
+  turn_interface(const LA::Vector &, ContactInterface<3> &);
   template void
   move_interface(const Discretization<3> &, const LA::Vector &, ContactInterface<3> &);
 } // namespace Amontons

@@ -169,7 +169,10 @@ namespace Amontons
     const unsigned int                              n_nodes = Utilities::fixed_power<dim - 1>(degree + 1);
     std::map<types::global_dof_index, unsigned int> node_of_dof;
 
-    const auto n_fine = Utilities::fixed_power<dim - 1>(geometry_degree + 1);
+    const auto                       n_fine = Utilities::fixed_power<dim - 1>(geometry_degree + 1);
+    std::vector<std::vector<double>> values; // of the nodes' shape functions at the lattice points
+    for (const auto &xi : lattice<dim - 1>(geometry_degree))
+      values.push_back(lagrange_values<dim - 1>(degree, xi));
     for (unsigned int rank = 0; rank < parts.size(); ++rank)
       {
         const auto &part     = parts[rank];
@@ -196,6 +199,13 @@ namespace Amontons
             measure(face);
             mean_size += face.size;
             reference_geometry.push_back(face.geometry);
+            deviations.emplace_back();
+            for (unsigned int k = 0; k < n_fine; ++k)
+              {
+                deviations.back().emplace_back(face.geometry[k]);
+                for (unsigned int j = 0; j < n_nodes; ++j)
+                  deviations.back()[k] -= values[k][j] * nodes[face.nodes[j]].X;
+              }
             faces.push_back(std::move(face));
           }
       }

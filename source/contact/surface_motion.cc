@@ -44,27 +44,96 @@ namespace Amontons
   ContactSurface<dim>::move(const LA::Vector &u)
   {
     moved = true;
-    std::vector<Tensor<1, dim>> displacements;
     for (auto &node : nodes)
-      {
-        displacements.emplace_back();
-        for (unsigned int c = 0; c < dim; ++c)
-          displacements.back()[c] = u(node.dofs[c]);
-        node.x = node.X + displacements.back();
-      }
+      for (unsigned int c = 0; c < dim; ++c)
+        node.x[c] = node.X[c] + u(node.dofs[c]);
     std::vector<std::vector<double>> values; // of the nodes' shape functions at the lattice points
     for (const auto &xi : lattice<dim - 1>(geometry_degree))
       values.push_back(lagrange_values<dim - 1>(degree, xi));
     for (unsigned int f = 0; f < faces.size(); ++f)
       {
-        auto &face    = faces[f];
-        face.geometry = reference_geometry[f];
+        auto &face = faces[f];
         for (unsigned int k = 0; k < face.geometry.size(); ++k)
-          for (unsigned int j = 0; j < face.nodes.size(); ++j)
-            face.geometry[k] += values[k][j] * displacements[face.nodes[j]];
+          {
+            face.geometry[k] = Point<dim>(deviations[f][k]);
+            for (unsigned int j = 0; j < face.nodes.size(); ++j)
+              face.geometry[k] += values[k][j] * nodes[face.nodes[j]].x;
+          }
         measure(face);
       }
     make_normals();
+  }
+
+  // With the tangents T_k of the finite elements' face and normals N interpolated between its nodes, d =
+  // sum_k rho_k T_k + beta N becomes sum_k rho_k t_k + beta n.
+  template <int dim>
+  void
+  ContactSurface<dim>::turn(const LA::Vector &u)
+  {
+    std::vector<Point<dim>> X, x;
+    for (const auto &node : nodes)
+      {
+        X.push_back(node.X);
+        x.push_back(node.X);
+        for (unsigned int c = 0; c < dim; ++c)
+          x.back()[c] += u(node.dofs[c]);
+      }
+    const auto normals_before = element_normals(X), normals_after = element_normals(x);
+    const auto points = lattice<dim - 1>(geometry_degree);
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      for (unsigned int k = 0; k < points.size(); ++k)
+        {
+          const auto     N      = lagrange_values<dim - 1>(degree, points[k]);
+          const auto     slopes = lagrange_gradients<dim - 1>(degree, points[k]);
+          Tensor<1, dim> d      = reference_geometry[f][k];
+          // columns: tangents, normal
+          Tensor<2, dim> before, after;
+          for (unsigned int j = 0; j < N.size(); ++j)
+            {
+              const unsigned int node = faces[f].nodes[j];
+              d -= N[j] * X[node];
+              for (unsigned int c = 0; c < dim; ++c)
+                {
+                  for (unsigned int e = 0; e < dim - 1; ++e)
+                    {
+                      before[c][e] += slopes[j][e] * X[node][c];
+                      after[c][e] += slopes[j][e] * x[node][c];
+                    }
+                  before[c][dim - 1] += N[j] * normals_before[node][c];
+                  after[c][dim - 1] += N[j] * normals_after[node][c];
+                }
+            }
+          deviations[f][k] = after * (invert(before) * d);
+        }
+  }
+
+  // Mean normals of the finite elements' faces at the nodes at x; 0 for nodes on no face.
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  ContactSurface<dim>::element_normals(const std::vector<Point<dim>> &x) const
+  {
+    const auto                  points = lattice<dim - 1>(degree);
+    std::vector<Tensor<1, dim>> normals(nodes.size());
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      {
+        for (const auto &[f, k] : faces_at[i])
+          {
+            const auto                          slopes = lagrange_gradients<dim - 1>(degree, points[k]);
+            std::array<Tensor<1, dim>, dim - 1> tangents;
+            for (unsigned int j = 0; j < slopes.size(); ++j)
+              for (unsigned int e = 0; e < dim - 1; ++e)
+                tangents[e] += slopes[j][e] * x[faces[f].nodes[j]];
+            const Tensor<1, dim> c = faces[f].sign * area_vector(tangents);
+            normals[i] += c / c.norm();
+          }
+        if (!faces_at[i].empty())
+          {
+            normals[i] = without(
+                normals[i], directions_to_remove(nodes[i].symmetry_planes, normals[i] / normals[i].norm()));
+            normals[i] /= normals[i].norm();
+          }
+      }
+    return normals;
   }
 
   // Mean of the face normals at the node, weighted by nothing; then made to lie in the symmetry planes (and
@@ -164,6 +233,7 @@ namespace Amontons
 
 #define INSTANTIATE(dim)                                                                                     \
   template void ContactSurface<dim>::move(const LA::Vector &);                                               \
+  template void ContactSurface<dim>::turn(const LA::Vector &);                                               \
   template void ContactSurface<dim>::make_normals();                                                         \
   template void ContactSurface<dim>::find_sharpest_edge();                                                   \
   template std::vector<std::pair<types::global_dof_index, Tensor<1, dim>>>                                   \

@@ -40,6 +40,11 @@ namespace Amontons
                  const LA::Vector          &u,
                  ContactInterface<dim>     &interface);
 
+  // Turns what lies between true surfaces and those of the finite elements (see ContactSurface::turn).
+  template <int dim>
+  void
+  turn_interface(const LA::Vector &u, ContactInterface<dim> &interface);
+
   // Fills the couplings; `supports` tells which slave nodes cannot carry a multiplier. moved: see
   // find_overlaps.
   template <int dim>

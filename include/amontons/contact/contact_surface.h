@@ -86,6 +86,12 @@ namespace Amontons
     void
     move(const LA::Vector &u);
 
+    // `move` leaves what lies between the true surface and that of the finite elements as it is. Where the
+    // surface has turned this is wrong (by twice the sagitta after half a turn): from now on it is as it has
+    // turned with u. Derivatives of `move` stay exact: to be called between increments, not within.
+    void
+    turn(const LA::Vector &u);
+
     // d(nodal normal)/d(displacement), for nodes of faces.
     std::vector<std::pair<types::global_dof_index, Tensor<1, dim>>>
     normal_gradient(const unsigned int node) const;
@@ -143,9 +149,13 @@ namespace Amontons
     measure(SurfaceFace<dim> &face) const;
     void
     make_normals();
+    std::vector<Tensor<1, dim>>
+    element_normals(const std::vector<Point<dim>> &x) const;
 
     const IndexSet::size_type            n_dofs;
     std::vector<std::vector<Point<dim>>> reference_geometry; // by face
+    std::vector<std::vector<Tensor<1, dim>>>
+        deviations; // likewise, of the lattice from the finite elements' face
     // By node: the faces there and its place in them.
     std::vector<std::vector<std::pair<unsigned int, unsigned int>>> faces_at;
   };

@@ -152,6 +152,13 @@ check_derivatives(Moved<dim>        &moved,
         stiffness[dof][column] += value;
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
+  std::vector<bool> first_only(coupling.rows.size(), false);
+  first_only[0] = true;
+  const CouplingDerivatives<dim> of_one(*moved.problem.discretization, interface, first_only);
+  check::is_true(of_one.rows()[0].gap == derivatives.rows()[0].gap, what + ": a row on its own");
+  for (unsigned int r = 1; r < coupling.rows.size(); ++r)
+    check::is_true(of_one.rows()[r].gap.empty() && of_one.rows()[r].area.empty(), what + ": rows not wanted");
+
   std::vector<types::global_dof_index> singles(moved.dofs.begin(), moved.dofs.end());
   std::shuffle(singles.begin(), singles.end(), generator);
   if (n_single > 0)

@@ -58,8 +58,9 @@ namespace Amontons
   {
     FiniteNewton<dim> newton(parameters.newton, parameters.linear_solver, *discretization, timer);
     const auto        follower = follower_loads();
-    const auto        report   = newton.solve(*elasticity, interfaces, supports, follower, state, observer);
-    loads                      = follower.forces(state.displacement);
+    const auto        report =
+      newton.solve(*elasticity, interfaces, supports, follower, state, observer, follow_motion);
+    loads = follower.forces(state.displacement);
     return report;
   }
 
@@ -69,9 +70,13 @@ namespace Amontons
   ContactProblem<dim>::move_surfaces(const LA::Vector &u)
   {
     TimerOutput::Scope scope(timer, "contact surfaces");
-    for (auto &interface : interfaces)
-      if (!interface.pair->tied)
-        move_interface(*discretization, u, interface);
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        if (!interfaces[i].pair->tied)
+          move_interface(*discretization, u, interfaces[i]);
+        if (i < state.carried.size() && state.carried[i].size() == interfaces[i].slave->nodes.size())
+          interfaces[i].carried = state.carried[i];
+      }
     integrate_couplings(*discretization, supports, interfaces, finite_strain);
   }
 

@@ -154,9 +154,12 @@ namespace Amontons
       for (unsigned int i = 0; i < carries.size(); ++i)
         if (!carries[i] && interface.slave->nodes[i].parents.empty())
           ++interface.n_without_multiplier;
-      interface.coupling =
-          integrate_coupling(discretization, *interface.slave, interface.master, std::move(points), carries);
-      if (faces_something && interface.coupling.rows.empty())
+      interface.coupling = integrate_coupling(
+          discretization, *interface.slave, interface.master, std::move(points), carries, interface.carried);
+      interface.carried.assign(interface.slave->nodes.size(), false);
+      for (const auto &row : interface.coupling.rows)
+        interface.carried[row.node] = true;
+      if (faces_something && interface.coupling.rows.empty() && !interface.slave->moved)
         throw InputError(
             interface.pair->where,
             "supports hold every node of the slave side, so that it cannot carry a contact pressure",

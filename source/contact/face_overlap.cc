@@ -36,10 +36,11 @@ namespace Amontons
     const auto miss = [&](const double xi) {
       return cross(y - slave.position(face, Point<1>(xi)), slave.nodal_normal(face, Point<1>(xi)));
     };
-    const double f0 = miss(0), f1 = miss(1);
-    if (f0 * f1 <= 0)
-      return root(miss, f0, f1);
-    return std::abs(f0) < std::abs(f1) ? 0 : 1;
+    // sign f grows along the face for points that are closer than the centre of its curvature.
+    const double f0 = miss(0), f1 = miss(1), sign = slave.faces[face].sign;
+    if (sign * f0 >= 0 && sign * f1 <= 0)
+      return f0 == 0 ? 0 : f1 == 0 ? 1 : std::numeric_limits<double>::quiet_NaN();
+    return sign * f0 >= 0 ? 0 : sign * f1 <= 0 ? 1 : root(miss, f0, f1);
   }
 
   std::optional<double>

@@ -20,9 +20,9 @@ namespace Amontons
       double                          area         = 0; // int psi
       double                          smallest_gap = std::numeric_limits<double>::max(), face_size = 0;
       double                          trace = 0, trace_gap = 0; // int B, int B g
-      Tensor<1, dim>                  normal, gap; // int psi n, int psi g n
-      std::map<unsigned int, double>  traces;      // int psi B_j
-      std::map<NodeDofs<dim>, double> master;      // int psi N_q
+      Tensor<1, dim>                  normal, gap;              // int psi n, int psi g n
+      std::map<unsigned int, double>  traces;                   // int psi B_j
+      std::map<NodeDofs<dim>, double> master;                   // int psi N_q
 
       RowSums &
       operator+=(const RowSums &other)
@@ -251,8 +251,8 @@ namespace Amontons
       row.gap        = row.normal * row.gap_vector;
       row.mean_gap   = sums.trace_gap / sums.trace;
       // psi changes sign, and where the surface turns away from the other body gaps grow without bound:
-      // what is open all around stays open.
-      if (sums.smallest_gap - closest > 0.1 * sums.face_size)
+      // what is open all around stays open. (Moved surfaces: see mean_gap.)
+      if (!slave.moved && sums.smallest_gap - closest > 0.1 * sums.face_size)
         row.gap = std::max(row.gap, sums.smallest_gap);
       std::map<unsigned int, double> slave_weights;
       for (const auto &[j, trace] : sums.traces)
@@ -310,25 +310,38 @@ namespace Amontons
     return motion;
   }
 
+  namespace
+  {
+    // A node of which next to nothing is covered leaves its share to the others, as if supports owned it: a force
+    // on so small an area is rounding. (Dropping it would break the patch test.) Where surfaces slide, the
+    // pressure of a node would grow without bound before it goes: it leaves earlier, and comes back later, so that
+    // no node comes and goes within an iteration.
+    double
+    smallest_share(const bool moved, const std::vector<bool> &carried, const unsigned int node)
+    {
+      if (!moved)
+        return 1e-3;
+      return node < carried.size() && carried[node] ? 0.02 : 0.1;
+    }
+  } // namespace
+
   template <int dim>
   Coupling<dim>
   integrate_coupling(const Discretization<dim>     &discretization,
                      const ContactSurface<dim>     &slave,
                      const MasterSide<dim>         &master,
                      std::vector<OverlapPoint<dim>> points,
-                     const std::vector<bool>       &carries_multiplier)
+                     const std::vector<bool>       &carries_multiplier,
+                     const std::vector<bool>       &carried)
   {
     const MPI_Comm             communicator = discretization.geometry.communicator;
     const FacesWithPoints<dim> points_of(slave.faces.size(), points, communicator);
     Coupling<dim>              coupling;
-    // A node of which next to nothing is covered leaves its share to the others, as if supports owned it: a
-    // force on so small an area is rounding. (Dropping it would break the patch test.)
-    const double smallest_share = 1e-3;
-    const bool   axisymmetric   = discretization.scene.kind == Kind::axisymmetric;
-    const auto   shares  = covered_shares(slave, points_of, axisymmetric, communicator, coupling.whole_faces);
-    auto         carries = carries_multiplier;
+    const bool                 axisymmetric = discretization.scene.kind == Kind::axisymmetric;
+    const auto shares  = covered_shares(slave, points_of, axisymmetric, communicator, coupling.whole_faces);
+    auto       carries = carries_multiplier;
     for (unsigned int i = 0; i < carries.size(); ++i)
-      carries[i] = carries_multiplier[i] && shares[i] > smallest_share;
+      carries[i] = carries_multiplier[i] && shares[i] > smallest_share(slave.moved, carried, i);
     coupling.slivers = find_slivers(slave, points_of, carries_multiplier, carries);
 
     FaceSums<dim> mine;
@@ -360,11 +373,13 @@ namespace Amontons
                      const ContactSurface<2> &,
                      const MasterSide<2> &,
                      std::vector<OverlapPoint<2>>,
+                     const std::vector<bool> &,
                      const std::vector<bool> &);
   template Coupling<3>
   integrate_coupling(const Discretization<3> &,
                      const ContactSurface<3> &,
                      const MasterSide<3> &,
                      std::vector<OverlapPoint<3>>,
+                     const std::vector<bool> &,
                      const std::vector<bool> &);
 } // namespace Amontons

@@ -46,6 +46,9 @@ namespace Amontons
     clear(state.shears);
     clear(state.trials);
     clear(state.slips);
+    state.carried.clear();
+    for (const auto &interface : interfaces)
+      state.carried.push_back(interface.carried);
     for (unsigned int k = 0; k < nodes.size(); ++k)
       if (const unsigned int r = nodes[k].row; r != numbers::invalid_unsigned_int)
         {

@@ -15,8 +15,9 @@ namespace Amontons
     std::unique_ptr<ContactSurface<dim>> slave;
     std::unique_ptr<ContactSurface<dim>> master_surface; // empty for analytic obstacles
     MasterSide<dim>                      master;
-    Coupling<dim> coupling; // small sliding: integrated once per mesh, in the reference configuration
-    unsigned int  n_without_multiplier = 0; // slave nodes that supports own whole
+    Coupling<dim>     coupling; // small sliding: integrated once per mesh, in the reference configuration
+    std::vector<bool> carried;  // slave nodes with a row
+    unsigned int      n_without_multiplier = 0; // slave nodes that supports own whole
     // Gaps up to this are part of the coupling. 0: not known yet, chosen from the sizes of the surfaces.
     double reach = 0;
   };

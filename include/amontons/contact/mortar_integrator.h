@@ -48,13 +48,14 @@ namespace Amontons
                 const bool                 moved = false);
 
   // carries_multiplier: by slave node, false where supports own the node whole. `points` in the order of the
-  // slave faces. Collective: each rank integrates over its part of the points, and all get all rows, equal to
-  // the last digit.
+  // slave faces. carried, for moved surfaces: which nodes did before. Collective: each rank integrates over
+  // its part of the points, and all get all rows, equal to the last digit.
   template <int dim>
   Coupling<dim>
   integrate_coupling(const Discretization<dim>     &discretization,
                      const ContactSurface<dim>     &slave,
                      const MasterSide<dim>         &master,
                      std::vector<OverlapPoint<dim>> points,
-                     const std::vector<bool>       &carries_multiplier);
+                     const std::vector<bool>       &carries_multiplier,
+                     const std::vector<bool>       &carried = {});
 } // namespace Amontons

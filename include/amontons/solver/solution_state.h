@@ -23,6 +23,7 @@ namespace Amontons
     // trial shear over its bound, a node slipping where this exceeds 1.
     LA::Vector          traction;
     std::vector<double> peaks; // of p, by pair
+    std::vector<std::vector<bool>> carried; // by pair: slave nodes with a row
     // By pair and coupling row
     std::vector<std::vector<ContactState>> states;
     std::vector<std::vector<double>>       pressures;

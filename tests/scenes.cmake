@@ -494,6 +494,143 @@ add_scene_test(NAME transfer_nafems_roller SCENE nafems_roller_friction.prm SET 
                CHECK ${LAWS} "pairs.0.peak_pressure ~ 3663 2e-3" "contact.pair=roller,state=stick.X <= 2.2"
                      "contact.pair=roller,state=slip.X >= 2.1")
 
+# ---- Finite strain
+
+# Every run: force and moment balance where the bodies are now, no tension, no overlap.
+set(KEPT_FINITE "status is converged" "checks.force_balance <= 1e-8" "checks.tension <= 1e-6" "checks.penetration <= 1e-8")
+set(EXACT_FINITE ${KEPT_FINITE} "reference.errors.pressure_l2 <= 1e-9" "reference.errors.nodal_peak_pressure <= 1e-9" "newton.:.iterations <= 8")
+
+# One body against closed forms (the numbers come from the formulas in the scenes).
+set(NEO neo-Hookean)
+set(SVK "St. Venant-Kirchhoff")
+foreach(case "plane strain;NEO;-0.386106830428142;508.036425861104;819.916517590936" "plane stress;NEO;-0.25153433922862;498.445007186297;761.906132449142"
+        "axisymmetric;NEO;-0.25153433922862;498.445007186297;4787.19741676" "plane strain;SVK;-0.637229712261506;1511.94928373354;2060.43956043956"
+        "plane stress;SVK;-0.41886116991581;1500;1875" "axisymmetric;SVK;-0.41886116991581;1500;11780.9724509617")
+  list(GET case 0 kind)
+  list(GET case 1 law)
+  list(GET case 2 lateral)
+  list(GET case 3 stress)
+  list(GET case 4 force)
+  string(REPLACE " " "_" name "uniaxial_${kind}_${law}")
+  set(along yy)
+  if(kind STREQUAL axisymmetric)
+    set(along zz)
+  endif()
+  foreach(degree 1 2)
+    add_scene_test(NAME ${name}_q${degree} SCENE verification/uniaxial_finite.prm
+                   SET "Kind=${kind}" "Body block/Law=${${law}}" "Discretization/Degree=${degree}" "Contact solver/Tolerance=1e-12"
+                   CHECK "probes.0.points.0.displacement.0 ~ ${lateral} 1e-9" "probes.0.points.0.stress.${along} ~ ${stress} 1e-9"
+                         "reactions.0.force.1 ~ ${force} 1e-9" "newton.:.iterations <= 6")
+  endforeach()
+endforeach()
+add_scene_test(NAME uniaxial_compression SCENE verification/uniaxial_finite.prm SET "Boundary condition top/Value=free|-0.3*t" "Contact solver/Tolerance=1e-12"
+               CHECK "probes.0.points.0.displacement.0 ~ 0.26248314506838 1e-9" "reactions.0.force.1 ~ -867.81043453804 1e-9")
+add_scene_test(NAME simple_shear_NEO SCENE verification/simple_shear_finite.prm SET "Body block/Law=${NEO}"
+               CHECK "probes.0.points.0.stress.xx ~ 96.15384615384615 1e-9" "probes.0.points.0.stress.yy abs<= 1e-9"
+                     "probes.0.points.0.stress.zz abs<= 1e-9" "probes.0.points.0.stress.xy ~ 192.30769230769232 1e-9")
+add_scene_test(NAME simple_shear_SVK SCENE verification/simple_shear_finite.prm SET "Body block/Law=${SVK}"
+               CHECK "probes.0.points.0.stress.xx ~ 306.49038461538458 1e-9" "probes.0.points.0.stress.yy ~ 168.26923076923077 1e-9"
+                     "probes.0.points.0.stress.zz ~ 72.11538461538461 1e-9" "probes.0.points.0.stress.xy ~ 276.44230769230768 1e-9")
+
+# Patch tests at 30 % compression.
+# Under strong compression St. Venant-Kirchhoff bodies are unstable: the lower one is stiffer here, and the mixed ones are shortened by 25 %.
+set(SVK_BOTH "Body upper/Law=${SVK}" "Body lower/Law=${SVK}" "Body lower/Young modulus=1200" "Reference/Solution=uniform(p = 238.7418558273413, width = 10)")
+set(SVK_LOWER "Body lower/Law=${SVK}" "Body lower/Young modulus=1200" "Boundary condition top/Value=free|-0.75*t"
+    "Reference/Solution=uniform(p = 236.3524519837246, width = 10)")
+set(TURNED_40 "Body upper/Rotate=40" "Body lower/Rotate=40" "Boundary condition top/Value=0.9*t*sin(2*pi/9)|-0.9*t*cos(2*pi/9)")
+# compressed and turned at once
+set(S "sin(2*pi/9*t)")
+set(C "cos(2*pi/9*t)")
+set(U "(1-0.2366623531109516*t)")
+set(L "(1-0.3316688234445242*t)")
+set(AT_ONCE "End time=1" "Output times=" "Boundary condition upper/Value=${C}*x-${S}*y*${U}-x|${S}*x+${C}*y*${U}-y"
+    "Boundary condition lower/Value=${C}*x-${S}*y*${L}-x|${S}*x+${C}*y*${L}-y")
+# on the slave: p = 367.97 over a width of 2
+set(NO_SHEAR "pairs.0.n_slip == 0" "pairs.0.tangential_force.0 abs<= 7e-7" "pairs.0.tangential_force.1 abs<= 7e-7" "peak(contact.:.slip_x) <= 1e-9"
+    "peak(contact.:.slip_y) <= 1e-9" "meshes.-1.dissipation abs<= 1e-9")
+foreach(degree 1 2)
+  foreach(slave first second)
+    set(both "Discretization/Degree=${degree}" "Contact interface/Slave=${slave}")
+    set(name patch_finite_q${degree}_${slave})
+    add_scene_test(NAME ${name} SCENE verification/patch_finite.prm SET ${both} CHECK ${EXACT_FINITE})
+    add_scene_test(NAME ${name}_axisymmetric SCENE verification/patch_finite.prm SET ${both} "Kind=axisymmetric" CHECK ${EXACT_FINITE})
+    add_scene_test(NAME ${name}_svk SCENE verification/patch_finite.prm SET ${both} ${SVK_BOTH} CHECK ${EXACT_FINITE})
+    add_scene_test(NAME ${name}_mixed SCENE verification/patch_finite.prm SET ${both} ${SVK_LOWER} CHECK ${EXACT_FINITE})
+    add_scene_test(NAME ${name}_mesh_turned SCENE verification/patch_finite.prm SET ${both} ${TURNED_40} CHECK ${EXACT_FINITE})
+    add_scene_test(NAME ${name}_turned SCENE verification/patch_finite_turned.prm SET ${both} CHECK ${EXACT_FINITE})
+    add_scene_test(NAME ${name}_turned_at_once SCENE verification/patch_finite_turned.prm SET ${both} ${AT_ONCE} CHECK ${EXACT_FINITE})
+    add_scene_test(NAME ${name}_turned_sticking SCENE verification/patch_finite_turned.prm SET ${both} "Contact interface/Friction coefficient=0.3"
+                   CHECK ${EXACT_FINITE} ${NO_SHEAR})
+    add_scene_test(NAME objectivity_q${degree}_${slave} SCENE verification/objectivity.prm SET ${both}
+                   CHECK ${KEPT_FINITE} "meshes.2:.energy ~ meshes.1.energy 1e-9" "meshes.2:.dissipation ~ meshes.1.dissipation 1e-8"
+                         "meshes.2:.pairs.0.peak_pressure ~ meshes.1.pairs.0.peak_pressure 1e-9" "meshes.1.dissipation >= 0.02")
+  endforeach()
+endforeach()
+foreach(slave first second)
+  set(both "Discretization/Degree=1" "Contact interface/Slave=${slave}")
+  set(name patch_finite_3d_q1_${slave})
+  add_scene_test(NAME ${name} SCENE verification/patch_finite_3d.prm SET ${both} CHECK ${EXACT_FINITE})
+  add_scene_test(NAME ${name}_turned SCENE verification/patch_finite_turned_3d.prm SET ${both} CHECK ${EXACT_FINITE})
+  add_scene_test(NAME ${name}_turned_sticking SCENE verification/patch_finite_turned_3d.prm SET ${both} "Contact interface/Friction coefficient=0.3"
+                 CHECK ${EXACT_FINITE} ${NO_SHEAR} "pairs.0.tangential_force.2 abs<= 7e-7")
+  add_scene_test(NAME patch_finite_3d_q2_${slave} SCENE verification/patch_finite_3d.prm SET "Contact interface/Slave=${slave}" CHECK ${EXACT_FINITE})
+endforeach()
+add_scene_test(NAME patch_finite_3d_q2_turned_sticking SCENE verification/patch_finite_turned_3d.prm SET "Contact interface/Friction coefficient=0.3"
+               CHECK ${EXACT_FINITE} ${NO_SHEAR})
+
+# Over edges: without friction the force has no jumps larger than the first and the last touch of single nodes.
+foreach(slave first second)
+  add_scene_test(NAME slide_off_edge_${slave} SCENE verification/slide_off_edge.prm SET "Contact interface/Slave=${slave}"
+                 CHECK "status is converged" "kink(history.:.interface.normal_force_y) <= 0.1" "newton.:.iterations <= 10" "pairs.0.normal_force.1 == 0"
+                       "history.20.interface.normal_force_y abs<= 96" "history.29.interface.normal_force_y abs<= 48")
+  add_scene_test(NAME slide_over_edges_${slave} SCENE verification/slide_over_edges.prm SET "Contact interface/Slave=${slave}"
+                 CHECK "status is converged" "kink(history.:.interface.normal_force_y) <= 0.17" "newton.:.iterations <= 10" "pairs.0.normal_force.1 == 0"
+                       "peak(history.:.interface.normal_force_y) ~ 45.8 0.02")
+endforeach()
+add_scene_test(NAME slide_off_edge_friction SCENE verification/slide_off_edge.prm SET "Contact interface/Slave=first" "Contact interface/Friction coefficient=0.3"
+               CHECK "status is converged" "kink(history.:.interface.normal_force_y) <= 0.1" "newton.:.iterations <= 10" "checks.negative_dissipation <= 1e-9"
+                     "meshes.-1.dissipation ~ 47.4 0.02")
+
+# Small strain and finite strain agree to the order of the strain.
+foreach(mu 0 0.3)
+  add_test(NAME scenes/small_and_finite_mu_${mu}
+           COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/small_and_finite.py $<TARGET_FILE:amontons> ${CMAKE_BINARY_DIR}/scenes/small_and_finite_mu_${mu}
+                   ${CMAKE_CURRENT_LIST_DIR}/../parameters/verification/punch_small_and_finite.prm "Boundary condition top/Value=0| -%g*t" 0.1,0.01,0.001
+                   --set "Contact interface/Friction coefficient=${mu}")
+endforeach()
+
+# Code_Aster's test ssnp154 (St. Venant-Kirchhoff): -1.3069 with linear elements, -1.3080 with quadratic ones. The pressure is lower than at small strain.
+add_scene_test(NAME roller_finite SCENE nafems_roller_finite.prm
+               CHECK ${KEPT_FINITE} "newton.0.iterations <= 12" "newton.1:.iterations <= 6" "probes.0.points.0.displacement.1 ~ -1.3080 5e-4" "pairs.0.peak_pressure ~ 3513 0.01")
+add_scene_test(NAME roller_finite_neo_hookean SCENE nafems_roller_finite.prm SET "Body cylinder/Law=${NEO}" "Body block/Law=${NEO}"
+               CHECK ${KEPT_FINITE} "newton.:.iterations <= 10" "probes.0.points.0.displacement.1 ~ -1.2792 5e-4")
+
+# Nearly incompressible: a closed form, then an indentation on coarse meshes.
+foreach(degree 1 2)
+  add_scene_test(NAME press_finite_q${degree} SCENE verification/press_finite.prm SET "Discretization/Degree=${degree}"
+                 CHECK "reference.errors.pressure_l2 <= 1e-9" "newton.:.iterations <= 6" "probes.0.points.0.displacement.0 ~ 0.42827420472631 1e-9")
+endforeach()
+add_scene_test(NAME rubber_indentation_q1 SCENE verification/rubber_indentation.prm SET "Discretization/Degree=1"
+               CHECK ${KEPT_FINITE} "pairs.0.normal_force.1 ~ -0.443 0.01")
+add_scene_test(NAME rubber_indentation_q2 SCENE verification/rubber_indentation.prm CHECK ${KEPT_FINITE} "pairs.0.normal_force.1 ~ -0.443 0.03")
+
+# Kinematics = auto: nothing to look at, a look that says no, and one that says yes.
+add_scene_test(NAME auto_harmless SCENE verification/patch_finite.prm SET "Kinematics=auto" "Boundary condition top/Value=free|-1e-4"
+               CHECK "checks.neglected_strain ~ 1.7e-5 0.05" "checks.neglected_contact <= 1e-12" "notes.0 has small strain is enough"
+                     "pairs.0.normal_force.1 ~ -0.06682577565632486 1e-8")
+add_scene_test(NAME auto_small SCENE hertz_cylinder.prm SET "Kinematics=auto"
+               CHECK ${HERTZ} "checks.neglected_strain ~ 6.9e-3 0.1" "checks.neglected_contact ~ 1.2e-3 0.1" "checks.change_of_answer <= 0.01"
+                     "notes.0 has small strain is enough")
+add_scene_test(NAME auto_finite SCENE verification/patch_finite.prm SET "Kinematics=auto"
+               CHECK ${EXACT_FINITE} "checks.neglected_strain ~ 0.16 0.1" "checks.change_of_answer ~ 0.22 0.1" "notes.0 has finite strain is used")
+add_scene_test(NAME auto_target SCENE hertz_cylinder.prm SET "Kinematics=auto" "Refinement/Cycles=3" "Refinement/Target error=0.0005"
+               CHECK "status is converged" "checks.change_of_answer >= 0.0005" "notes.0 has finite strain is used")
+
+# The same on 1 to 4 ranks, in space too.
+add_comparison_test(NAME ranks_objectivity SCENE verification/objectivity.prm SET "Contact interface/Slave=first" "End time=2" "Increments=3" RUN 1 2 3 4)
+add_comparison_test(NAME ranks_patch_finite_turned_3d SCENE verification/patch_finite_turned_3d.prm
+                    SET "Discretization/Degree=1" "Contact interface/Friction coefficient=0.2" "End time=2" "Increments=2" RUN 1 2 3 4)
+
 # ---- The same answer: ranks, complementarity factor
 
 foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight

@@ -91,6 +91,15 @@ namespace Amontons
     TimerOutput::Scope scope(timer, "contact surfaces");
     discretization->distribute_dofs();
     elasticity->clear();
+    couple_surfaces();
+    recovery.reset();
+  }
+
+  // Where they are undeformed.
+  template <int dim>
+  void
+  ContactProblem<dim>::couple_surfaces()
+  {
     interfaces = make_interfaces(*discretization, first_is_slave);
     reaches.resize(interfaces.size(), 0.);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
@@ -101,7 +110,6 @@ namespace Amontons
           discretization->add_relevant(surface->dofs());
     supports = discretization->make_supports(state.t);
     integrate_couplings(*discretization, supports, interfaces);
-    recovery.reset();
   }
 
   template <int dim>

@@ -1,6 +1,7 @@
 // Finite strain, and Kinematics = auto: whether small strain was enough.
 #include <amontons/adaptivity/model_selection.h>
 #include <amontons/contact_problem.h>
+#include <amontons/solver/stored_states.h>
 
 #include <sstream>
 
@@ -29,6 +30,18 @@ namespace Amontons
           answer.push_back(peak);
         }
       return answer;
+    }
+
+    template <int dim>
+    bool
+    any_free_rotation(const Discretization<dim> &discretization)
+    {
+      if (discretization.scene.kind != Kind::axisymmetric)
+        for (const auto &carrier : discretization.geometry.carriers)
+          for (unsigned int k = dim == 2 ? 2 : 0; k < 3; ++k)
+            if (!carrier.motion.rotation[k])
+              return true;
+      return false;
     }
   } // namespace
 
@@ -59,7 +72,7 @@ namespace Amontons
     FiniteNewton<dim> newton(parameters.newton, parameters.linear_solver, *discretization, timer);
     const auto        follower = follower_loads();
     const auto        report =
-      newton.solve(*elasticity, interfaces, supports, follower, state, observer, follow_motion);
+        newton.solve(*elasticity, interfaces, supports, follower, state, observer, follow_motion);
     loads = follower.forces(state.displacement);
     return report;
   }
@@ -78,6 +91,7 @@ namespace Amontons
           interfaces[i].carried = state.carried[i];
       }
     integrate_couplings(*discretization, supports, interfaces, finite_strain);
+    fit_states(interfaces, state);
   }
 
   // The iteration with finite strain goes on from the answer of small strain: the largest relative change of
@@ -124,16 +138,18 @@ namespace Amontons
          << " of the strain and moves surfaces that touch by " << neglected.contact
          << " of their motion from each other";
     bool needed = false;
-    move_surfaces(discretization->make_relevant_vector());
-    if (neglected.largest() > harmless * tolerance)
+    couple_surfaces();
+    if (neglected.largest() > harmless * tolerance && !any_free_rotation(*discretization))
       {
         const double change                  = change_by_finite_strain();
         needed                               = !(change <= tolerance);
         neglected_checks["change_of_answer"] = change;
         if (std::isfinite(change))
           text << "; finite strain changes the answer by " << change;
-        move_surfaces(discretization->make_relevant_vector());
+        couple_surfaces();
       }
+    else if (neglected.largest() > harmless * tolerance)
+      text << "; finite strain has no free rotations, so that it was not tried";
     text << ": " << (needed ? "finite strain is used" : "small strain is enough") << " (allowed are "
          << tolerance << ")";
     summary.notes.push_back(text.str());

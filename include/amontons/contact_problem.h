@@ -8,8 +8,9 @@
 #include <amontons/output/quantities.h>
 #include <amontons/output/terminal.h>
 #include <amontons/output/vtu_output.h>
-#include <amontons/solver/load_program.h>
+#include <amontons/solver/diagnosis.h>
 #include <amontons/solver/finite_newton.h>
+#include <amontons/solver/load_program.h>
 
 namespace Amontons
 {
@@ -63,6 +64,8 @@ namespace Amontons
     void
     rebuild();
     void
+    couple_surfaces();
+    void
     refine_where_bodies_are_close();
     bool
     run_load_program();
@@ -81,6 +84,8 @@ namespace Amontons
     };
     bool
     failed_alike(const Failure &before) const;
+    void
+    note_snaps(const double duration);
     LA::Vector
     prescribed_values() const;
     void
@@ -175,6 +180,9 @@ namespace Amontons
     WorkDone<dim>          work;
     unsigned int           cycle             = 0; // refinements so far
     unsigned int           n_cut_backs       = 0;
+    bool                   follow_motion     = false; // in the next increment, see FiniteNewton
+    std::vector<Diagnosis::Snap> snaps;
+    double                       last_speed = 0; // largest displacement over t in the last increment
     double                 transfer_residual = 0; // largest, of the transferred state on its new mesh
     NewtonReport           last_report;
     std::vector<SurfaceFields<dim>>      fields;

@@ -19,10 +19,28 @@ namespace Amontons
           action(other, weight);
     }
 
-    bool
-    insert(std::set<types::global_dof_index> &set, const types::global_dof_index dof)
+    // All DoFs that the given ones stand for, each once.
+    std::vector<types::global_dof_index>
+    resolved(const std::vector<types::global_dof_index> &dofs, const Constraints &constraints)
     {
-      return set.insert(dof).second;
+      std::vector<types::global_dof_index> result;
+      for (const auto dof : dofs)
+        for_each_entry(constraints, dof, [&](const auto other, double) { result.push_back(other); });
+      std::sort(result.begin(), result.end());
+      result.erase(std::unique(result.begin(), result.end()), result.end());
+      return result;
+    }
+
+    // Adds sorted DoFs to sorted ones; whether any is new.
+    bool
+    insert(std::vector<types::global_dof_index> &known, const std::vector<types::global_dof_index> &more)
+    {
+      if (std::includes(known.begin(), known.end(), more.begin(), more.end()))
+        return false;
+      std::vector<types::global_dof_index> all;
+      std::set_union(known.begin(), known.end(), more.begin(), more.end(), std::back_inserter(all));
+      known.swap(all);
+      return true;
     }
   } // namespace
 
@@ -41,18 +59,20 @@ namespace Amontons
     bool is_new = false;
     for (const auto &pivot : test.pivots())
       if (pivot)
-        for (const auto &entry : *test.test().get_constraint_entries(*pivot))
-          is_new |= insert(replaced[*pivot], entry.first);
+        is_new |= insert(replaced[*pivot], resolved({*pivot}, test.test()));
     for (const auto &matrix : further)
-      for (const auto row : matrix.rows)
-        for_each_entry(test.test(), row, [&](const auto i, double) {
-          for (const auto column : matrix.columns)
-            for_each_entry(supports, column, [&](const auto j, double) { is_new |= insert(coupled[i], j); });
-        });
+      {
+        const auto columns = resolved(matrix.columns, supports);
+        for (const auto row : resolved(matrix.rows, test.test()))
+          is_new |= insert(coupled[row], columns);
+      }
     for (const auto &row : rows)
-      for (const auto &entry : row.equation.coefficients)
-        for_each_entry(
-            supports, entry.first, [&](const auto j, double) { is_new |= insert(coupled[row.row], j); });
+      {
+        std::vector<types::global_dof_index> dofs;
+        for (const auto &entry : row.equation.coefficients)
+          dofs.push_back(entry.first);
+        is_new |= insert(coupled[row.row], resolved(dofs, supports));
+      }
     return Utilities::MPI::max(int(is_new), communicator) > 0;
   }
 
@@ -81,8 +101,7 @@ namespace Amontons
         supports.add_entries_local_to_global(dofs, dsp, true);
       }
     for (const auto &[row, columns] : coupled)
-      for (const auto column : columns)
-        dsp.add(row, column);
+      dsp.add_entries(row, columns.begin(), columns.end(), true);
     for (const auto dof : locally_owned)
       dsp.add(dof, dof);
     SparsityTools::distribute_sparsity_pattern(dsp, locally_owned, communicator, relevant);

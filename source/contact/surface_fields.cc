@@ -159,14 +159,14 @@ namespace Amontons
       auto            &planes       = fields.symmetry_planes;
       const Point<dim> force_centre = centre;
       for (unsigned int i = 0; i < interface.slave->nodes.size(); ++i)
-        if (fields.area[i] > 0 && interface.slave->nodes[i].X.distance(force_centre) < 2.5 * spread)
+        if (fields.area[i] > 0 && interface.slave->nodes[i].x.distance(force_centre) < 2.5 * spread)
           for (const auto &normal : interface.slave->nodes[i].symmetry_planes)
             if (!axisymmetric && std::none_of(planes.begin(), planes.end(), [&](const auto &m) {
                   return std::abs(m * normal) > 1 - 1e-6;
                 }))
               {
                 planes.push_back(normal);
-                centre -= (normal * (centre - interface.slave->nodes[i].X)) * normal;
+                centre -= (normal * (centre - interface.slave->nodes[i].x)) * normal;
                 fields.symmetry_factor *= 2;
               }
       if (axisymmetric)

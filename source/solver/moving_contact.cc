@@ -81,6 +81,9 @@ namespace Amontons
           }
       }
     old_gap.assign(all.size(), 0.);
+    for (auto &interface : interfaces)
+      if (!interface.pair->tied)
+        turn_interface(committed, interface);
     move(committed);
     remember_old_rows(committed);
   }
@@ -161,10 +164,21 @@ namespace Amontons
   {
     if (all[k].tied)
       return Tensor<1, dim>();
-    const auto v = all[k].tangential(jump_since(k, u));
-    if (!old[k])
-      return v;
-    return v - turn(old[k]->tangential_jump, old[k]->normal, all[k].normal / all[k].normal.norm());
+    auto v = all[k].tangential(jump_since(k, u));
+    if (old[k])
+      v -= turn(old[k]->tangential_jump, old[k]->normal, all[k].normal / all[k].normal.norm());
+    for (const auto &plane : symmetry_planes(k))
+      v -= (v * plane) * plane;
+    return v;
+  }
+
+  // Nothing slips across a plane of symmetry, whatever the master's nodes beside it do.
+  template <int dim>
+  const std::vector<Tensor<1, dim>> &
+  MovingContact<dim>::symmetry_planes(const unsigned int k) const
+  {
+    const auto &interface = interfaces[all[k].interface];
+    return interface.slave->nodes[interface.coupling.rows[all[k].row].node].symmetry_planes;
   }
 
   template <int dim>
@@ -175,8 +189,14 @@ namespace Amontons
       return 0;
     if (all[k].tied)
       return all[k].jump(u).norm();
-    const double gap = std::abs(all[k].gap) / all[k].normal.norm();
-    return state == ContactState::stick ? std::hypot(gap, slip(k, u).norm()) : gap;
+    const double length = all[k].normal.norm();
+    if (state == ContactState::slip)
+      return std::abs(all[k].gap) / length;
+    auto E = slip(k, u) - all[k].gap / length * (all[k].normal / length);
+    for (unsigned int c = 0; c < dim; ++c)
+      if (supports.is_constrained(all[k].components[c].candidates[0]))
+        E[c] = 0;
+    return E.norm();
   }
 
   template <int dim>
@@ -240,6 +260,14 @@ namespace Amontons
           add(result[c], double(c == d) - n[c] * n[d], weights[d].coefficients);
           add(result[c], by_normal[c][d], dn[d]);
         }
+    for (const auto &plane : symmetry_planes(k))
+      {
+        Gradient across;
+        for (unsigned int c = 0; c < dim; ++c)
+          add(across, plane[c], result[c]);
+        for (unsigned int c = 0; c < dim; ++c)
+          add(result[c], -plane[c], across);
+      }
     return result;
   }
 

@@ -65,6 +65,42 @@ namespace Amontons
         }
   }
 
+  template <int dim>
+  void
+  fit_states(const std::vector<ContactInterface<dim>> &interfaces, SolutionState &state)
+  {
+    const auto carried_before = state.carried;
+    state.carried.clear();
+    for (const auto &interface : interfaces)
+      state.carried.push_back(interface.carried);
+    if (carried_before.size() != interfaces.size() || carried_before == state.carried)
+      return;
+    const auto fit = [&](auto &lists) {
+      for (unsigned int i = 0; i < interfaces.size() && lists.size() == interfaces.size(); ++i)
+        {
+          const auto &rows = interfaces[i].coupling.rows;
+          const auto  old  = lists[i];
+          lists[i].assign(rows.size(), {});
+          std::vector<unsigned int> place(carried_before[i].size()); // rows are in the order of the nodes
+          for (unsigned int n = 0, r = 0; n < place.size(); ++n)
+            place[n] = carried_before[i][n] ? r++ : numbers::invalid_unsigned_int;
+          for (unsigned int r = 0; r < rows.size(); ++r)
+            if (rows[r].node < place.size() && place[rows[r].node] < old.size())
+              lists[i][r] = old[place[rows[r].node]];
+        }
+    };
+    fit(state.states);
+    fit(state.pressures);
+    fit(state.gaps);
+    fit(state.shears);
+    fit(state.trials);
+    fit(state.slips);
+  }
+
+  template void
+  fit_states(const std::vector<ContactInterface<2>> &, SolutionState &);
+  template void
+  fit_states(const std::vector<ContactInterface<3>> &, SolutionState &);
   template void
   store_states(const std::vector<CandidateNode<2>> &,
                const NodeStates<2> &,

@@ -54,7 +54,7 @@ namespace Amontons
 
   private:
     // Which DoFs stand in for others: all that the pattern has to know beside the cells.
-    using Links = std::map<types::global_dof_index, std::set<types::global_dof_index>>;
+    using Links = std::map<types::global_dof_index, std::vector<types::global_dof_index>>; // sorted
     void
     make_pattern(const CellMatrices &cells, const Constraints &supports);
     bool

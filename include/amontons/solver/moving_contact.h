@@ -52,8 +52,8 @@ namespace Amontons
     {
       return all[k].row != numbers::invalid_unsigned_int;
     }
-    // Where the gap grows faster than the shape functions, beyond the edge of the contact, its projection on to them
-    // is negative at some nodes: what does not penetrate on average is open.
+    // Where the gap grows faster than the shape functions, beyond the edge of the contact, its projection on
+    // to them is negative at some nodes: what does not penetrate on average is open.
     double
     open_gap(const unsigned int k) const
     {
@@ -96,6 +96,8 @@ namespace Amontons
     position_jump(const std::array<LinearEquation, dim> &weights, const LA::Vector &u) const;
     Tensor<1, dim>
     jump_since(const unsigned int k, const LA::Vector &u) const;
+    const std::vector<Tensor<1, dim>> &
+    symmetry_planes(const unsigned int k) const;
     Rows
     slip_gradient(const unsigned int k, const LA::Vector &u) const;
     Rows

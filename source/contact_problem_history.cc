@@ -5,12 +5,14 @@
 
 namespace Amontons
 {
+  // An increment that fails is cut; where that does not help, the bodies may snap: damped motion is tried.
   template <int dim>
   bool
   ContactProblem<dim>::run_load_program()
   {
-    LoadProgram program(scene, incremental);
-    Failure     failure;
+    LoadProgram  program(scene, incremental);
+    Failure      failure;
+    unsigned int n_failures = 0; // in a row
     start_history();
     while (!program.finished())
       {
@@ -18,13 +20,22 @@ namespace Amontons
         guess_from_path();
         if (solve_increment(program))
           {
-            program.accept(last_report.iterations.size());
+            note_snaps(program.next() - program.time());
+            program.accept(last_report.moved ? 0 : last_report.iterations.size());
             commit(program);
-            failure = Failure();
+            failure       = Failure();
+            n_failures    = 0;
+            follow_motion = false;
+          }
+        else if (finite_strain && !follow_motion && (++n_failures == 3 || program.is_smallest()))
+          {
+            follow_motion = true;
+            roll_back(state.t);
           }
         else if (incremental && (finite_strain || !failed_alike(failure)) && program.cut_back())
           {
-            failure = {last_report, loads, prescribed_values()};
+            failure       = {last_report, loads, prescribed_values()};
+            follow_motion = false;
             roll_back(state.t);
           }
         else
@@ -44,7 +55,8 @@ namespace Amontons
   ContactProblem<dim>::start_history()
   {
     work.restart();
-    error           = ErrorEstimate<dim>();
+    error = ErrorEstimate<dim>();
+    snaps.clear();
     state.committed = LA::Vector();
     last_converged  = SolutionState();
   }
@@ -76,6 +88,31 @@ namespace Amontons
       for (auto &s : state.states[i])
         if (interfaces[i].pair->has_friction() && s == ContactState::slip)
           s = ContactState::stick;
+  }
+
+  template <int dim>
+  void
+  ContactProblem<dim>::note_snaps(const double duration)
+  {
+    LA::Vector moved = discretization->make_owned_vector(), before = moved;
+    moved = state.displacement;
+    if (state.committed.size() == state.displacement.size())
+      before = state.committed;
+    moved -= before;
+    const double distance = moved.linfty_norm(), expected = last_speed * duration;
+    if (!last_report.moved)
+      {
+        last_speed = distance / duration;
+        return;
+      }
+    auto      &notes = summary.notes;
+    const auto note  = [&](const bool far) { return Diagnosis::snapped(snaps, far); };
+    for (const bool far : {true, false})
+      notes.erase(std::remove(notes.begin(), notes.end(), note(far)), notes.end());
+    snaps.push_back({state.t, distance, distance > 3 * expected, last_report.unstable});
+    for (const bool far : {true, false})
+      if (const std::string text = note(far); !text.empty())
+        notes.push_back(text);
   }
 
   template <int dim>

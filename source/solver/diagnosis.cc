@@ -29,6 +29,47 @@ namespace Amontons
              "load, move the bodies together, or hold this motion by a support";
     }
 
+    std::string
+    snapped(const std::vector<Snap> &all, const bool far)
+    {
+      const unsigned int most = 6;
+      unsigned int       n    = 0;
+      bool               none = false, unstable = false;
+      std::ostringstream text;
+      text.precision(4);
+      for (const auto &snap : all)
+        if (snap.far == far)
+          {
+            none     = none || !snap.unstable;
+            unstable = unstable || snap.unstable;
+            if (n++ < most)
+              text << (n == 1 ? "" : ", ") << snap.t << " (by " << snap.distance << ")";
+          }
+      if (n == 0)
+        return "";
+      if (n > most)
+        text << " and " << n - most << " more times";
+      const std::string at = "at t = " + text.str();
+      const std::string work =
+          "; what is lost on the way is missing from the work of these increments, whose balance is open";
+      return far ? at + " the bodies snap (" + (none ? "no equilibrium nearby" : "") +
+                       (none && unstable ? ", or " : "") + (unstable ? "the one nearby is unstable" : "") +
+                       "): followed by damped motion to a stable equilibrium" + work
+                 : at + " the iteration did not find the equilibrium, damped motion did" + work;
+    }
+
+    std::string
+    still_moving(const unsigned int n, const double residual)
+    {
+      std::ostringstream text;
+      text << "the bodies probably snap (no equilibrium is near), and the damped motion away did not come to "
+              "rest within "
+           << n << " steps (residual " << residual
+           << "); hold the bodies where they fly away, prescribe displacements instead of loads, or refine "
+              "what buckles";
+      return text.str();
+    }
+
     template <int dim>
     std::string
     friction_exceeded(const NodeStates<dim> &states)

@@ -1,7 +1,9 @@
 #include <amontons/algebra/rigid_body_modes.h>
+#include <amontons/solver/damped_motion.h>
 #include <amontons/solver/diagnosis.h>
 #include <amontons/solver/finite_newton.h>
 #include <amontons/solver/proximal_terms.h>
+#include <amontons/solver/stability.h>
 #include <amontons/solver/stored_states.h>
 
 #include <sstream>
@@ -59,32 +61,196 @@ namespace Amontons
             contact.nodes().begin(), contact.nodes().end(), [](const auto &node) { return node.frictional; });
       }
 
+      // damped: the motion that the change of loads and supports sets off is followed until it rests.
       NewtonReport
-      run(const typename SemismoothNewton<dim>::Observer &observer)
+      run(const bool damped, const typename SemismoothNewton<dim>::Observer &observer)
       {
         if (!prepare())
           return report;
-        while (report.iterations.size() < parameters.max_iterations)
+        const LA::Vector start(u);
+        const auto       first_answers = answers;
+        if (damped)
+          follow_motion(1, observer);
+        else
+          iterate(observer);
+        for (unsigned int n = 0; n < 4 && report.converged; ++n)
           {
-            NewtonReport::Iteration step{};
-            linearise();
-            if (!solve_step(step))
+            const auto mode = unstable_mode();
+            if (!mode)
               break;
-            recover_contact();
-            count_states(step);
-            step.residual  = relative_residual();
-            step.n_changes = update_states();
-            report.iterations.push_back(step);
-            observer(step);
-            stop_or_go_on(step);
-            if (report.converged || !report.message.empty())
-              break;
+            report.unstable = true;
+            if (report.moved)
+              leave_along(*mode, observer);
+            else
+              {
+                put(start);
+                guess_states();
+                answers = first_answers;
+                follow_motion(1, observer);
+              }
           }
         finish();
         return report;
       }
 
     private:
+      void
+      iterate(const typename SemismoothNewton<dim>::Observer &observer)
+      {
+        while (report.iterations.size() < parameters.max_iterations)
+          {
+            NewtonReport::Iteration step{};
+            LA::Vector              change;
+            linearise();
+            if (!solve_step(step, change) || !advance(change))
+              return;
+            look_at_states(step);
+            observer(step);
+            stop_or_go_on(step);
+            if (!report.converged && report.message.empty() && stagnates())
+              report.message = Diagnosis::no_states_found(report, states, any_friction);
+            if (report.converged || !report.message.empty())
+              return;
+          }
+      }
+
+      void
+      look_at_states(NewtonReport::Iteration &step)
+      {
+        recover_contact();
+        count_states(step);
+        step.residual  = relative_residual();
+        step.n_changes = update_states();
+        report.iterations.push_back(step);
+      }
+
+      // A shorter increment helps more than further iterations.
+      bool
+      stagnates() const
+      {
+        const unsigned int n = report.iterations.size(), last = 12;
+        if (n < 25)
+          return false;
+        const auto   smaller = [](const auto &a, const auto &b) { return a.residual < b.residual; };
+        const auto   middle  = report.iterations.end() - last;
+        const double before  = std::min_element(report.iterations.begin(), middle, smaller)->residual,
+                     now     = std::min_element(middle, report.iterations.end(), smaller)->residual;
+        return now > 0.3 * before;
+      }
+
+      // D du/dtau + internal - contact forces = loads from here on, until nothing moves.
+      void
+      follow_motion(const double first_step, const typename SemismoothNewton<dim>::Observer &observer)
+      {
+        constexpr unsigned int max_iterations = 300;
+        const unsigned int     first          = report.iterations.size();
+        report.converged                      = false;
+        report.moved                          = true;
+        damping                               = lumped_damping(discretization);
+        steps                                 = std::make_unique<DampedSteps>(first_step);
+        double residual                       = 0;
+        while (!report.converged && report.message.empty())
+          {
+            if (report.iterations.size() > first + max_iterations)
+              report.message = Diagnosis::still_moving(max_iterations, residual);
+            else if (const LA::Vector start(u); move_on(start, observer))
+              {
+                const auto &last = report.iterations.back();
+                stop_or_go_on(last);
+                steps->accept(residual / last.residual);
+                residual = last.residual;
+              }
+            else
+              go_back(start);
+          }
+        steps.reset();
+      }
+
+      // One step of implicit Euler,  D (u - start)/dtau + internal - contact forces = loads, with the states
+      // of its end; false: it is too long.
+      bool
+      move_on(const LA::Vector &start, const typename SemismoothNewton<dim>::Observer &observer)
+      {
+        const unsigned int max_iterations = 8;
+        damping_force                     = discretization.make_owned_vector();
+        states.forget();
+        for (unsigned int n = 0; n < max_iterations; ++n)
+          {
+            NewtonReport::Iteration step{};
+            LA::Vector              change;
+            linearise();
+            if (!solve_step(step, change) || (n == 0 && !is_downhill) || !advance(change, 1))
+              return false;
+            damping_force = u;
+            damping_force -= start;
+            if (damping_force.linfty_norm() > 0.1 * damping.length)
+              return false;
+            damping_force.scale(damping.values);
+            damping_force /= steps->size();
+            look_at_states(step);
+            observer(step);
+            if (!std::isfinite(step.residual))
+              return false;
+            if (step.n_changes == 0 && damped_error <= std::max(0.1 * step.residual, parameters.tolerance) &&
+                largest_violation() <= 1e-4)
+              return true;
+          }
+        return false;
+      }
+
+      void
+      go_back(const LA::Vector &start)
+      {
+        report.message.clear();
+        if (!put(start) || !steps->reject())
+          report.message = "the damped motion cannot be followed: " + inversion;
+      }
+
+      // With nodes that slip and rub, motion backwards meets another stiffness: not looked at.
+      std::optional<UnstableMode>
+      unstable_mode()
+      {
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          if (contact.nodes()[k].frictional && states[k] == ContactState::slip)
+            return {};
+        if (!unheld.empty() || !solver.is_direct(discretization.dof_handler.n_dofs()))
+          return {};
+        TimerOutput::Scope scope(timer, "stability");
+        damping = lumped_damping(discretization);
+        if (report.moved)
+          {
+            linearise();
+            LA::Vector              change;
+            NewtonReport::Iteration step{};
+            if (!solve_step(step, change)) // factorises
+              return {};
+          }
+        return find_unstable_mode(
+            [&](LA::Vector &y, const LA::Vector &x) {
+              LA::Vector force(x);
+              force.scale(damping.values);
+              LA::Vector rhs = condense(force, assembled->test(), loads);
+              clear_constrained(rhs, *assembled);
+              const auto result = solver.solve(system.matrix(), y, rhs, linear_tolerance * rhs.l2_norm());
+              supports.distribute(y);
+              return result.success;
+            },
+            damping.values);
+      }
+
+      // From an unstable equilibrium that the motion itself led to: the way that the increment pushes, if
+      // any.
+      void
+      leave_along(const UnstableMode &mode, const typename SemismoothNewton<dim>::Observer &observer)
+      {
+        LA::Vector kick(mode.shape);
+        kick *= (first_push * kick < 0 ? -1e-3 : 1e-3) * damping.length;
+        if (advance(kick))
+          follow_motion(0.5 / mode.rate, observer);
+        else
+          report.converged = false;
+      }
+
       bool
       prepare()
       {
@@ -99,13 +265,40 @@ namespace Amontons
         report.note = floating.check_loads(equations);
         floating.choose_pins(equations);
         states_to_rows();
-        states.start(state, touching_nodes());
-        for (unsigned int k = 0; k < answers.size(); ++k)
-          if (states[k] != ContactState::open && !contact.is_opposite(k))
-            states.open(k);
+        guess_states();
         proximal = make_proximal_terms(discretization, elasticity, floating);
         if (!solver.is_direct(discretization.dof_handler.n_dofs()))
           solver.set_near_null_space(rigid_body_modes(discretization));
+        return true;
+      }
+
+      void
+      guess_states()
+      {
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          states.open(k);
+        states.start(state, touching_nodes());
+        open_lonely_nodes();
+      }
+
+      void
+      open_lonely_nodes()
+      {
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          if (states[k] != ContactState::open && !contact.is_opposite(k))
+            states.open(k);
+      }
+
+      // Bodies and surfaces where they were before.
+      bool
+      put(const LA::Vector &where)
+      {
+        u                  = where;
+        state.displacement = u;
+        if (!evaluate())
+          return false;
+        contact.move(state.displacement);
+        open_lonely_nodes();
         return true;
       }
 
@@ -218,7 +411,7 @@ namespace Amontons
         laws.clear();
         for (unsigned int k = 0; k < answers.size(); ++k)
           laws.push_back(states.law(k));
-        constraints = std::make_unique<ContactConstraints>(constraints_of_closed_nodes());
+        constraints = std::make_shared<ContactConstraints>(constraints_of_closed_nodes());
         unheld      = states.describe(states.unheld());
         {
           TimerOutput::Scope scope(timer, "differentiate contact");
@@ -240,7 +433,18 @@ namespace Amontons
           further.push_back(std::move(matrix));
         TimerOutput::Scope scope(timer, "assemble condensed system");
         solver.matrix_changed(LinearSolver::all_rows); // lets go of the matrix, which may be made anew
-        system.assemble(cells(), supports, *constraints, further, springs(), rows);
+        const LA::Vector *added = springs();
+        LA::Vector        sum;
+        if (steps)
+          {
+            sum = damping.values;
+            sum /= steps->size();
+            if (added != nullptr)
+              sum += *added;
+            added = &sum;
+          }
+        system.assemble(cells(), supports, *constraints, further, added, rows);
+        assembled = constraints;
       }
 
       const LA::Vector *
@@ -306,18 +510,30 @@ namespace Amontons
         return forces;
       }
 
+      // (K + D/dtau) du . du > 0: motion leaves unstable equilibria; steps that are too long would go there.
       bool
-      solve_step(NewtonReport::Iteration &step)
+      goes_downhill(const LA::Vector &change) const
+      {
+        LA::Vector relevant = discretization.make_relevant_vector();
+        relevant            = change;
+        LA::Vector force(change);
+        force.scale(damping.values);
+        return forces_of(relevant) * change + force * change / steps->size() > 0;
+      }
+
+      bool
+      solve_step(NewtonReport::Iteration &step, LA::Vector &full)
       {
         const LA::Vector change   = prescribed_change();
         LA::Vector       residual = known_shear_forces();
         residual -= raw;
         residual -= forces_of(change);
+        if (steps)
+          residual -= damping_force;
         LA::Vector rhs(discretization.locally_owned, communicator);
         rhs = condense(residual, constraints->test(), loads);
-        for (const auto dof : discretization.locally_owned)
-          if (constraints->test().is_constrained(dof))
-            rhs(dof) = 0;
+        clear_constrained(rhs, *constraints);
+        const LA::Vector push(rhs);
         for (const auto &row : rows)
           if (discretization.locally_owned.is_element(row.row))
             rhs(row.row) =
@@ -336,11 +552,25 @@ namespace Amontons
             }
         }
         if (report.iterations.empty())
-          report.one_linear_solve_seconds = clock.wall_time();
+          {
+            report.one_linear_solve_seconds = clock.wall_time();
+            first_push                      = push;
+          }
         supports.distribute(du);
-        LA::Vector full(du);
+        if (steps)
+          is_downhill = goes_downhill(du);
+        full = du;
         full += owned_part(change);
-        return advance(full);
+        return true;
+      }
+
+      void
+      clear_constrained(LA::Vector &forces, const ContactConstraints &contact_constraints) const
+      {
+        for (const auto dof : discretization.locally_owned)
+          if (contact_constraints.test().is_constrained(dof))
+            forces(dof) = 0;
+        forces.compress(VectorOperation::insert);
       }
 
       LA::Vector
@@ -353,7 +583,7 @@ namespace Amontons
 
       // u + factor step with the largest factor of 1, 1/2, ... that leaves cells as they are.
       bool
-      advance(const LA::Vector &step)
+      advance(const LA::Vector &step, const unsigned int n_tries = 5)
       {
         if (!std::isfinite(step.l2_norm()))
           {
@@ -361,7 +591,8 @@ namespace Amontons
             return false;
           }
         const LA::Vector start(u);
-        for (double factor = 1; factor > 0.05; factor /= 2)
+        double           factor = 1;
+        for (unsigned int n = 0; n < n_tries; ++n, factor /= 2)
           {
             u = start;
             u.add(factor, step);
@@ -391,10 +622,13 @@ namespace Amontons
       void
       recover_contact()
       {
-        constraints = std::make_unique<ContactConstraints>(constraints_of_closed_nodes());
+        constraints = std::make_shared<ContactConstraints>(constraints_of_closed_nodes());
         balance     = raw;
         balance -= known_shear_forces();
-        const LA::Vector    on_supports = condense(balance, supports, loads);
+        damped_balance = balance;
+        if (steps)
+          damped_balance += damping_force;
+        const LA::Vector    on_supports = condense(damped_balance, supports, loads);
         std::vector<double> at_pivots(constraints->pivots().size(), 0.);
         for (unsigned int e = 0; e < at_pivots.size(); ++e)
           if (const auto pivot = constraints->pivots()[e];
@@ -451,21 +685,29 @@ namespace Amontons
       double
       relative_residual()
       {
-        LA::Vector free = condense(balance, constraints->test(), loads);
-        for (const auto dof : discretization.locally_owned)
-          if (constraints->test().is_constrained(dof))
-            free(dof) = 0;
-        free.compress(VectorOperation::insert);
         const double rounding = 1e-14 * elasticity.rounding_scale(state.displacement);
-        force_scale = std::max({internal.l2_norm(), loads.l2_norm(), rounding / parameters.tolerance});
-        const double forces =
-            force_scale == 0 ? 0 : std::hypot(free.l2_norm(), states.law_error(answers)) / force_scale;
+        force_scale  = std::max({internal.l2_norm(), loads.l2_norm(), rounding / parameters.tolerance});
+        damped_error = relative_force(damped_balance);
+        return std::max(relative_force(balance), largest_violation());
+      }
+
+      double
+      relative_force(const LA::Vector &forces) const
+      {
+        LA::Vector free = condense(forces, constraints->test(), loads);
+        clear_constrained(free, *constraints);
+        return force_scale == 0 ? 0 : std::hypot(free.l2_norm(), states.law_error(answers)) / force_scale;
+      }
+
+      double
+      largest_violation() const
+      {
         double distance = 0;
         for (unsigned int k = 0; k < answers.size(); ++k)
           distance = std::max(distance,
                               contact.violation(k, states[k], state.displacement) /
                                   interfaces[contact.nodes()[k].interface].slave->mean_size);
-        return std::max(forces, distance);
+        return distance;
       }
 
       unsigned int
@@ -531,10 +773,15 @@ namespace Amontons
       std::vector<SlipLaw<dim>>                         laws;
       std::vector<RectangularMatrix>                    further;
       std::vector<WrittenRow>                           rows;
-      std::unique_ptr<ContactConstraints>               constraints;
+      std::shared_ptr<ContactConstraints>               constraints, assembled; // now; of the matrix
       std::vector<unsigned int>                         first_equation;
       std::string                                       unheld, inversion;
-      double                                            force_scale      = 0;
+      double                                            force_scale = 0;
+      Damping                                           damping;
+      std::unique_ptr<DampedSteps>                      steps; // while a motion is followed
+      LA::Vector                                        damping_force, damped_balance, first_push;
+      double                                            damped_error     = 0;
+      bool                                              is_downhill      = true; // the last step
       static constexpr double                           linear_tolerance = 1e-10;
     };
   } // namespace
@@ -546,7 +793,8 @@ namespace Amontons
                            const Constraints                              &supports,
                            const FollowerLoads                            &loads,
                            SolutionState                                  &state,
-                           const typename SemismoothNewton<dim>::Observer &observer)
+                           const typename SemismoothNewton<dim>::Observer &observer,
+                           const bool                                      damped)
   {
     TimerOutput::Scope scope(timer, "contact iteration");
     return FiniteIteration<dim>(parameters,
@@ -558,7 +806,7 @@ namespace Amontons
                                 loads,
                                 state,
                                 timer)
-        .run(observer);
+        .run(damped, observer);
   }
 
   template class FiniteNewton<2>;

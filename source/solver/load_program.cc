@@ -73,10 +73,9 @@ namespace Amontons
   bool
   LoadProgram::cut_back()
   {
-    const double size = next() - t;
-    if (size <= smallest * (1 + 1e-9))
+    if (is_smallest())
       return false;
-    factor = size / longest() / 2;
+    factor = (next() - t) / longest() / 2;
     return true;
   }
 } // namespace Amontons

@@ -15,6 +15,20 @@ namespace Amontons
     std::string
     moves_apart(const std::string &motion);
 
+    // Increments that ended where damped motion led to: a note on those that went far.
+    struct Snap
+    {
+      double t, distance; // largest displacement
+      bool   far;         // compared with what the load moves
+      bool   unstable;    // the equilibrium nearby is
+    };
+    std::string
+    snapped(const std::vector<Snap> &all, const bool far);
+
+    // The damped motion after n steps.
+    std::string
+    still_moving(const unsigned int n, const double residual);
+
     template <int dim>
     std::string
     friction_exceeded(const NodeStates<dim> &states);

@@ -19,6 +19,11 @@ namespace Amontons
   // the rows that test functions of closed nodes leave, and linearises everything else: quadratic convergence
   // once the states are found. Steps that invert a cell are halved; if that does not help, the report says
   // where.
+  //
+  // Where no equilibrium is near (snap-through, buckling), the motion  D du/dtau + internal - contact forces
+  // = loads  at fixed t is followed to the next one that is stable (DampedSteps); nodes close and open as in
+  // the iteration. Equilibria are checked for stability where this is cheap (one direct solver, nothing
+  // rubs), and left by the same motion if they are not.
   template <int dim>
   class FiniteNewton
   {
@@ -29,14 +34,16 @@ namespace Amontons
                  TimerOutput                  &timer);
 
     // interfaces: in the end coupled at the result. state: displacement is the start and the result,
-    // committed the last converged one; states (if they fit the couplings) the first guess.
+    // committed the last converged one; states (if they fit the couplings) the first guess. damped: start
+    // with the damped motion.
     NewtonReport
     solve(ElasticityOperator<dim>                        &elasticity,
           std::vector<ContactInterface<dim>>             &interfaces,
           const Constraints                              &supports,
           const FollowerLoads                            &loads,
           SolutionState                                  &state,
-          const typename SemismoothNewton<dim>::Observer &observer);
+          const typename SemismoothNewton<dim>::Observer &observer,
+          const bool                                      damped = false);
 
   private:
     const NewtonParameters       &parameters;

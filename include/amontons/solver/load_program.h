@@ -41,6 +41,11 @@ namespace Amontons
 
     void
     accept(const unsigned int iterations);
+    bool
+    is_smallest() const // the next increment cannot be cut
+    {
+      return next() - t <= smallest * (1 + 1e-9);
+    }
     // After a failure; false: the increment is the smallest allowed.
     bool
     cut_back();

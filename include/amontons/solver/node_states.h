@@ -57,6 +57,15 @@ namespace Amontons
       d            = t.norm() > 0 ? t / t.norm() : t;
     }
 
+    // The next set of states has nothing to do with those before: safeguards start anew.
+    void
+    forget()
+    {
+      active_set = ActiveSetUpdate();
+      is_frozen = single = false;
+      met.clear();
+    }
+
     // Changes states and laws; returns the number of nodes whose state changed. rounding: see
     // ActiveSetUpdate::update.
     unsigned int

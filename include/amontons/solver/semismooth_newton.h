@@ -41,6 +41,8 @@ namespace Amontons
     double      regularisation_force = 0; // carried by the proximal term in the end, relative to the load
     bool        safeguarded          = false;
     bool        frozen               = false; // bounds of friction were held for a while, see NodeStates
+    bool        moved                = false; // a damped motion was followed, see FiniteNewton
+    bool        unstable             = false; // from an equilibrium that was not stable
     std::string note;
   };
 

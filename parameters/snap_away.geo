@@ -1,16 +1,31 @@
-// A shallow arch: half span 10, rise 2, thickness 0.3; radius (10^2 + 2^2)/(2*2) = 26 about (0, -24).
-r = 26 - 0.15;  R = 26 + 0.15;
-c = 24/26;  s = 10/26;
-Point(1) = {-s*r, c*r - 24, 0};  Point(2) = {s*r, c*r - 24, 0};
-Point(3) = {s*R, c*R - 24, 0};   Point(4) = {-s*R, c*R - 24, 0};
-Point(5) = {0, -24, 0};
-Circle(1) = {1, 5, 2};  Line(2) = {2, 3};  Circle(3) = {3, 5, 4};  Line(4) = {4, 1};
-Curve Loop(1) = {1, 2, 3, 4};  Plane Surface(1) = {1};
-Transfinite Curve {1, 3} = 41;
-Transfinite Curve {2, 4} = 2;
-Transfinite Surface {1} = {1, 2, 3, 4};
-Recombine Surface {1};
+// Half of a shallow arch: half span 10, rise 2, thickness 0.3, about (0, -24) with radius 26; the middle is x = 0. It ends in a neck, 0.06
+// thick and 0.3 long, that bends like a hinge.
+m = -24;  a = Asin(10/26);  e = a + 0.3/26;
+r1 = 25.85;  r2 = 25.97;  r3 = 26.03;  r4 = 26.15;
+Point(1) = {0, r1 + m, 0};  Point(11) = {r1*Sin(a), r1*Cos(a) + m, 0};
+Point(2) = {0, r2 + m, 0};  Point(12) = {r2*Sin(a), r2*Cos(a) + m, 0};  Point(22) = {r2*Sin(e), r2*Cos(e) + m, 0};
+Point(3) = {0, r3 + m, 0};  Point(13) = {r3*Sin(a), r3*Cos(a) + m, 0};  Point(23) = {r3*Sin(e), r3*Cos(e) + m, 0};
+Point(4) = {0, r4 + m, 0};  Point(14) = {r4*Sin(a), r4*Cos(a) + m, 0};
+Point(9) = {0, m, 0};
+Circle(1) = {1, 9, 11};  Circle(2) = {2, 9, 12};  Circle(3) = {3, 9, 13};  Circle(4) = {4, 9, 14};
+Line(5) = {12, 22};  Line(6) = {13, 23};
+Line(11) = {1, 2};  Line(12) = {2, 3};  Line(13) = {3, 4};
+Line(21) = {11, 12};  Line(22) = {12, 13};  Line(23) = {13, 14};
+Line(31) = {22, 23};
+Curve Loop(1) = {1, 21, -2, -11};  Plane Surface(1) = {1};
+Curve Loop(2) = {2, 22, -3, -12};  Plane Surface(2) = {2};
+Curve Loop(3) = {3, 23, -4, -13};  Plane Surface(3) = {3};
+Curve Loop(4) = {5, 31, -6, -22};  Plane Surface(4) = {4};
+Transfinite Curve {1, 2, 3, 4} = 41 Using Progression 1.03;
+Transfinite Curve {5, 6} = 5;
+Transfinite Curve {11, 12, 13, 21, 22, 23, 31} = 2;
+Transfinite Surface {1} = {1, 11, 12, 2};
+Transfinite Surface {2} = {2, 12, 13, 3};
+Transfinite Surface {3} = {3, 13, 14, 4};
+Transfinite Surface {4} = {12, 22, 23, 13};
+Recombine Surface {1, 2, 3, 4};
 Physical Curve("below") = {1};
-Physical Curve("above") = {3};
-Physical Curve("ends") = {2, 4};
-Physical Surface("arch") = {1};
+Physical Curve("above") = {4};
+Physical Curve("end") = {31};
+Physical Curve("middle") = {11, 12, 13};
+Physical Surface("arch") = {1, 2, 3, 4};

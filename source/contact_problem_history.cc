@@ -10,9 +10,10 @@ namespace Amontons
   bool
   ContactProblem<dim>::run_load_program()
   {
-    LoadProgram  program(scene, incremental);
-    Failure      failure;
-    unsigned int n_failures = 0; // in a row
+    LoadProgram        program(scene, incremental);
+    Failure            failure;
+    unsigned int       n_failures = 0;                   // in a row
+    const unsigned int patience   = has_history ? 5 : 3; // friction: mostly states that are hard to find
     start_history();
     while (!program.finished())
       {
@@ -27,7 +28,7 @@ namespace Amontons
             n_failures    = 0;
             follow_motion = false;
           }
-        else if (finite_strain && !follow_motion && (++n_failures == 3 || program.is_smallest()))
+        else if (finite_strain && !follow_motion && (++n_failures == patience || program.is_smallest()))
           {
             follow_motion = true;
             roll_back(state.t);

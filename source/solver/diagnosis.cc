@@ -53,7 +53,8 @@ namespace Amontons
       const std::string work =
           "; what is lost on the way is missing from the work of these increments, whose balance is open";
       return far ? at + " the bodies snap (" + (none ? "no equilibrium nearby" : "") +
-                       (none && unstable ? ", or " : "") + (unstable ? "the one nearby is unstable" : "") +
+                       (none && unstable ? ", or " : "") +
+                       (unstable ? "the equilibrium nearby is unstable" : "") +
                        "): followed by damped motion to a stable equilibrium" + work
                  : at + " the iteration did not find the equilibrium, damped motion did" + work;
     }

@@ -124,12 +124,13 @@ namespace Amontons
         report.iterations.push_back(step);
       }
 
-      // A shorter increment helps more than further iterations.
+      // A shorter increment helps more than further iterations, unless bounds of friction were held: they
+      // settle slowly, but they do.
       bool
       stagnates() const
       {
         const unsigned int n = report.iterations.size(), last = 12;
-        if (n < 25)
+        if (n < 25 || report.frozen)
           return false;
         const auto   smaller = [](const auto &a, const auto &b) { return a.residual < b.residual; };
         const auto   middle  = report.iterations.end() - last;

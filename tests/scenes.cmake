@@ -583,7 +583,11 @@ foreach(slave first second)
   add_scene_test(NAME slide_off_edge_${slave} SCENE verification/slide_off_edge.prm SET "Contact interface/Slave=${slave}"
                  CHECK "status is converged" "kink(history.:.interface.normal_force_y) <= 0.1" "newton.:.iterations <= 10" "pairs.0.normal_force.1 == 0"
                        "history.20.interface.normal_force_y abs<= 96" "history.29.interface.normal_force_y abs<= 48")
-  add_scene_test(NAME slide_over_edges_${slave} SCENE verification/slide_over_edges.prm SET "Contact interface/Slave=${slave}"
+  set(coarser)
+  if(slave STREQUAL second)
+    set(coarser "Body slider/Refinements=1")
+  endif()
+  add_scene_test(NAME slide_over_edges_${slave} SCENE verification/slide_over_edges.prm SET "Contact interface/Slave=${slave}" ${coarser}
                  CHECK "status is converged" "kink(history.:.interface.normal_force_y) <= 0.17" "newton.:.iterations <= 10" "pairs.0.normal_force.1 == 0"
                        "peak(history.:.interface.normal_force_y) ~ 45.8 0.02")
 endforeach()
@@ -627,7 +631,7 @@ add_scene_test(NAME auto_target SCENE hertz_cylinder.prm SET "Kinematics=auto" "
                CHECK "status is converged" "checks.change_of_answer >= 0.0005" "notes.0 has finite strain is used")
 
 # The same on 1 to 4 ranks, in space too.
-add_comparison_test(NAME ranks_objectivity SCENE verification/objectivity.prm SET "Contact interface/Slave=first" "End time=2" "Increments=3" RUN 1 2 3 4)
+add_comparison_test(NAME ranks_objectivity SCENE verification/objectivity.prm SET "Contact interface/Slave=first" "End time=2" "Increments=2" "Discretization/Degree=1" RUN 1 2 3 4)
 add_comparison_test(NAME ranks_patch_finite_turned_3d SCENE verification/patch_finite_turned_3d.prm
                     SET "Discretization/Degree=1" "Contact interface/Friction coefficient=0.2" "End time=2" "Increments=2" RUN 1 2 3 4)
 

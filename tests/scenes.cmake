@@ -603,6 +603,14 @@ foreach(mu 0 0.3)
                    --set "Contact interface/Friction coefficient=${mu}")
 endforeach()
 
+# Hertz: a/R = 0.08. A node of the slave sticks on the symmetry plane.
+foreach(mu 0 0.3)
+  add_scene_test(NAME cylinders_finite_mu_${mu} SCENE verification/two_cylinders.prm
+                 SET "Kinematics=finite strain" "Increments=4" "Refinement/Cycles=4" "Boundary condition load/Force=0|-1000*t"
+                     "Contact line/Friction coefficient=${mu}" "Reference/Solution=hertz_line(P = 2000, R = 6.666666666666667, E1 = 210e3, nu1 = 0.3, E2 = 70e3, nu2 = 0.33)"
+                 CHECK ${KEPT_FINITE} "newton.4:.iterations <= 8" "reference.errors.contact_size <= 0.015" "reference.errors.peak_pressure <= 0.02")
+endforeach()
+
 # Code_Aster's test ssnp154 (St. Venant-Kirchhoff): -1.3069 with linear elements, -1.3080 with quadratic ones. The pressure is lower than at small strain.
 add_scene_test(NAME roller_finite SCENE nafems_roller_finite.prm
                CHECK ${KEPT_FINITE} "newton.0.iterations <= 12" "newton.1:.iterations <= 6" "probes.0.points.0.displacement.1 ~ -1.3080 5e-4" "pairs.0.peak_pressure ~ 3513 0.01")

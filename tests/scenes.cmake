@@ -655,3 +655,18 @@ foreach(scene hertz_cylinder nafems_roller verification/two_cylinders verificati
   add_comparison_test(NAME complementarity_${name} SCENE ${scene}.prm OPTIONS --iterations 2
                       RUN 1 "1 | Contact solver/Complementarity factor=1e-3" "1 | Contact solver/Complementarity factor=1e3")
 endforeach()
+
+# Ironing: pressed and drawn on a coarse mesh; in 3D the first steps, with and without friction. At most 6 iterations per increment.
+set(SOUND "checks.tension <= 1e-9" "checks.penetration <= 1e-9" "checks.force_balance <= 1e-8" "checks.moment_balance <= 1e-8")
+add_scene_test(NAME ironing SCENE ironing.prm SET "Body block/Cells=48,10" "End time=1.1" "Increments=110"
+               CHECK ${SOUND} "checks.coulomb_cone <= 1e-9" "status is converged" "pairs.0.n_slip >= 5" "pairs.0.normal_force.1 <= -40")
+foreach(mu 0 0.3)
+  add_scene_test(NAME ironing_3d_mu_${mu} SCENE ironing_3d.prm SET "End time=0.2" "Increments=3" "Contact ironing/Friction coefficient=${mu}"
+                 CHECK ${SOUND} "newton.:.iterations <= 6" "newton.:.residual <= 1e-9")
+endforeach()
+
+# The beam meets the wall and snaps along it; the arch leaves its indenter and is caught again.
+foreach(scene wall_buckling snap_away)
+  add_scene_test(NAME ${scene} SCENE ${scene}.prm CHECK "checks.tension <= 1e-9" "checks.penetration <= 1e-9" "checks.force_balance <= 1e-6"
+                 "status is converged" "pairs.0.n_slip >= 1")
+endforeach()

@@ -85,7 +85,7 @@ namespace Amontons
       if (symmetric)
         SolverCG<LA::Vector>(control).solve(matrix, x, rhs, preconditioner);
       else
-        SolverGMRES<LA::Vector>(control, SolverGMRES<LA::Vector>::AdditionalData(62, true))
+        SolverGMRES<LA::Vector>(control, SolverGMRES<LA::Vector>::AdditionalData(152, true))
             .solve(matrix, x, rhs, preconditioner);
     }
   } // namespace

@@ -312,10 +312,10 @@ namespace Amontons
 
   namespace
   {
-    // A node of which next to nothing is covered leaves its share to the others, as if supports owned it: a force
-    // on so small an area is rounding. (Dropping it would break the patch test.) Where surfaces slide, the
-    // pressure of a node would grow without bound before it goes: it leaves earlier, and comes back later, so that
-    // no node comes and goes within an iteration.
+    // A node of which next to nothing is covered leaves its share to the others, as if supports owned it: a
+    // force on so small an area is rounding. (Dropping it would break the patch test.) Where surfaces slide,
+    // the pressure of a node would grow without bound before it goes: it leaves earlier, and comes back
+    // later, so that no node comes and goes within an iteration.
     double
     smallest_share(const bool moved, const std::vector<bool> &carried, const unsigned int node)
     {

@@ -17,7 +17,11 @@ check_hit(const ObstacleData       &obstacle,
   const auto hit = project_to_obstacle<dim>(obstacle, x, n / n.norm());
   check::is_true(hit.has_value(), what + ": there is a point");
   if (hit)
-    check::is_close(hit->distance(expected), 0, 1e-12, what, 1);
+    {
+      check::is_close(hit->x.distance(expected), 0, 1e-12, what, 1);
+      check::is_close(hit->normal.norm(), 1, 1e-12, what + ": unit normal");
+      check::is_true(hit->normal * n < 0, what + ": the normal faces the ray");
+    }
 }
 
 template <int dim>

@@ -18,7 +18,7 @@ namespace Amontons
     double          area, c;  // c: complementarity parameter, scaling x E/(1 - nu^2) / mean face size
     double          gap;
     double          old_gap = 0; // finite strain: how far it was open in the last converged state
-    Tensor<1, dim>  normal; // not of unit length on curved surfaces
+    Tensor<1, dim>  normal;      // not of unit length on curved surfaces
     Point<3>        X;
     ContactEquation closing;                     // normal . Delta = gap
     std::array<ContactEquation, dim> components; // Delta_k = 0 (not for frictionless nodes)

@@ -21,8 +21,8 @@ namespace Amontons
     // A field on the slave nodes' DoFs (zero elsewhere) that carries the states from one mesh to the next:
     // along the normal (p/peak)^2, continued to negative values beyond the contact; along the surface the
     // trial shear over its bound, a node slipping where this exceeds 1.
-    LA::Vector          traction;
-    std::vector<double> peaks; // of p, by pair
+    LA::Vector                     traction;
+    std::vector<double>            peaks;   // of p, by pair
     std::vector<std::vector<bool>> carried; // by pair: slave nodes with a row
     // By pair and coupling row
     std::vector<std::vector<ContactState>> states;

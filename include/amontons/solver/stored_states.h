@@ -14,8 +14,8 @@ namespace Amontons
                const std::vector<ContactInterface<dim>> &interfaces,
                SolutionState                            &state);
 
-  // After the surfaces were coupled anew: what the state says by row now refers to the present rows. Nodes keep what
-  // they had; those without a row before are open.
+  // After the surfaces were coupled anew: what the state says by row now refers to the present rows. Nodes
+  // keep what they had; those without a row before are open.
   template <int dim>
   void
   fit_states(const std::vector<ContactInterface<dim>> &interfaces, SolutionState &state);

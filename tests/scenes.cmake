@@ -658,10 +658,10 @@ endforeach()
 
 # Ironing: pressed and drawn on a coarse mesh; in 3D the first steps, with and without friction. At most 6 iterations per increment.
 set(SOUND "checks.tension <= 1e-9" "checks.penetration <= 1e-9" "checks.force_balance <= 1e-8" "checks.moment_balance <= 1e-8")
-add_scene_test(NAME ironing SCENE ironing.prm SET "Body block/Cells=48,10" "End time=1.1" "Increments=110"
+add_scene_test(NAME ironing SCENE ironing.prm SET "End time=1.1" "Increments=220"
                CHECK ${SOUND} "checks.coulomb_cone <= 1e-9" "status is converged" "pairs.0.n_slip >= 5" "pairs.0.normal_force.1 <= -40")
 foreach(mu 0 0.3)
-  add_scene_test(NAME ironing_3d_mu_${mu} SCENE ironing_3d.prm SET "End time=0.2" "Increments=3" "Contact ironing/Friction coefficient=${mu}"
+  add_scene_test(NAME ironing_3d_mu_${mu} SCENE ironing_3d.prm SET "End time=0.2" "Increments=4" "Contact ironing/Friction coefficient=${mu}"
                  CHECK ${SOUND} "newton.:.iterations <= 6" "newton.:.residual <= 1e-9")
 endforeach()
 

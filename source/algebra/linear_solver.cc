@@ -88,6 +88,46 @@ namespace Amontons
         SolverGMRES<LA::Vector>(control, SolverGMRES<LA::Vector>::AdditionalData(152, true))
             .solve(matrix, x, rhs, preconditioner);
     }
+
+    class EliminatingPreconditioner
+    {
+    public:
+      EliminatingPreconditioner(const LA::SparseMatrix                  &A,
+                                const EliminatedForm                    &form,
+                                const TrilinosWrappers::PreconditionAMG &multigrid,
+                                const LA::Vector                        &like)
+          : A(A), form(form), multigrid(multigrid)
+      {
+        for (LA::Vector *vector : {&w, &rest})
+          vector->reinit(like, true);
+      }
+
+      void
+      vmult(LA::Vector &z, const LA::Vector &r) const
+      {
+        w = 0;
+        for (const auto &[dof, diagonal] : form.written)
+          w(dof) = r(dof) / diagonal;
+        w.compress(VectorOperation::insert);
+        A.vmult(rest, w);
+        rest.sadd(-1, 1, r);
+        for (const auto &entry : form.written)
+          rest(entry.first) = 0;
+        rest.compress(VectorOperation::insert);
+        multigrid.vmult(z, rest);
+        rest = z;
+        form.constraints->distribute(rest);
+        for (const auto &entry : form.written)
+          z(entry.first) = rest(entry.first) + w(entry.first);
+        z.compress(VectorOperation::insert);
+      }
+
+    private:
+      const LA::SparseMatrix                  &A;
+      const EliminatedForm                    &form;
+      const TrilinosWrappers::PreconditionAMG &multigrid;
+      mutable LA::Vector                       w, rest;
+    };
   } // namespace
 
   LinearSolver::LinearSolver(const LinearSolverParameters &parameters, const int dim, const bool symmetric)
@@ -192,7 +232,8 @@ namespace Amontons
   LinearSolver::solve(const LA::SparseMatrix &matrix,
                       LA::Vector             &x,
                       const LA::Vector       &rhs,
-                      const double            tolerance)
+                      const double            tolerance,
+                      const EliminatedForm   *eliminated)
   {
     LinearSolveReport report;
     x = 0;
@@ -208,14 +249,22 @@ namespace Amontons
       {
         const bool fresh = amg_is_old || !amg || retry;
         if (fresh)
-          build_preconditioner(matrix);
+          build_preconditioner(eliminated != nullptr ? *eliminated->matrix : matrix);
         SolverControl control(fresh && symmetric ? parameters.max_iterations
                                                  : std::min(parameters.max_iterations, 300u),
                               tolerance);
         try
           {
             x = 0;
-            run_krylov(symmetric, control, matrix, x, rhs, *amg);
+            if (eliminated != nullptr)
+              run_krylov(symmetric,
+                         control,
+                         matrix,
+                         x,
+                         rhs,
+                         EliminatingPreconditioner(matrix, *eliminated, *amg, rhs));
+            else
+              run_krylov(symmetric, control, matrix, x, rhs, *amg);
             report.iterations += control.last_step();
             report.success = true;
             break;

@@ -59,10 +59,14 @@ namespace Amontons
     bool is_new = false;
     for (const auto &pivot : test.pivots())
       if (pivot)
-        is_new |= insert(replaced[*pivot], resolved({*pivot}, test.test()));
+        {
+          is_new |= insert(replaced[*pivot], resolved({*pivot}, test.test()));
+          is_new |= insert(replaced[*pivot], resolved({*pivot}, test.trial()));
+        }
     for (const auto &matrix : further)
       {
-        const auto columns = resolved(matrix.columns, supports);
+        auto columns = resolved(matrix.columns, supports);
+        insert(columns, resolved(matrix.columns, test.trial()));
         for (const auto row : resolved(matrix.rows, test.test()))
           is_new |= insert(coupled[row], columns);
       }
@@ -106,6 +110,7 @@ namespace Amontons
       dsp.add(dof, dof);
     SparsityTools::distribute_sparsity_pattern(dsp, locally_owned, communicator, relevant);
     system.reinit(locally_owned, locally_owned, dsp, communicator);
+    eliminated.reinit(locally_owned, locally_owned, dsp, communicator);
     has_pattern = true;
   }
 
@@ -115,32 +120,43 @@ namespace Amontons
                           const ContactConstraints             &test,
                           const std::vector<RectangularMatrix> &further,
                           const LA::Vector                     *diagonal,
-                          const std::vector<WrittenRow>        &rows)
+                          const std::vector<WrittenRow>        &rows,
+                          const bool                            with_eliminated_form)
   {
+    constraints = &test;
     if (add_links(supports, test, further, rows) || !has_pattern)
       make_pattern(cells, supports);
-    system                     = 0;
     const Constraints &of_rows = test.test();
     double             largest = 0;
-    for (unsigned int c = 0; c < cells.n; ++c)
-      {
-        const FullMatrix<double> matrix = cells.matrix(c);
-        for (unsigned int i = 0; i < matrix.m(); ++i)
-          largest = std::max(largest, std::abs(matrix(i, i)));
-        if (is_surface[c])
-          of_rows.distribute_local_to_global(matrix, cells.dofs(c), supports, cells.dofs(c), system);
-        else
-          supports.distribute_local_to_global(matrix, cells.dofs(c), system);
-      }
-    for (const auto &matrix : further)
-      of_rows.distribute_local_to_global(matrix.matrix, matrix.rows, supports, matrix.columns, system);
-    FullMatrix<double> one(1, 1);
-    for (const auto dof : locally_owned)
-      if (diagonal != nullptr && (*diagonal)(dof) != 0)
+    const auto         fill    = [&](LA::SparseMatrix &matrix, const Constraints &of_columns) {
+      matrix = 0;
+      for (unsigned int c = 0; c < cells.n; ++c)
         {
-          one(0, 0) = (*diagonal)(dof);
-          of_rows.distribute_local_to_global(one, {dof}, supports, {dof}, system);
+          const FullMatrix<double> cell = cells.matrix(c);
+          for (unsigned int i = 0; i < cell.m(); ++i)
+            largest = std::max(largest, std::abs(cell(i, i)));
+          if (is_surface[c])
+            of_rows.distribute_local_to_global(cell, cells.dofs(c), of_columns, cells.dofs(c), matrix);
+          else
+            supports.distribute_local_to_global(cell, cells.dofs(c), matrix);
         }
+      for (const auto &part : further)
+        of_rows.distribute_local_to_global(part.matrix, part.rows, of_columns, part.columns, matrix);
+      FullMatrix<double> one(1, 1);
+      for (const auto dof : locally_owned)
+        if (diagonal != nullptr && (*diagonal)(dof) != 0)
+          {
+            one(0, 0) = (*diagonal)(dof);
+            of_rows.distribute_local_to_global(one, {dof}, of_columns, {dof}, matrix);
+          }
+    };
+    const auto fill_empty_rows = [&](LA::SparseMatrix &matrix, const Constraints &owners) {
+      for (const auto dof : locally_owned)
+        if (matrix.diag_element(dof) == 0 && owners.is_constrained(dof))
+          matrix.set(dof, dof, diagonal_scale);
+      matrix.compress(VectorOperation::insert);
+    };
+    fill(system, supports);
     diagonal_scale = Utilities::MPI::max(largest, communicator);
     for (const auto &row : rows)
       if (locally_owned.is_element(row.row))
@@ -149,9 +165,25 @@ namespace Amontons
             system.add(row.row, column, diagonal_scale * c * weight);
           });
     system.compress(VectorOperation::add);
-    for (const auto dof : locally_owned)
-      if (system.diag_element(dof) == 0 && supports.is_constrained(dof))
-        system.set(dof, dof, diagonal_scale);
-    system.compress(VectorOperation::insert);
+    fill_empty_rows(system, supports);
+    written.clear();
+    for (const auto &row : rows)
+      if (locally_owned.is_element(row.row))
+        written.push_back(row.row);
+    if (with_eliminated_form)
+      {
+        fill(eliminated, test.trial());
+        eliminated.compress(VectorOperation::add);
+        fill_empty_rows(eliminated, test.trial());
+      }
+  }
+
+  EliminatedForm
+  TangentSystem::eliminated_form() const
+  {
+    EliminatedForm form{&eliminated, &constraints->trial(), {}};
+    for (const auto dof : written)
+      form.written.emplace_back(dof, system.diag_element(dof));
+    return form;
   }
 } // namespace Amontons

@@ -396,6 +396,12 @@ namespace Amontons
         return ContactConstraints(supports, equations);
       }
 
+      bool
+      is_iterative() const
+      {
+        return !solver.is_direct(discretization.dof_handler.n_dofs());
+      }
+
       CellMatrices
       cells() const
       {
@@ -444,7 +450,7 @@ namespace Amontons
               sum += *added;
             added = &sum;
           }
-        system.assemble(cells(), supports, *constraints, further, added, rows);
+        system.assemble(cells(), supports, *constraints, further, added, rows, is_iterative());
         assembled = constraints;
       }
 
@@ -543,8 +549,10 @@ namespace Amontons
         {
           TimerOutput::Scope scope(timer, "linear solve");
           const double       size   = rhs.l2_norm();
-          const auto         result = solver.solve(system.matrix(), du, rhs, linear_tolerance * size);
-          step.krylov               = result.iterations;
+          const auto         form   = is_iterative() ? system.eliminated_form() : EliminatedForm();
+          const auto         result = solver.solve(
+              system.matrix(), du, rhs, linear_tolerance * size, is_iterative() ? &form : nullptr);
+          step.krylov = result.iterations;
           if (!result.success)
             {
               report.message =

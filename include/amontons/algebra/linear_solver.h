@@ -21,6 +21,16 @@ namespace Amontons
     declare(ParameterHandler &prm) override;
   };
 
+  // For systems with written rows (see TangentSystem): multigrid works on another matrix, where the DoFs of
+  // these rows are eliminated. Applied to r: w = r/diagonal on the written rows, z = multigrid of r - A w
+  // elsewhere, and what z means for the eliminated DoFs is added.
+  struct EliminatedForm
+  {
+    const LA::SparseMatrix                                 *matrix      = nullptr;
+    const Constraints                                      *constraints = nullptr; // homogeneous
+    std::vector<std::pair<types::global_dof_index, double>> written; // owned rows and their diagonals in A
+  };
+
   struct LinearSolveReport
   {
     bool         success    = true;
@@ -52,7 +62,11 @@ namespace Amontons
 
     // Solves to |r| <= tolerance; the direct solver ignores it. x: owned, initial guess 0.
     LinearSolveReport
-    solve(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs, const double tolerance);
+    solve(const LA::SparseMatrix &matrix,
+          LA::Vector             &x,
+          const LA::Vector       &rhs,
+          const double            tolerance,
+          const EliminatedForm   *eliminated = nullptr);
 
     bool
     is_direct(const types::global_dof_index n_dofs) const;

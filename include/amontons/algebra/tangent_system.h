@@ -3,6 +3,7 @@
 #pragma once
 
 #include <amontons/algebra/condensed_system.h>
+#include <amontons/algebra/linear_solver.h>
 
 namespace Amontons
 {
@@ -38,7 +39,13 @@ namespace Amontons
              const ContactConstraints             &test,
              const std::vector<RectangularMatrix> &further,
              const LA::Vector                     *diagonal,
-             const std::vector<WrittenRow>        &rows);
+             const std::vector<WrittenRow>        &rows,
+             const bool                            with_eliminated_form = false);
+
+    // For multigrid, if it was asked for: the same with displacements that obey test.trial(), too. `test` of
+    // the last assemble() must still be there.
+    EliminatedForm
+    eliminated_form() const;
 
     const LA::SparseMatrix &
     matrix() const
@@ -63,13 +70,15 @@ namespace Amontons
               const std::vector<RectangularMatrix> &further,
               const std::vector<WrittenRow>        &rows);
 
-    const IndexSet    locally_owned, relevant;
-    const MPI_Comm    communicator;
-    LA::SparseMatrix  system;
-    Links             replaced;   // test functions: by DoF that is or was eliminated
-    Links             coupled;    // further matrices and rows: columns by row
-    std::vector<bool> is_surface; // by cell: has DoFs that others replace
-    bool              has_pattern    = false;
-    double            diagonal_scale = 1;
+    const IndexSet                       locally_owned, relevant;
+    const MPI_Comm                       communicator;
+    LA::SparseMatrix                     system, eliminated;
+    const ContactConstraints            *constraints = nullptr;
+    std::vector<types::global_dof_index> written;    // rows, owned
+    Links                                replaced;   // test functions: by DoF that is or was eliminated
+    Links                                coupled;    // further matrices and rows: columns by row
+    std::vector<bool>                    is_surface; // by cell: has DoFs that others replace
+    bool                                 has_pattern    = false;
+    double                               diagonal_scale = 1;
   };
 } // namespace Amontons

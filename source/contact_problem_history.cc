@@ -133,8 +133,7 @@ namespace Amontons
         state.displacement = discretization->make_relevant_vector();
       }
     state.t = -1; // the supports are still those of the failed time
-    if (finite_strain)
-      move_surfaces(state.displacement);
+    move_surfaces();
   }
 
   // Values that supports prescribe, on the owned DoFs.
@@ -189,8 +188,7 @@ namespace Amontons
     const double t = state.t;
     state.t        = -1;
     set_time(t);
-    if (finite_strain)
-      move_surfaces(state.displacement);
+    move_surfaces();
     loads =
         assemble_loads(*discretization, t, covered_points(), finite_strain ? &state.displacement : nullptr);
     collect_fields();
@@ -246,8 +244,7 @@ namespace Amontons
     const LA::Vector traction_at_end = state.traction;
     const auto       peaks_at_end    = state.peaks;
     state.displacement               = state.committed;
-    if (finite_strain)
-      move_surfaces(state.displacement);
+    move_surfaces();
     state.traction = last_converged.traction;
     state.peaks    = last_converged.peaks;
     carry_active_set();
@@ -290,8 +287,7 @@ namespace Amontons
           state.displacement = point.displacement;
           state.traction     = point.traction;
           state.peaks        = point.peaks;
-          if (finite_strain)
-            move_surfaces(state.displacement);
+          move_surfaces();
           carry_active_set();
         }
   }

@@ -77,20 +77,18 @@ namespace Amontons
     return report;
   }
 
-  // Couples the surfaces where u takes them; small strain again: where they were.
+  // Finite strain: couples the surfaces where the displacement takes them.
   template <int dim>
   void
-  ContactProblem<dim>::move_surfaces(const LA::Vector &u)
+  ContactProblem<dim>::move_surfaces()
   {
+    if (!finite_strain)
+      return;
     TimerOutput::Scope scope(timer, "contact surfaces");
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      {
-        if (!interfaces[i].pair->tied)
-          move_interface(*discretization, u, interfaces[i]);
-        if (i < state.carried.size() && state.carried[i].size() == interfaces[i].slave->nodes.size())
-          interfaces[i].carried = state.carried[i];
-      }
-    integrate_couplings(*discretization, supports, interfaces, finite_strain);
+      if (i < state.carried.size() && state.carried[i].size() == interfaces[i].slave->nodes.size())
+        interfaces[i].carried = state.carried[i];
+    couple_moved(*discretization, supports, state.displacement, interfaces);
     fit_states(interfaces, state);
   }
 
@@ -184,9 +182,9 @@ namespace Amontons
   template NewtonReport
   ContactProblem<3>::iterate_with_finite_strain(const SemismoothNewton<3>::Observer &);
   template void
-  ContactProblem<2>::move_surfaces(const LA::Vector &);
+  ContactProblem<2>::move_surfaces();
   template void
-  ContactProblem<3>::move_surfaces(const LA::Vector &);
+  ContactProblem<3>::move_surfaces();
   template bool
   ContactProblem<2>::needs_finite_strain();
   template bool

@@ -114,8 +114,7 @@ namespace Amontons
     refine_and_transfer(*discretization, geometry, moving, [&]() { rebuild(); });
     ++mesh_number;
     ++cycle;
-    if (finite_strain)
-      move_surfaces(state.displacement);
+    move_surfaces();
     carry_active_set();
     return true;
   }

@@ -101,7 +101,7 @@ namespace Amontons
     FollowerLoads
     follower_loads() const;
     void
-    move_surfaces(const LA::Vector &u);
+    move_surfaces();
     double
     change_by_finite_strain();
     bool
@@ -176,15 +176,15 @@ namespace Amontons
       LA::Vector          displacement, traction;
       std::vector<double> peaks;
     };
-    std::vector<PathPoint> path;
-    WorkDone<dim>          work;
-    unsigned int           cycle             = 0; // refinements so far
-    unsigned int           n_cut_backs       = 0;
-    bool                   follow_motion     = false; // in the next increment, see FiniteNewton
+    std::vector<PathPoint>       path;
+    WorkDone<dim>                work;
+    unsigned int                 cycle         = 0; // refinements so far
+    unsigned int                 n_cut_backs   = 0;
+    bool                         follow_motion = false; // in the next increment, see FiniteNewton
     std::vector<Diagnosis::Snap> snaps;
-    double                       last_speed = 0; // largest displacement over t in the last increment
-    double                 transfer_residual = 0; // largest, of the transferred state on its new mesh
-    NewtonReport           last_report;
+    double                       last_speed        = 0; // largest displacement over t in the last increment
+    double                       transfer_residual = 0; // largest, of the transferred state on its new mesh
+    NewtonReport                 last_report;
     std::vector<SurfaceFields<dim>>      fields;
     std::unique_ptr<StressRecovery<dim>> recovery;
     ErrorEstimate<dim>                   error;

@@ -69,10 +69,7 @@ namespace Amontons
       for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
         if (state.states[i][r] != ContactState::open && !interfaces[i].pair->tied)
           closed[i].insert(interfaces[i].coupling.rows[r].node);
-    for (auto &interface : interfaces)
-      if (!interface.pair->tied)
-        move_interface(discretization, state.displacement, interface);
-    integrate_couplings(discretization, supports, interfaces, true);
+    couple_moved(discretization, supports, state.displacement, interfaces);
     double gaps = 0, motions = 0;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {

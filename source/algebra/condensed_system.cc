@@ -27,6 +27,15 @@ namespace Amontons
     return result;
   }
 
+  void
+  zero_constrained(const Constraints &constraints, const IndexSet &owned, LA::Vector &vector)
+  {
+    for (const auto dof : owned)
+      if (constraints.is_constrained(dof))
+        vector(dof) = 0;
+    vector.compress(VectorOperation::insert);
+  }
+
   CondensedSystem::CondensedSystem(const IndexSet &locally_owned,
                                    const IndexSet &relevant,
                                    MPI_Comm        communicator)

@@ -81,7 +81,9 @@ namespace Amontons
   }
 
   void
-  TangentSystem::make_pattern(const CellMatrices &cells, const Constraints &supports)
+  TangentSystem::make_pattern(const CellMatrices &cells,
+                              const Constraints  &supports,
+                              const bool          with_eliminated_form)
   {
     DynamicSparsityPattern               dsp(relevant);
     std::vector<types::global_dof_index> dofs;
@@ -110,7 +112,8 @@ namespace Amontons
       dsp.add(dof, dof);
     SparsityTools::distribute_sparsity_pattern(dsp, locally_owned, communicator, relevant);
     system.reinit(locally_owned, locally_owned, dsp, communicator);
-    eliminated.reinit(locally_owned, locally_owned, dsp, communicator);
+    if (with_eliminated_form)
+      eliminated.reinit(locally_owned, locally_owned, dsp, communicator);
     has_pattern = true;
   }
 
@@ -125,7 +128,7 @@ namespace Amontons
   {
     constraints = &test;
     if (add_links(supports, test, further, rows) || !has_pattern)
-      make_pattern(cells, supports);
+      make_pattern(cells, supports, with_eliminated_form);
     const Constraints &of_rows = test.test();
     double             largest = 0;
     const auto         fill    = [&](LA::SparseMatrix &matrix, const Constraints &of_columns) {

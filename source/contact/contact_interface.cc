@@ -259,6 +259,29 @@ namespace Amontons
         integrate(discretization, interfaces[i].coupling.points, carries[i], interfaces[i]);
   }
 
+  template <int dim>
+  void
+  couple_moved(const Discretization<dim>          &discretization,
+               const Constraints                  &supports,
+               const LA::Vector                   &u,
+               std::vector<ContactInterface<dim>> &interfaces)
+  {
+    for (auto &interface : interfaces)
+      if (!interface.pair->tied)
+        move_interface(discretization, u, interface);
+    integrate_couplings(discretization, supports, interfaces, true);
+  }
+
+  template void
+  couple_moved(const Discretization<2> &,
+               const Constraints &,
+               const LA::Vector &,
+               std::vector<ContactInterface<2>> &);
+  template void
+  couple_moved(const Discretization<3> &,
+               const Constraints &,
+               const LA::Vector &,
+               std::vector<ContactInterface<3>> &);
   template std::vector<bool>
   choose_slaves(const Discretization<2> &);
   template std::vector<ContactInterface<2>>

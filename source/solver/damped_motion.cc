@@ -2,40 +2,12 @@
 
 namespace Amontons
 {
-  namespace
-  {
-    // Diagonals of the boxes around the bodies.
-    template <int dim>
-    std::vector<double>
-    body_sizes(const Discretization<dim> &discretization)
-    {
-      const unsigned int  n = discretization.scene.bodies.size();
-      std::vector<double> lower(n * dim, std::numeric_limits<double>::max()), upper(n * dim, -lower[0]);
-      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
-          for (const auto v : cell->vertex_indices())
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                const unsigned int i = cell->material_id() * dim + d;
-                lower[i]             = std::min(lower[i], cell->vertex(v)[d]);
-                upper[i]             = std::max(upper[i], cell->vertex(v)[d]);
-              }
-      Utilities::MPI::min(lower, discretization.geometry.communicator, lower);
-      Utilities::MPI::max(upper, discretization.geometry.communicator, upper);
-      std::vector<double> sizes(n, 0.);
-      for (unsigned int i = 0; i < n * dim; ++i)
-        if (upper[i] > lower[i])
-          sizes[i / dim] = std::hypot(sizes[i / dim], upper[i] - lower[i]);
-      return sizes;
-    }
-  } // namespace
-
   // Carriers get what a body's share of their size would be: they move with what holds them.
   template <int dim>
   Damping
   lumped_damping(const Discretization<dim> &discretization)
   {
-    const auto                           sizes  = body_sizes(discretization);
+    const auto                          &sizes  = discretization.geometry.body_sizes;
     LA::Vector                           result = discretization.make_owned_vector();
     std::vector<types::global_dof_index> dofs(discretization.fe.n_dofs_per_cell());
     const double                         n_nodes = double(dofs.size()) / dim;

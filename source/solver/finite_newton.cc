@@ -47,7 +47,7 @@ namespace Amontons
           : parameters(parameters), solver_parameters(solver_parameters), discretization(discretization),
             elasticity(elasticity), interfaces(interfaces), prescribed(prescribed),
             supports(without_values(prescribed)), follower_loads(follower_loads), state(state), timer(timer),
-            communicator(discretization.geometry.communicator), old_rows(rows_by_node(interfaces)),
+            communicator(discretization.geometry.communicator),
             contact(discretization, supports, interfaces, state.committed, parameters.scaling),
             floating(discretization, supports, interfaces, &state.displacement),
             states(contact.nodes(), interfaces, floating, state.t),
@@ -214,7 +214,7 @@ namespace Amontons
         for (unsigned int k = 0; k < answers.size(); ++k)
           if (contact.nodes()[k].frictional && states[k] == ContactState::slip)
             return {};
-        if (!unheld.empty() || !solver.is_direct(discretization.dof_handler.n_dofs()))
+        if (!unheld.empty() || is_iterative())
           return {};
         TimerOutput::Scope scope(timer, "stability");
         damping = lumped_damping(discretization);
@@ -231,7 +231,7 @@ namespace Amontons
               LA::Vector force(x);
               force.scale(damping.values);
               LA::Vector rhs = condense(force, assembled->test(), loads);
-              clear_constrained(rhs, *assembled);
+              zero_constrained(assembled->test(), discretization.locally_owned, rhs);
               const auto result = solver.solve(system.matrix(), y, rhs, linear_tolerance * rhs.l2_norm());
               supports.distribute(y);
               return result.success;
@@ -265,10 +265,11 @@ namespace Amontons
         floating.set_loads(loads);
         report.note = floating.check_loads(equations);
         floating.choose_pins(equations);
-        states_to_rows();
+        fit_states(interfaces, state);
         guess_states();
+        take_tractions();
         proximal = make_proximal_terms(discretization, elasticity, floating);
-        if (!solver.is_direct(discretization.dof_handler.n_dofs()))
+        if (is_iterative())
           solver.set_near_null_space(rigid_body_modes(discretization));
         return true;
       }
@@ -303,51 +304,20 @@ namespace Amontons
         return true;
       }
 
-      // Rows of the state's couplings by slave node, before the surfaces move.
-      static std::vector<std::map<unsigned int, unsigned int>>
-      rows_by_node(const std::vector<ContactInterface<dim>> &interfaces)
-      {
-        std::vector<std::map<unsigned int, unsigned int>> result(interfaces.size());
-        for (unsigned int i = 0; i < interfaces.size(); ++i)
-          for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
-            result[i][interfaces[i].coupling.rows[r].node] = r;
-        return result;
-      }
-
-      // The state as given, by the rows of the coupling now.
+      // The tractions that the state knows, for the first tangent.
       void
-      states_to_rows()
+      take_tractions()
       {
-        const SolutionState before = state;
-        if (before.states.size() != interfaces.size())
-          return;
-        for (unsigned int i = 0; i < interfaces.size(); ++i)
-          {
-            if (before.states[i].size() != old_rows[i].size())
-              {
-                state.states[i].clear();
-                continue;
-              }
-            const auto &rows = interfaces[i].coupling.rows;
-            state.states[i].assign(rows.size(), ContactState::open);
-            state.pressures[i].assign(rows.size(), 0.);
-            state.trials[i].assign(rows.size(), Tensor<1, 3>());
-            const bool any_shears = i < before.shears.size() && before.shears[i].size() == old_rows[i].size();
-            for (unsigned int r = 0; r < rows.size(); ++r)
-              if (const auto row = old_rows[i].find(rows[r].node); row != old_rows[i].end())
-                {
-                  state.states[i][r]    = before.states[i][row->second];
-                  state.pressures[i][r] = before.pressures[i][row->second];
-                  state.trials[i][r]    = before.trials[i][row->second];
-                  const unsigned int k  = contact.number(i, rows[r].node);
-                  if (state.states[i][r] != ContactState::open)
-                    {
-                      answers[k].pressure = state.pressures[i][r];
-                      for (unsigned int d = 0; any_shears && d < dim; ++d)
-                        answers[k].shear[d] = before.shears[i][row->second][d];
-                    }
-                }
-          }
+        const bool known = state.states.size() == interfaces.size();
+        for (unsigned int k = 0; known && k < answers.size(); ++k)
+          if (states[k] != ContactState::open)
+            {
+              const unsigned int i = contact.nodes()[k].interface, r = contact.nodes()[k].row;
+              if (r < state.pressures[i].size())
+                answers[k].pressure = state.pressures[i][r];
+              for (unsigned int d = 0; i < state.shears.size() && r < state.shears[i].size() && d < dim; ++d)
+                answers[k].shear[d] = state.shears[i][r][d];
+            }
       }
 
       std::vector<bool>
@@ -477,9 +447,8 @@ namespace Amontons
       LA::Vector
       forces_of(const LA::Vector &change) const
       {
-        LA::Vector          forces = discretization.make_owned_vector();
-        std::vector<double> values;
-        const auto          add =
+        LA::Vector forces = discretization.make_owned_vector();
+        const auto add =
             [&](const FullMatrix<double> &matrix, const auto &row_dofs, const auto &column_dofs) {
               Vector<double> x(column_dofs.size()), y(row_dofs.size());
               for (unsigned int j = 0; j < column_dofs.size(); ++j)
@@ -539,7 +508,7 @@ namespace Amontons
           residual -= damping_force;
         LA::Vector rhs(discretization.locally_owned, communicator);
         rhs = condense(residual, constraints->test(), loads);
-        clear_constrained(rhs, *constraints);
+        zero_constrained(constraints->test(), discretization.locally_owned, rhs);
         const LA::Vector push(rhs);
         for (const auto &row : rows)
           if (discretization.locally_owned.is_element(row.row))
@@ -573,15 +542,6 @@ namespace Amontons
         return true;
       }
 
-      void
-      clear_constrained(LA::Vector &forces, const ContactConstraints &contact_constraints) const
-      {
-        for (const auto dof : discretization.locally_owned)
-          if (contact_constraints.test().is_constrained(dof))
-            forces(dof) = 0;
-        forces.compress(VectorOperation::insert);
-      }
-
       LA::Vector
       owned_part(const LA::Vector &relevant) const
       {
@@ -610,10 +570,9 @@ namespace Amontons
               {
                 TimerOutput::Scope scope(timer, "contact surfaces");
                 contact.move(state.displacement);
+                open_lonely_nodes();
                 for (unsigned int k = 0; k < answers.size(); ++k)
-                  if (states[k] != ContactState::open && !contact.is_opposite(k))
-                    states.open(k);
-                  else if (states[k] == ContactState::slip && contact.nodes()[k].frictional)
+                  if (states[k] == ContactState::slip && contact.nodes()[k].frictional)
                     {
                       states.turn(k);
                       laws[k] = states.law(k);
@@ -704,7 +663,7 @@ namespace Amontons
       relative_force(const LA::Vector &forces) const
       {
         LA::Vector free = condense(forces, constraints->test(), loads);
-        clear_constrained(free, *constraints);
+        zero_constrained(constraints->test(), discretization.locally_owned, free);
         return force_scale == 0 ? 0 : std::hypot(free.l2_norm(), states.law_error(answers)) / force_scale;
       }
 
@@ -767,31 +726,30 @@ namespace Amontons
       TimerOutput                        &timer;
       const MPI_Comm                      communicator;
 
-      Timer                                             clock;
-      std::vector<std::map<unsigned int, unsigned int>> old_rows;
-      MovingContact<dim>                                contact;
-      FloatingBodies<dim>                               floating;
-      NodeStates<dim>                                   states;
-      TangentSystem                                     system;
-      LinearSolver                                      solver;
-      NewtonReport                                      report;
-      ProximalTerms                                     proximal;
-      bool                                              any_friction = false;
-      LA::Vector                                        u, du, internal, loads, raw, balance;
-      std::vector<NodeAnswer<dim>>                      answers;
-      std::vector<SlipLaw<dim>>                         laws;
-      std::vector<RectangularMatrix>                    further;
-      std::vector<WrittenRow>                           rows;
-      std::shared_ptr<ContactConstraints>               constraints, assembled; // now; of the matrix
-      std::vector<unsigned int>                         first_equation;
-      std::string                                       unheld, inversion;
-      double                                            force_scale = 0;
-      Damping                                           damping;
-      std::unique_ptr<DampedSteps>                      steps; // while a motion is followed
-      LA::Vector                                        damping_force, damped_balance, first_push;
-      double                                            damped_error     = 0;
-      bool                                              is_downhill      = true; // the last step
-      static constexpr double                           linear_tolerance = 1e-10;
+      Timer                               clock;
+      MovingContact<dim>                  contact;
+      FloatingBodies<dim>                 floating;
+      NodeStates<dim>                     states;
+      TangentSystem                       system;
+      LinearSolver                        solver; // refers to the matrix, which must outlive it
+      NewtonReport                        report;
+      ProximalTerms                       proximal;
+      bool                                any_friction = false;
+      LA::Vector                          u, du, internal, loads, raw, balance;
+      std::vector<NodeAnswer<dim>>        answers;
+      std::vector<SlipLaw<dim>>           laws;
+      std::vector<RectangularMatrix>      further;
+      std::vector<WrittenRow>             rows;
+      std::shared_ptr<ContactConstraints> constraints, assembled; // now; of the matrix
+      std::vector<unsigned int>           first_equation;
+      std::string                         unheld, inversion;
+      double                              force_scale = 0;
+      Damping                             damping;
+      std::unique_ptr<DampedSteps>        steps; // while a motion is followed
+      LA::Vector                          damping_force, damped_balance, first_push;
+      double                              damped_error     = 0;
+      bool                                is_downhill      = true; // the last step
+      static constexpr double             linear_tolerance = 1e-10;
     };
   } // namespace
 

@@ -92,10 +92,7 @@ namespace Amontons
   void
   MovingContact<dim>::move(const LA::Vector &u)
   {
-    for (auto &interface : interfaces)
-      if (!interface.pair->tied)
-        move_interface(discretization, u, interface);
-    integrate_couplings(discretization, supports, interfaces, true);
+    couple_moved(discretization, supports, u, interfaces);
     for (auto &node : all)
       {
         node.row  = numbers::invalid_unsigned_int;

@@ -39,15 +39,6 @@ namespace Amontons
 
   namespace
   {
-    // The DoFs that constraints own have no equation of their own.
-    void
-    zero_constrained(const Constraints &constraints, const IndexSet &owned, LA::Vector &vector)
-    {
-      for (const auto dof : owned)
-        if (constraints.is_constrained(dof))
-          vector(dof) = 0;
-    }
-
     // One solve on one mesh: everything that lives as long as its iteration.
     template <int dim>
     class Iteration

@@ -16,6 +16,10 @@ namespace Amontons
   LA::Vector
   condense(const LA::Vector &raw, const Constraints &constraints, const LA::Vector &like);
 
+  // The DoFs that constraints own have no equation of their own.
+  void
+  zero_constrained(const Constraints &constraints, const IndexSet &owned, LA::Vector &vector);
+
   // Cell matrices as the system sees them: dofs and matrix of cell c in [0, n).
   struct CellMatrices
   {

@@ -40,10 +40,10 @@ namespace Amontons
              const std::vector<RectangularMatrix> &further,
              const LA::Vector                     *diagonal,
              const std::vector<WrittenRow>        &rows,
-             const bool                            with_eliminated_form = false);
+             const bool                            with_eliminated_form);
 
-    // For multigrid, if it was asked for: the same with displacements that obey test.trial(), too. `test` of
-    // the last assemble() must still be there.
+    // For multigrid, if it was asked for each time: the same with displacements that obey test.trial(), too.
+    // `test` of the last assemble() must still be there.
     EliminatedForm
     eliminated_form() const;
 
@@ -63,7 +63,7 @@ namespace Amontons
     // Which DoFs stand in for others: all that the pattern has to know beside the cells.
     using Links = std::map<types::global_dof_index, std::vector<types::global_dof_index>>; // sorted
     void
-    make_pattern(const CellMatrices &cells, const Constraints &supports);
+    make_pattern(const CellMatrices &cells, const Constraints &supports, const bool with_eliminated_form);
     bool
     add_links(const Constraints                    &supports,
               const ContactConstraints             &test,

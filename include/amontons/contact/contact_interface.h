@@ -55,6 +55,14 @@ namespace Amontons
                       std::vector<ContactInterface<dim>> &interfaces,
                       const bool                          moved = false);
 
+  // Couples the surfaces where u takes them; tied ones stay where they were.
+  template <int dim>
+  void
+  couple_moved(const Discretization<dim>          &discretization,
+               const Constraints                  &supports,
+               const LA::Vector                   &u,
+               std::vector<ContactInterface<dim>> &interfaces);
+
   // The answer on one slave surface: by slave node.
   template <int dim>
   struct SurfaceFields

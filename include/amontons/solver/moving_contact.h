@@ -41,11 +41,6 @@ namespace Amontons
     {
       return all;
     }
-    unsigned int
-    number(const unsigned int interface, const unsigned int slave_node) const
-    {
-      return node_of[interface][slave_node];
-    }
     // Whether anything is opposite of the node.
     bool
     is_opposite(const unsigned int k) const

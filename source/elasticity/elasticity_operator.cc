@@ -3,6 +3,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <limits>
+#include <numeric>
 
 namespace Amontons
 {
@@ -28,7 +29,10 @@ namespace Amontons
   ElasticityOperator<dim>::ElasticityOperator(const Discretization<dim> &discretization,
                                               const bool                 finite_strain)
       : discretization(discretization), is_finite(finite_strain),
-        n_values(discretization.fe.n_dofs_per_cell() * (discretization.fe.n_dofs_per_cell() + 1) / 2)
+        n_values(discretization.fe.n_dofs_per_cell() * (discretization.fe.n_dofs_per_cell() + 1) / 2),
+        n_dilatations(!finite_strain || discretization.scene.kind == Kind::plane_stress
+                          ? 0
+                          : PressureProjection<dim>::n_coefficients(discretization.fe.degree))
   {
     for (const auto &body : discretization.scene.bodies)
       {
@@ -46,12 +50,12 @@ namespace Amontons
 
   template <int dim>
   std::optional<InvertedCell<dim>>
-  ElasticityOperator<dim>::assemble(const LA::Vector &u)
+  ElasticityOperator<dim>::assemble(const LA::Vector &u, const std::vector<double> &dilatations)
   {
     clear();
     find_cells();
     if (is_finite)
-      return assemble_finite(u);
+      return assemble_finite(u, dilatations.empty() ? nullptr : dilatations.data());
     assemble_small();
     return {};
   }
@@ -115,7 +119,9 @@ namespace Amontons
   template <int dim>
   template <typename Action>
   void
-  ElasticityOperator<dim>::for_each_deformed_cell(const LA::Vector &u, const Action &action) const
+  ElasticityOperator<dim>::for_each_deformed_cell(const LA::Vector &u,
+                                                  const double     *dilatations,
+                                                  const Action     &action) const
   {
     const auto           &fe = discretization.fe;
     FEValues<dim>         fe_values(discretization.mapping, fe, QGauss<dim>(fe.degree + 1), needed_flags());
@@ -128,30 +134,73 @@ namespace Amontons
           fe_values.reinit(cell);
           cell->get_dof_indices(dofs);
           u.extract_subvector_to(dofs, local);
-          action(cell, dofs, state, state.reinit(fe_values, laws[cell->material_id()], local));
+          action(cell, dofs, state, state.reinit(fe_values, laws[cell->material_id()], local, dilatations));
+          if (dilatations != nullptr)
+            dilatations += n_dilatations;
         }
   }
 
   template <int dim>
   std::optional<InvertedCell<dim>>
-  ElasticityOperator<dim>::assemble_finite(const LA::Vector &u)
+  ElasticityOperator<dim>::assemble_finite(const LA::Vector &u, const double *dilatations)
   {
-    InvertedCell<dim>  worst = {{}, 0, std::numeric_limits<double>::max()};
+    assembled_forces           = discretization.make_owned_vector();
+    assembled_forces_of_excess = discretization.make_owned_vector();
+    InvertedCell<dim>  worst   = {{}, 0, std::numeric_limits<double>::max()};
     FullMatrix<double> K(discretization.fe.n_dofs_per_cell(), discretization.fe.n_dofs_per_cell());
-    for_each_deformed_cell(u, [&](const auto &cell, const auto &, auto &state, const double smallest) {
-      if (!(smallest >= worst.smallest_jacobian))
-        worst = {cell->center(), cell->material_id(), std::isnan(smallest) ? -infinity : smallest};
-      if (worst.smallest_jacobian > 0)
-        {
-          state.make_tangent(K);
-          pack(K);
-        }
-    });
+    for_each_deformed_cell(
+        u, dilatations, [&](const auto &cell, const auto &dofs, auto &state, const double smallest) {
+          if (!(smallest >= worst.smallest_jacobian))
+            worst = {cell->center(), cell->material_id(), std::isnan(smallest) ? -infinity : smallest};
+          if (worst.smallest_jacobian > 0)
+            {
+              state.make_tangent(K);
+              pack(K);
+              assembled_forces.add(dofs, state.forces());
+              if (n_dilatations > 0)
+                {
+                  assembled_forces_of_excess.add(dofs, state.forces_of_excess());
+                  keep_dilatation(state);
+                }
+            }
+        });
+    assembled_forces.compress(VectorOperation::add);
+    assembled_forces_of_excess.compress(VectorOperation::add);
     worst = worst_of_all(worst, discretization.geometry.communicator);
     if (worst.smallest_jacobian > 0)
       return {};
     clear();
     return worst;
+  }
+
+  template <int dim>
+  void
+  ElasticityOperator<dim>::keep_dilatation(const FiniteStrainCell<dim> &cell)
+  {
+    const auto &changes = cell.change_of_volume();
+    for (unsigned int k = 0; k < n_dilatations; ++k)
+      {
+        cell_dilatations.push_back(cell.dilatation()[k]);
+        excesses.push_back(cell.excess()[k]);
+        for (unsigned int i = 0; i < changes.n(); ++i)
+          changes_of_volume.push_back(changes(k, i));
+      }
+  }
+
+  // P J(u) - theta + P(J tr A)
+  template <int dim>
+  std::vector<double>
+  ElasticityOperator<dim>::change_of_dilatations(const LA::Vector &step) const
+  {
+    std::vector<double> result = excesses, local(discretization.fe.n_dofs_per_cell());
+    for (unsigned int c = 0; n_dilatations > 0 && c < cells.size(); ++c)
+      {
+        step.extract_subvector_to(cells[c].dofs, local);
+        for (unsigned int k = c * n_dilatations; k < (c + 1) * n_dilatations; ++k)
+          result[k] = std::inner_product(
+              local.begin(), local.end(), changes_of_volume.begin() + k * local.size(), result[k]);
+      }
+    return result;
   }
 
   template <int dim>
@@ -174,11 +223,13 @@ namespace Amontons
     if (!is_finite)
       return multiply(u);
     LA::Vector result = discretization.make_owned_vector();
-    for_each_deformed_cell(u, [&](const auto &, const auto &dofs, const auto &state, const double smallest) {
-      result.add(dofs,
-                 smallest > 0 ? state.forces()
-                              : std::vector<double>(dofs.size(), std::numeric_limits<double>::quiet_NaN()));
-    });
+    for_each_deformed_cell(
+        u, nullptr, [&](const auto &, const auto &dofs, const auto &state, const double smallest) {
+          result.add(dofs,
+                     smallest > 0
+                         ? state.forces()
+                         : std::vector<double>(dofs.size(), std::numeric_limits<double>::quiet_NaN()));
+        });
     result.compress(VectorOperation::add);
     return result;
   }
@@ -216,9 +267,10 @@ namespace Amontons
   {
     double energy = 0;
     if (is_finite)
-      for_each_deformed_cell(u, [&](const auto &, const auto &, const auto &state, const double smallest) {
-        energy += smallest > 0 ? state.energy() : infinity;
-      });
+      for_each_deformed_cell(
+          u, nullptr, [&](const auto &, const auto &, const auto &state, const double smallest) {
+            energy += smallest > 0 ? state.energy() : infinity;
+          });
     else
       {
         const LA::Vector force = multiply(u);

@@ -15,7 +15,9 @@ namespace Amontons
 
   template <int dim>
   double
-  FiniteKinematics<dim>::reinit(const FEValues<dim> &values, const std::vector<double> &u)
+  FiniteKinematics<dim>::reinit(const FEValues<dim>       &values,
+                                const std::vector<double> &u,
+                                const double              *theta)
   {
     const unsigned int n_q = values.n_quadrature_points;
     deformation.resize(n_q);
@@ -38,13 +40,26 @@ namespace Amontons
       return smallest;
     for (unsigned int q = 0; q < n_q; ++q)
       push_forward(values, q);
-    dilatations = jacobians;
-    if (kind != Kind::plane_stress)
-      {
-        projection.reinit(values, weights);
-        projection.apply(dilatations);
-      }
+    if (kind == Kind::plane_stress)
+      dilatations = jacobians;
+    else
+      set_dilatations(values, theta);
     return std::min(smallest, *std::min_element(dilatations.begin(), dilatations.end()));
+  }
+
+  template <int dim>
+  void
+  FiniteKinematics<dim>::set_dilatations(const FEValues<dim> &values, const double *theta)
+  {
+    projection.reinit(values, weights);
+    const Vector<double> &of_volume = projection.project(jacobians);
+    if (theta == nullptr)
+      theta = of_volume.begin();
+    theta_coefficients.assign(theta, theta + of_volume.size());
+    excess_coefficients.resize(of_volume.size());
+    for (unsigned int k = 0; k < of_volume.size(); ++k)
+      excess_coefficients[k] = of_volume[k] - theta[k];
+    projection.evaluate(theta_coefficients.data(), dilatations);
   }
 
   template <int dim>

@@ -4,6 +4,22 @@ namespace Amontons
 {
   namespace
   {
+    double
+    trace_of(const Voigt<3> &tau)
+    {
+      return tau[0] + tau[1] + tau[2];
+    }
+
+    // c:I + 2 tau
+    Voigt<3>
+    change_with_volume(const SpatialTangent &c, const Voigt<3> &tau)
+    {
+      Voigt<3> change;
+      for (unsigned int k = 0; k < 6; ++k)
+        change[k] = c[k][0] + c[k][1] + c[k][2] + 2 * tau[k];
+      return change;
+    }
+
     // Of tau + p I, the components that act in the space of the mesh.
     template <int dim>
     Tensor<2, dim>
@@ -27,10 +43,11 @@ namespace Amontons
   double
   FiniteStrainCell<dim>::reinit(const FEValues<dim>       &values,
                                 const HyperelasticLaw     &law,
-                                const std::vector<double> &u)
+                                const std::vector<double> &u,
+                                const double              *theta)
   {
     this->law             = &law;
-    const double smallest = kinematics.reinit(values, u);
+    const double smallest = kinematics.reinit(values, u, theta);
     if (!(smallest > 0))
       return smallest;
     const unsigned int n_q = kinematics.n_points();
@@ -48,14 +65,20 @@ namespace Amontons
         pressure[q] = trace_of_stress(q) / 3;
       }
     if (projects)
-      {
-        for (unsigned int q = 0; q < n_q; ++q)
-          pressure[q] /= kinematics.dilatation(q);
-        kinematics.project(pressure);
-        for (unsigned int q = 0; q < n_q; ++q)
-          pressure[q] *= kinematics.jacobian(q);
-      }
+      project_pressure(pressure);
     return smallest;
+  }
+
+  // From tr tau/3 to J P(tr tau/(3 theta)).
+  template <int dim>
+  void
+  FiniteStrainCell<dim>::project_pressure(std::vector<double> &pressure)
+  {
+    for (unsigned int q = 0; q < kinematics.n_points(); ++q)
+      pressure[q] /= kinematics.dilatation(q);
+    kinematics.project(pressure);
+    for (unsigned int q = 0; q < kinematics.n_points(); ++q)
+      pressure[q] *= kinematics.jacobian(q);
   }
 
   template <int dim>
@@ -72,10 +95,38 @@ namespace Amontons
   std::vector<double>
   FiniteStrainCell<dim>::forces() const
   {
+    return forces_of(stress, pressure);
+  }
+
+  template <int dim>
+  std::vector<double>
+  FiniteStrainCell<dim>::forces_of_excess()
+  {
+    std::vector<double>   pressure;
+    std::vector<Voigt<3>> change(kinematics.n_points());
+    kinematics.evaluate_excess(pressure);
+    for (unsigned int q = 0; q < kinematics.n_points(); ++q)
+      {
+        const double alpha = pressure[q] / (3 * kinematics.dilatation(q));
+        change[q]          = change_with_volume(spatial_tangent(*law, b[q]), stress[q]);
+        for (auto &component : change[q])
+          component *= alpha;
+        pressure[q] = trace_of(change[q]) / 3 - alpha * trace_of_stress(q);
+      }
+    project_pressure(pressure);
+    return forces_of(change, pressure);
+  }
+
+  // int (dev tau + p I) : B dV0
+  template <int dim>
+  std::vector<double>
+  FiniteStrainCell<dim>::forces_of(const std::vector<Voigt<3>> &stress,
+                                   const std::vector<double>   &pressure) const
+  {
     std::vector<double> f(kinematics.n_nodes * dim);
     for (unsigned int q = 0; q < kinematics.n_points(); ++q)
       {
-        const double         shift = pressure[q] - trace_of_stress(q) / 3;
+        const double         shift = pressure[q] - trace_of(stress[q]) / 3;
         const double         hoop  = kinematics.weight(q) * (stress[q][2] + shift);
         const Tensor<2, dim> tau   = kinematics.weight(q) * in_space<dim>(stress[q], shift);
         for (unsigned int m = 0; m < kinematics.n_nodes; ++m)

@@ -8,7 +8,7 @@ namespace Amontons
   void
   PressureProjection<dim>::reinit(const FEValues<dim> &values, const std::vector<double> &weights)
   {
-    const unsigned int n_q = weights.size(), n_m = values.get_fe().degree == 1 ? 1 : dim + 1;
+    const unsigned int n_q = weights.size(), n_m = n_coefficients(values.get_fe().degree);
     const Point<dim>   centre = values.get_cell()->center();
     const double       size   = values.get_cell()->diameter();
     FullMatrix<double> mass(n_m, n_m);
@@ -34,16 +34,31 @@ namespace Amontons
   void
   PressureProjection<dim>::apply(std::vector<double> &f)
   {
+    evaluate(project(f).begin(), f);
+  }
+
+  template <int dim>
+  const Vector<double> &
+  PressureProjection<dim>::project(const std::vector<double> &f)
+  {
     moment = 0;
     for (unsigned int q = 0; q < f.size(); ++q)
       for (unsigned int k = 0; k < moment.size(); ++k)
         moment[k] += weighted(q, k) * f[q];
     inverse_mass.vmult(coefficient, moment);
+    return coefficient;
+  }
+
+  template <int dim>
+  void
+  PressureProjection<dim>::evaluate(const double *coefficients, std::vector<double> &f) const
+  {
+    f.resize(polynomials.m());
     for (unsigned int q = 0; q < f.size(); ++q)
       {
         f[q] = 0;
-        for (unsigned int k = 0; k < moment.size(); ++k)
-          f[q] += polynomials(q, k) * coefficient[k];
+        for (unsigned int k = 0; k < polynomials.n(); ++k)
+          f[q] += polynomials(q, k) * coefficients[k];
       }
   }
 

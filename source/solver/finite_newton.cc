@@ -48,7 +48,7 @@ namespace Amontons
             elasticity(elasticity), interfaces(interfaces), prescribed(prescribed),
             supports(without_values(prescribed)), follower_loads(follower_loads), state(state), timer(timer),
             communicator(discretization.geometry.communicator),
-            contact(discretization, supports, interfaces, state.committed, parameters.scaling),
+            contact(discretization, supports, interfaces, state, parameters.scaling),
             floating(discretization, supports, interfaces, &state.displacement),
             states(contact.nodes(), interfaces, floating, state.t),
             system(discretization.locally_owned, discretization.relevant, communicator),
@@ -327,12 +327,13 @@ namespace Amontons
         return first_guess_of_closed_nodes(contact.nodes(), interfaces, floating, rest);
       }
 
-      // Forces and stiffness at state.displacement, where the surfaces are.
+      // Forces and stiffness at state.displacement, where the surfaces are; dilatations: empty for those of
+      // the displacement.
       bool
-      evaluate()
+      evaluate(const std::vector<double> &dilatations = {})
       {
         TimerOutput::Scope scope(timer, "assemble stiffness");
-        if (const auto inverted = elasticity.assemble(state.displacement))
+        if (const auto inverted = elasticity.assemble(state.displacement, dilatations))
           {
             std::ostringstream text;
             text << "a cell of body '" << discretization.scene.bodies[inverted->body].name << "' near ("
@@ -341,7 +342,7 @@ namespace Amontons
             inversion = text.str();
             return false;
           }
-        internal = elasticity.internal_forces(state.displacement);
+        internal = elasticity.forces();
         loads    = follower_loads.forces(state.displacement);
         raw      = internal;
         raw -= loads;
@@ -503,6 +504,7 @@ namespace Amontons
         const LA::Vector change   = prescribed_change();
         LA::Vector       residual = known_shear_forces();
         residual -= raw;
+        residual -= elasticity.forces_of_excess();
         residual -= forces_of(change);
         if (steps)
           residual -= damping_force;
@@ -550,6 +552,14 @@ namespace Amontons
         return result;
       }
 
+      static std::vector<double>
+      moved(std::vector<double> values, const double factor, const std::vector<double> &change)
+      {
+        for (unsigned int k = 0; k < values.size(); ++k)
+          values[k] += factor * change[k];
+        return values;
+      }
+
       // u + factor step with the largest factor of 1, 1/2, ... that leaves cells as they are.
       bool
       advance(const LA::Vector &step, const unsigned int n_tries = 5)
@@ -560,13 +570,17 @@ namespace Amontons
             return false;
           }
         const LA::Vector start(u);
-        double           factor = 1;
+        const auto       dilatations = elasticity.dilatations();
+        LA::Vector       relevant    = discretization.make_relevant_vector();
+        relevant                     = step;
+        const auto change            = elasticity.change_of_dilatations(relevant);
+        double     factor            = 1;
         for (unsigned int n = 0; n < n_tries; ++n, factor /= 2)
           {
             u = start;
             u.add(factor, step);
             state.displacement = u;
-            if (evaluate())
+            if (evaluate(moved(dilatations, factor, change)))
               {
                 TimerOutput::Scope scope(timer, "contact surfaces");
                 contact.move(state.displacement);
@@ -655,8 +669,17 @@ namespace Amontons
       {
         const double rounding = 1e-14 * elasticity.rounding_scale(state.displacement);
         force_scale  = std::max({internal.l2_norm(), loads.l2_norm(), rounding / parameters.tolerance});
-        damped_error = relative_force(damped_balance);
-        return std::max(relative_force(balance), largest_violation());
+        damped_error = relative_residual_of(damped_balance);
+        return std::max(relative_residual_of(balance), largest_violation());
+      }
+
+      // With the excess it is that of the displacement alone, but for the square of the excess.
+      double
+      relative_residual_of(const LA::Vector &forces) const
+      {
+        LA::Vector with_excess(forces);
+        with_excess += elasticity.forces_of_excess();
+        return std::max(relative_force(forces), relative_force(with_excess));
       }
 
       double

@@ -34,8 +34,30 @@ namespace Amontons
     // Small strain: K_e = int B^T C B over every owned cell of a deformable body; u is not read, and nothing
     // fails. Finite strain: the derivative of the internal forces at u (readable at relevant DoFs); where
     // that inverts a cell, the worst one on all ranks, and the operator is cleared. Collective.
+    // dilatations: of the cells (see FiniteStrainCell), on the way to a solution; empty: those of u.
     std::optional<InvertedCell<dim>>
-    assemble(const LA::Vector &u);
+    assemble(const LA::Vector &u, const std::vector<double> &dilatations = {});
+
+    // Of the last assemble() with finite strain, unless it found an inverted cell: forces, what the excess
+    // adds to them in the next step, dilatations, and how Newton's step (readable at relevant DoFs) changes
+    // them.
+    const LA::Vector &
+    forces() const
+    {
+      return assembled_forces;
+    }
+    const LA::Vector &
+    forces_of_excess() const
+    {
+      return assembled_forces_of_excess;
+    }
+    const std::vector<double> &
+    dilatations() const
+    {
+      return cell_dilatations;
+    }
+    std::vector<double>
+    change_of_dilatations(const LA::Vector &step) const;
 
     // After a change of the mesh, until the next assemble().
     void
@@ -43,6 +65,9 @@ namespace Amontons
     {
       cells.clear();
       values.clear();
+      cell_dilatations.clear();
+      excesses.clear();
+      changes_of_volume.clear();
     }
 
     unsigned int
@@ -103,13 +128,15 @@ namespace Amontons
     void
     assemble_small();
     std::optional<InvertedCell<dim>>
-    assemble_finite(const LA::Vector &u);
+    assemble_finite(const LA::Vector &u, const double *dilatations);
+    void
+    keep_dilatation(const FiniteStrainCell<dim> &cell);
 
     // action(cell, its degrees of freedom, its FiniteStrainCell, reinit() of that), for owned deformable
-    // cells.
+    // cells; dilatations: null for those of u.
     template <typename Action>
     void
-    for_each_deformed_cell(const LA::Vector &u, const Action &action) const;
+    for_each_deformed_cell(const LA::Vector &u, const double *dilatations, const Action &action) const;
 
     void
     pack(const FullMatrix<double> &K);
@@ -123,5 +150,10 @@ namespace Amontons
     std::vector<CellStiffness>      cells;
     const std::size_t               n_values; // per cell
     std::vector<double>             values;   // of the cells' lower triangles, row by row
+
+    // Finite strain: coefficients of theta, of the excess, and of P(J tr B), cell by cell.
+    const unsigned int  n_dilatations; // per cell
+    std::vector<double> cell_dilatations, excesses, changes_of_volume;
+    LA::Vector          assembled_forces, assembled_forces_of_excess;
   };
 } // namespace Amontons

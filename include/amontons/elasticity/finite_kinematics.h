@@ -14,16 +14,18 @@ namespace Amontons
   //   F_bar = (theta/J)^(1/3) F,  theta = P J,
   // whose determinant theta is J projected on to what the pressure can carry. At u = 0 its derivative is the
   // strain of StrainOperator. Plane stress needs none: theta = J there.
+  //
+  // On the way to a solution theta may be another polynomial: the excess P J - theta is what it lacks.
   template <int dim>
   class FiniteKinematics
   {
   public:
     FiniteKinematics(const FiniteElement<dim> &fe, const Kind kind);
 
-    // Values as for StrainOperator; u on the cell's degrees of freedom. Returns the smallest det F or theta
-    // (or not a number); unless that is positive, nothing below holds.
+    // Values as for StrainOperator; u on the cell's degrees of freedom; theta: coefficients, or null for P J.
+    // Returns the smallest det F or theta (or not a number); unless that is positive, nothing below holds.
     double
-    reinit(const FEValues<dim> &values, const std::vector<double> &u);
+    reinit(const FEValues<dim> &values, const std::vector<double> &u, const double *theta = nullptr);
 
     unsigned int
     n_points() const
@@ -63,6 +65,23 @@ namespace Amontons
       return hoops.empty() ? 0. : hoops[q * n_nodes + m];
     }
 
+    // Coefficients of theta and of P J - theta; values of the latter at the points.
+    const std::vector<double> &
+    dilatation() const
+    {
+      return theta_coefficients;
+    }
+    const std::vector<double> &
+    excess() const
+    {
+      return excess_coefficients;
+    }
+    void
+    evaluate_excess(std::vector<double> &values) const
+    {
+      projection.evaluate(excess_coefficients.data(), values);
+    }
+
     // P of every column; P of one.
     void
     project(FullMatrix<double> &f)
@@ -73,6 +92,11 @@ namespace Amontons
     project(std::vector<double> &f)
     {
       projection.apply(f);
+    }
+    const FullMatrix<double> &
+    coefficients_of_columns() const
+    {
+      return projection.coefficients_of_columns();
     }
 
     // Shape function of the cell with component c at node m.
@@ -90,11 +114,13 @@ namespace Amontons
     deformation_gradient(const FEValues<dim> &values, const unsigned int q, const std::vector<double> &u);
     void
     push_forward(const FEValues<dim> &values, const unsigned int q);
+    void
+    set_dilatations(const FEValues<dim> &values, const double *theta);
 
     std::array<std::vector<unsigned int>, dim> indices;
 
     std::vector<Tensor<2, 3>> deformation; // F
-    std::vector<double>       weights, jacobians, dilatations, hoops;
+    std::vector<double>       weights, jacobians, dilatations, hoops, theta_coefficients, excess_coefficients;
     FullMatrix<double>        spatial_gradients;
     PressureProjection<dim>   projection;
   };

@@ -16,6 +16,15 @@ namespace Amontons
   //   a(B) = (P(J tr B)/theta - tr B)/3,  e_bar(B) = sym B + a(B) I,  pi = P(tr tau/(3 theta)),
   // pi being the pressure that the projection admits. Plane stress: a = 0, and the law's tangent with the
   // thickness condensed.
+  //
+  // Pi is what the three-field functional of Simo, Taylor and Pister (1985),
+  //   int W((theta/J)^(1/3) F) + p (J - theta) dV0,
+  // becomes with its stationary theta = P J and p = pi. Newton's method for u alone takes theta = P J(u) of
+  // every iterate, whose volume is wrong by the square of the last step A: a pressure of that times the bulk
+  // modulus. Newton's method for (u, theta) moves theta linearly instead,
+  //   theta + P J(u) - theta + P(J tr A),
+  // and the wrong volume, the excess e = P J(u) - theta, only enters the right-hand side of the next step,
+  // condensed cell by cell. The tangent is the above, with pi(u, theta), and so is the solution.
   template <int dim>
   class FiniteStrainCell
   {
@@ -24,7 +33,10 @@ namespace Amontons
 
     // As FiniteKinematics::reinit(); not positive also where plane stress finds no thickness.
     double
-    reinit(const FEValues<dim> &values, const HyperelasticLaw &law, const std::vector<double> &u);
+    reinit(const FEValues<dim>       &values,
+           const HyperelasticLaw     &law,
+           const std::vector<double> &u,
+           const double              *theta = nullptr);
 
     double
     energy() const;
@@ -32,6 +44,30 @@ namespace Amontons
     // int tau : e_bar(B) dV0 = int (dev tau + J pi I) : B dV0
     std::vector<double>
     forces() const;
+
+    // Their change with theta by the excess e: with alpha = e/(3 theta) and d tau = alpha (c:I + 2 tau),
+    //   int (dev d tau + J P(d(tr tau/(3 theta))) I) : B dV0,
+    //   d(tr tau/(3 theta)) = alpha (I:c:I - tr tau)/(3 theta).
+    std::vector<double>
+    forces_of_excess();
+
+    // Coefficients of theta, of the excess, and (after make_tangent()) of P(J tr B), a column for each shape
+    // function.
+    const std::vector<double> &
+    dilatation() const
+    {
+      return kinematics.dilatation();
+    }
+    const std::vector<double> &
+    excess() const
+    {
+      return kinematics.excess();
+    }
+    const FullMatrix<double> &
+    change_of_volume() const
+    {
+      return kinematics.coefficients_of_columns();
+    }
 
     // int [ e_bar(B):c:e_bar(A) + tr(B tau A^T) + 2 a(A) tau:B + 2 a(B) tau:A + 2 a(B) a(A) tr tau
     //       + tr tau/3 (tr(B A) - P(J tr B) P(J tr A)/theta^2) + J pi (tr A tr B - tr(B A)) ] dV0
@@ -51,6 +87,10 @@ namespace Amontons
     {
       return stress[q][0] + stress[q][1] + stress[q][2];
     }
+    void
+    project_pressure(std::vector<double> &pressure);
+    std::vector<double>
+    forces_of(const std::vector<Voigt<3>> &stress, const std::vector<double> &pressure) const;
     Matrix
     material_matrix(const unsigned int q) const;
     void

@@ -43,6 +43,23 @@ namespace Amontons
     void
     apply(FullMatrix<double> &f);
 
+    // In terms of coefficients of the polynomials: of P f, of the columns that apply() had, and back to
+    // values at the points.
+    static unsigned int
+    n_coefficients(const unsigned int degree)
+    {
+      return degree == 1 ? 1 : dim + 1;
+    }
+    const Vector<double> &
+    project(const std::vector<double> &f);
+    const FullMatrix<double> &
+    coefficients_of_columns() const
+    {
+      return coefficients;
+    }
+    void
+    evaluate(const double *coefficients, std::vector<double> &f) const;
+
   private:
     FullMatrix<double> polynomials, weighted, inverse_mass, moments, coefficients; // rows: points
     Vector<double>     moment, coefficient;

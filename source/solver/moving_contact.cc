@@ -35,11 +35,11 @@ namespace Amontons
   MovingContact<dim>::MovingContact(const Discretization<dim>          &discretization,
                                     const Constraints                  &supports,
                                     std::vector<ContactInterface<dim>> &interfaces,
-                                    const LA::Vector                   &committed_displacement,
+                                    const SolutionState                &start,
                                     const double                        scaling)
       : discretization(discretization), supports(supports), interfaces(interfaces), scaling(scaling),
-        committed(committed_displacement.size() == discretization.dof_handler.n_dofs()
-                      ? committed_displacement
+        committed(start.committed.size() == discretization.dof_handler.n_dofs()
+                      ? start.committed
                       : discretization.make_relevant_vector()),
         derivatives(interfaces.size())
   {
@@ -85,7 +85,21 @@ namespace Amontons
       if (!interface.pair->tied)
         turn_interface(committed, interface);
     move(committed);
-    remember_old_rows(committed);
+    remember_old_rows(committed, closed_nodes(start));
+  }
+
+  // The states are in the order of the slave nodes that had a row.
+  template <int dim>
+  std::vector<bool>
+  MovingContact<dim>::closed_nodes(const SolutionState &state) const
+  {
+    std::vector<bool> closed(all.size(), false);
+    for (unsigned int i = 0; i < node_of.size(); ++i)
+      if (i < state.states.size() && i < state.carried.size() && state.carried[i].size() == node_of[i].size())
+        for (unsigned int n = 0, r = 0; n < node_of[i].size(); ++n)
+          if (state.carried[i][n] && r < state.states[i].size())
+            closed[node_of[i][n]] = state.states[i][r++] != ContactState::open;
+    return closed;
   }
 
   template <int dim>
@@ -110,15 +124,18 @@ namespace Amontons
         }
   }
 
+  // A closed node has no gap to close, whatever turning the true geometry with the bodies has changed about
+  // it since.
   template <int dim>
   void
-  MovingContact<dim>::remember_old_rows(const LA::Vector &u)
+  MovingContact<dim>::remember_old_rows(const LA::Vector &u, const std::vector<bool> &closed)
   {
     old.resize(all.size());
     for (unsigned int k = 0; k < all.size(); ++k)
       {
-        const double h = interfaces[all[k].interface].slave->mean_size;
-        old_gap[k]     = !is_opposite(k) ? 1e-3 * h : all[k].gap > 1e-6 * h ? all[k].gap : 0.;
+        const double h    = interfaces[all[k].interface].slave->mean_size,
+                     none = closed[k] ? 1e-2 * h : 1e-6 * h;
+        old_gap[k]        = !is_opposite(k) ? 1e-3 * h : all[k].gap > none ? all[k].gap : 0.;
       }
     for (unsigned int k = 0; k < all.size(); ++k)
       if (is_opposite(k))

@@ -22,11 +22,12 @@ namespace Amontons
   class MovingContact
   {
   public:
-    // Couples the surfaces as they are at `committed` (empty: undeformed) first.
+    // Couples the surfaces as they are at start.committed (empty: undeformed) first. Nodes that are closed in
+    // `start` may stick from the beginning of the increment.
     MovingContact(const Discretization<dim>          &discretization,
                   const Constraints                  &supports,
                   std::vector<ContactInterface<dim>> &interfaces,
-                  const LA::Vector                   &committed,
+                  const SolutionState                &start,
                   const double                        scaling);
 
     void
@@ -85,8 +86,10 @@ namespace Amontons
     };
     using Rows = std::array<Gradient, dim>;
 
+    std::vector<bool>
+    closed_nodes(const SolutionState &state) const;
     void
-    remember_old_rows(const LA::Vector &committed);
+    remember_old_rows(const LA::Vector &committed, const std::vector<bool> &closed);
     Tensor<1, dim>
     position_jump(const std::array<LinearEquation, dim> &weights, const LA::Vector &u) const;
     Tensor<1, dim>

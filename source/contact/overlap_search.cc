@@ -54,32 +54,91 @@ namespace Amontons
 
   namespace
   {
+    // Points of one slave face above one master face.
+    template <int dim>
+    struct Piece
+    {
+      std::size_t  begin, end;
+      unsigned int slave_face, master_face;
+      double       gap; // the smallest
+      bool         kept;
+    };
+
+    template <int dim>
+    std::vector<Piece<dim>>
+    pieces_of(const std::vector<OverlapPoint<dim>> &points)
+    {
+      std::vector<Piece<dim>> pieces;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          const auto &p = points[i];
+          if (pieces.empty() || pieces.back().slave_face != p.slave_face ||
+              pieces.back().master_face != p.master_face)
+            pieces.push_back({i, i, p.slave_face, p.master_face, p.gap, false});
+          pieces.back().end = i + 1;
+          pieces.back().gap = std::min(pieces.back().gap, p.gap);
+        }
+      return pieces;
+    }
+
+    // Keeps also what hangs together with kept pieces: those above master faces that share nodes, from one to
+    // the next.
+    template <int dim>
+    void
+    keep_connected(const ContactSurface<dim> &master, std::vector<Piece<dim>> &pieces)
+    {
+      std::vector<bool> is_reached(master.nodes.size(), false);
+      for (bool any = true; any;)
+        {
+          any = false;
+          for (auto &piece : pieces)
+            {
+              const auto &nodes   = master.faces[piece.master_face].nodes;
+              const auto  reached = [&](const unsigned int n) { return is_reached[n]; };
+              if (!piece.kept && !std::any_of(nodes.begin(), nodes.end(), reached))
+                continue;
+              piece.kept = true;
+              for (const unsigned int n : nodes)
+                {
+                  any           = any || !is_reached[n];
+                  is_reached[n] = true;
+                }
+            }
+        }
+    }
+
     // Where the other side has a step, a node sees both of its levels; psi changes sign, so the far one would
     // count for as much as the near one. What lies farther from a face, by more than half its size, than what
-    // is opposite of it or of the faces beside it cannot close with it: the strain would be too large.
+    // is opposite of it or of the faces beside it cannot close with it: the strain would be too large. Moved
+    // surfaces may be as steep as that, and what counts must not change abruptly: there only what is separate
+    // from everything near is left out.
     template <int dim>
     std::vector<OverlapPoint<dim>>
-    without_steps(const ContactSurface<dim> &slave, std::vector<OverlapPoint<dim>> points)
+    without_steps(const ContactSurface<dim>     &slave,
+                  const ContactSurface<dim>     *master,
+                  std::vector<OverlapPoint<dim>> points,
+                  const bool                     moved)
     {
       std::vector<double> closest(slave.nodes.size(), std::numeric_limits<double>::max());
       for (const auto &p : points)
         for (const unsigned int node : slave.faces[p.slave_face].unknowns)
           closest[node] = std::min(closest[node], p.gap);
-      auto kept = points.begin();
-      for (auto begin = points.begin(), end = begin; begin != points.end(); begin = end)
+      auto pieces = pieces_of(points);
+      for (auto &piece : pieces)
         {
-          double gap = std::numeric_limits<double>::max(), beside = gap;
-          for (; end != points.end() && end->slave_face == begin->slave_face &&
-                 end->master_face == begin->master_face;
-               ++end)
-            gap = std::min(gap, end->gap);
-          const auto &face = slave.faces[begin->slave_face];
+          const auto &face   = slave.faces[piece.slave_face];
+          double      beside = std::numeric_limits<double>::max();
           for (const unsigned int node : face.unknowns)
             beside = std::min(beside, closest[node]);
-          if (gap <= beside + 0.5 * face.size)
-            kept = kept == begin ? end : std::move(begin, end, kept);
+          piece.kept = piece.gap <= beside + 0.5 * face.size;
         }
-      points.erase(kept, points.end());
+      if (moved && master != nullptr)
+        keep_connected(*master, pieces);
+      std::size_t n = 0;
+      for (const auto &piece : pieces)
+        for (std::size_t i = piece.begin; piece.kept && i < piece.end; ++i)
+          points[n++] = points[i];
+      points.resize(n);
       return points;
     }
   } // namespace
@@ -120,7 +179,7 @@ namespace Amontons
     for (const auto &of_face : compute_in_turn(communicator, slave.faces.size(), find))
       points.insert(points.end(), of_face.begin(), of_face.end());
     if (!pair.initial_gap)
-      points = without_steps(slave, std::move(points));
+      points = without_steps(slave, master.surface, std::move(points), moved);
     for (auto &p : points)
       {
         if (!moved)

@@ -630,6 +630,8 @@ namespace Amontons
         if (states[k] == ContactState::open)
           {
             result.gap = contact.open_gap(k);
+            if (node.frictional && contact.is_opposite(k)) // where its law starts if it closes
+              result.slip = contact.slip(k, state.displacement);
             return result;
           }
         if (node.frictional)

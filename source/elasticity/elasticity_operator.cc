@@ -53,6 +53,7 @@ namespace Amontons
   ElasticityOperator<dim>::assemble(const LA::Vector &u, const std::vector<double> &dilatations)
   {
     clear();
+    is_clear = false;
     find_cells();
     if (is_finite)
       return assemble_finite(u, dilatations.empty() ? nullptr : dilatations.data());
@@ -200,6 +201,22 @@ namespace Amontons
           result[k] = std::inner_product(
               local.begin(), local.end(), changes_of_volume.begin() + k * local.size(), result[k]);
       }
+    return result;
+  }
+
+  template <int dim>
+  std::optional<std::vector<double>>
+  ElasticityOperator<dim>::dilatations_after_refinement() const
+  {
+    bool any = false;
+    for (unsigned int body = 0; body < laws.size(); ++body)
+      any = any || is_nearly_incompressible(body);
+    if (!any)
+      return {};
+    std::vector<double> result = cell_dilatations;
+    for (unsigned int k = 0; k < result.size(); ++k)
+      if (is_nearly_incompressible(cells[k / n_dilatations].body))
+        result[k] = k % n_dilatations == 0 ? 1. : 0.;
     return result;
   }
 

@@ -256,7 +256,11 @@ namespace Amontons
       prepare()
       {
         contact.move(state.displacement);
+        const bool is_new_mesh = elasticity.is_cleared();
         if (!evaluate())
+          return false;
+        if (const auto dilatations = elasticity.dilatations_after_refinement();
+            is_new_mesh && dilatations && !evaluate(*dilatations))
           return false;
         std::vector<const LinearEquation *> equations;
         for (const auto &node : contact.nodes())

@@ -59,10 +59,17 @@ namespace Amontons
     std::vector<double>
     change_of_dilatations(const LA::Vector &step) const;
 
+    // A displacement that comes from a coarser mesh keeps the volume of its cells, and not that of the new
+    // ones, which would mean large pressures: the last dilatations, but 1 in nearly incompressible bodies. If
+    // there are any; the same on all ranks.
+    std::optional<std::vector<double>>
+    dilatations_after_refinement() const;
+
     // After a change of the mesh, until the next assemble().
     void
     clear()
     {
+      is_clear = true;
       cells.clear();
       values.clear();
       cell_dilatations.clear();
@@ -70,6 +77,12 @@ namespace Amontons
       changes_of_volume.clear();
     }
 
+    // The same on all ranks.
+    bool
+    is_cleared() const
+    {
+      return is_clear;
+    }
     unsigned int
     n_cells() const
     {
@@ -129,6 +142,11 @@ namespace Amontons
     assemble_small();
     std::optional<InvertedCell<dim>>
     assemble_finite(const LA::Vector &u, const double *dilatations);
+    bool
+    is_nearly_incompressible(const types::material_id body) const
+    {
+      return n_dilatations > 0 && discretization.scene.bodies[body].material.poisson > 0.45;
+    }
     void
     keep_dilatation(const FiniteStrainCell<dim> &cell);
 
@@ -145,6 +163,7 @@ namespace Amontons
 
     const Discretization<dim>      &discretization;
     const bool                      is_finite;
+    bool                            is_clear = true;
     std::vector<LinearElastic<dim>> materials; // per body
     std::vector<HyperelasticLaw>    laws;      // per body
     std::vector<CellStiffness>      cells;

@@ -157,10 +157,19 @@ namespace Amontons
   {
     factorisation_is_old = true;
     if (n_nodes == all_rows)
-      direct.reset();
+      {
+        direct.reset();
+        amg.reset();
+      }
     else
       n_changed += n_nodes;
-    amg_is_old = amg_is_old || n_nodes == all_rows;
+  }
+
+  void
+  LinearSolver::values_changed()
+  {
+    factorisation_is_old = true;
+    all_values_are_new   = true;
   }
 
   void
@@ -198,7 +207,7 @@ namespace Amontons
   LinearSolver::solve_directly(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs)
   {
     LinearSolveReport report;
-    if (direct && factorisation_is_old && n_changed <= (symmetric ? 20 : 6))
+    if (direct && factorisation_is_old && !all_values_are_new && n_changed <= (symmetric ? 20 : 6))
       {
         // Beyond about 20 solves a new factorisation is cheaper (2D: one costs some 10 to 20 of them).
         ReductionControl control(20, 0, symmetric ? 1e-13 : 1e-12);
@@ -221,6 +230,7 @@ namespace Amontons
     if (factorisation_is_old)
       direct->factorise();
     factorisation_is_old = false;
+    all_values_are_new   = false;
     n_changed            = 0;
     direct->vmult(x, rhs);
     ++report.iterations;
@@ -243,8 +253,9 @@ namespace Amontons
       return solve_directly(matrix, x, rhs);
     // Measured with friction in 3D: an old hierarchy needs twice as many steps once some nodes have changed
     // in all their components; a new one costs about 25 steps.
-    const bool far = tolerance < 3e-4 * rhs.l2_norm();
-    amg_is_old     = amg_is_old || (!symmetric && far && n_changed > 2);
+    const bool   far     = tolerance < 3e-4 * rhs.l2_norm();
+    const double decades = std::max(1., std::log10(rhs.l2_norm() / tolerance));
+    amg_is_old           = amg_is_old || (!symmetric && far && n_changed > 2);
     for (const bool retry : {false, true})
       {
         const bool fresh = amg_is_old || !amg || retry;
@@ -267,6 +278,11 @@ namespace Amontons
               run_krylov(symmetric, control, matrix, x, rhs, *amg);
             report.iterations += control.last_step();
             report.success = true;
+            if (fresh)
+              steps_per_decade = control.last_step() / decades;
+            else if (all_values_are_new) // a new hierarchy costs about 15 steps
+              amg_is_old = control.last_step() > 8 + decades * steps_per_decade;
+            all_values_are_new = false;
             break;
           }
         catch (const SolverControl::NoConvergence &failure)

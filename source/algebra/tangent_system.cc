@@ -3,6 +3,8 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
+#include <Epetra_Vector.h>
+
 namespace Amontons
 {
   namespace
@@ -42,19 +44,46 @@ namespace Amontons
       known.swap(all);
       return true;
     }
+
+    // Of matrices with the same pattern.
+    void
+    copy_values(const LA::SparseMatrix &from, LA::SparseMatrix &to)
+    {
+      for (int row = 0; row < from.trilinos_matrix().NumMyRows(); ++row)
+        {
+          double *source, *target;
+          int     n;
+          from.trilinos_matrix().ExtractMyRowView(row, n, source);
+          to.trilinos_matrix().ExtractMyRowView(row, n, target);
+          std::copy(source, source + n, target);
+        }
+    }
+    double
+    largest_diagonal(const LA::SparseMatrix &matrix)
+    {
+      Epetra_Vector diagonal(matrix.trilinos_matrix().RowMap());
+      matrix.trilinos_matrix().ExtractDiagonalCopy(diagonal);
+      double largest;
+      diagonal.NormInf(&largest);
+      return largest > 0 ? largest : 1;
+    }
   } // namespace
 
-  TangentSystem::TangentSystem(const IndexSet &locally_owned, const IndexSet &relevant, MPI_Comm communicator)
-      : locally_owned(locally_owned), relevant(relevant), communicator(communicator)
+  TangentSystem::TangentSystem(const IndexSet    &locally_owned,
+                               const IndexSet    &relevant,
+                               const unsigned int n_components,
+                               MPI_Comm           communicator)
+      : locally_owned(locally_owned), relevant(relevant), n_components(n_components),
+        communicator(communicator)
   {
   }
 
-  // True if there are new ones. They are kept, so that surfaces that slide to and fro need no new pattern.
+  // New ones are kept, so that surfaces that slide to and fro need no new pattern.
   bool
-  TangentSystem::add_links(const Constraints                    &supports,
-                           const ContactConstraints             &test,
-                           const std::vector<RectangularMatrix> &further,
-                           const std::vector<WrittenRow>        &rows)
+  TangentSystem::link(const Constraints                    &supports,
+                      const ContactConstraints             &test,
+                      const std::vector<RectangularMatrix> &further,
+                      const std::vector<WrittenRow>        &rows)
   {
     bool is_new = false;
     for (const auto &pivot : test.pivots())
@@ -77,7 +106,8 @@ namespace Amontons
           dofs.push_back(entry.first);
         is_new |= insert(coupled[row.row], resolved(dofs, supports));
       }
-    return Utilities::MPI::max(int(is_new), communicator) > 0;
+    pattern_is_old = pattern_is_old || Utilities::MPI::max(int(is_new), communicator) > 0;
+    return pattern_is_old;
   }
 
   void
@@ -88,16 +118,18 @@ namespace Amontons
     DynamicSparsityPattern               dsp(relevant);
     std::vector<types::global_dof_index> dofs;
     std::set<types::global_dof_index>    more;
-    is_surface.assign(cells.n, false);
+    std::vector<unsigned int>            bulk;
+    surface.clear();
     for (unsigned int c = 0; c < cells.n; ++c)
       {
         dofs = cells.dofs(c);
         more.clear();
+        bool is_surface = false;
         for (const auto dof : cells.dofs(c))
           for_each_entry(supports, dof, [&](const auto i, double) {
             if (const auto links = replaced.find(i); links != replaced.end())
               {
-                is_surface[c] = true;
+                is_surface = true;
                 more.insert(links->second.begin(), links->second.end());
               }
           });
@@ -105,6 +137,7 @@ namespace Amontons
           more.erase(dof);
         dofs.insert(dofs.end(), more.begin(), more.end());
         supports.add_entries_local_to_global(dofs, dsp, true);
+        (is_surface ? surface : bulk).push_back(c);
       }
     for (const auto &[row, columns] : coupled)
       dsp.add_entries(row, columns.begin(), columns.end(), true);
@@ -114,7 +147,8 @@ namespace Amontons
     system.reinit(locally_owned, locally_owned, dsp, communicator);
     if (with_eliminated_form)
       eliminated.reinit(locally_owned, locally_owned, dsp, communicator);
-    has_pattern = true;
+    constrained_bulk = scatter.setup(system, cells, bulk, supports, n_components);
+    pattern_is_old   = false;
   }
 
   void
@@ -127,58 +161,99 @@ namespace Amontons
                           const bool                            with_eliminated_form)
   {
     constraints = &test;
-    if (add_links(supports, test, further, rows) || !has_pattern)
+    if (pattern_is_old)
       make_pattern(cells, supports, with_eliminated_form);
-    const Constraints &of_rows = test.test();
-    double             largest = 0;
-    const auto         fill    = [&](LA::SparseMatrix &matrix, const Constraints &of_columns) {
-      matrix = 0;
-      for (unsigned int c = 0; c < cells.n; ++c)
-        {
-          const FullMatrix<double> cell = cells.matrix(c);
-          for (unsigned int i = 0; i < cell.m(); ++i)
-            largest = std::max(largest, std::abs(cell(i, i)));
-          if (is_surface[c])
-            of_rows.distribute_local_to_global(cell, cells.dofs(c), of_columns, cells.dofs(c), matrix);
-          else
-            supports.distribute_local_to_global(cell, cells.dofs(c), matrix);
-        }
-      for (const auto &part : further)
-        of_rows.distribute_local_to_global(part.matrix, part.rows, of_columns, part.columns, matrix);
-      FullMatrix<double> one(1, 1);
-      for (const auto dof : locally_owned)
-        if (diagonal != nullptr && (*diagonal)(dof) != 0)
-          {
-            one(0, 0) = (*diagonal)(dof);
-            of_rows.distribute_local_to_global(one, {dof}, of_columns, {dof}, matrix);
-          }
-    };
-    const auto fill_empty_rows = [&](LA::SparseMatrix &matrix, const Constraints &owners) {
-      for (const auto dof : locally_owned)
-        if (matrix.diag_element(dof) == 0 && owners.is_constrained(dof))
-          matrix.set(dof, dof, diagonal_scale);
-      matrix.compress(VectorOperation::insert);
-    };
-    fill(system, supports);
-    diagonal_scale = Utilities::MPI::max(largest, communicator);
-    for (const auto &row : rows)
-      if (locally_owned.is_element(row.row))
-        for (const auto &[dof, coefficient] : row.equation.coefficients)
-          for_each_entry(supports, dof, [&, c = coefficient](const auto column, const double weight) {
-            system.add(row.row, column, diagonal_scale * c * weight);
-          });
+
+    system = 0;
+    scatter.add(cells, system);
+    for (const unsigned int c : constrained_bulk)
+      supports.distribute_local_to_global(cells.matrix(c), cells.dofs(c), system);
     system.compress(VectorOperation::add);
+    if (with_eliminated_form)
+      copy_values(system, eliminated);
+
+    add_surface(cells, test.test(), supports, further, diagonal, system);
+    system.compress(VectorOperation::add);
+    diagonal_scale = largest_diagonal(system);
+    measure_stiffness(cells);
+    write_rows(rows, supports);
     fill_empty_rows(system, supports);
-    written.clear();
-    for (const auto &row : rows)
-      if (locally_owned.is_element(row.row))
-        written.push_back(row.row);
     if (with_eliminated_form)
       {
-        fill(eliminated, test.trial());
+        add_surface(cells, test.test(), test.trial(), further, diagonal, eliminated);
         eliminated.compress(VectorOperation::add);
         fill_empty_rows(eliminated, test.trial());
       }
+  }
+
+  // All that test functions of closed nodes reach.
+  void
+  TangentSystem::add_surface(const CellMatrices                   &cells,
+                             const Constraints                    &of_rows,
+                             const Constraints                    &of_columns,
+                             const std::vector<RectangularMatrix> &further,
+                             const LA::Vector                     *diagonal,
+                             LA::SparseMatrix                     &matrix) const
+  {
+    for (const unsigned int c : surface)
+      of_rows.distribute_local_to_global(cells.matrix(c), cells.dofs(c), of_columns, cells.dofs(c), matrix);
+    for (const auto &part : further)
+      of_rows.distribute_local_to_global(part.matrix, part.rows, of_columns, part.columns, matrix);
+    FullMatrix<double> one(1, 1);
+    for (const auto dof : locally_owned)
+      if (diagonal != nullptr && (*diagonal)(dof) != 0)
+        {
+          one(0, 0) = (*diagonal)(dof);
+          of_rows.distribute_local_to_global(one, {dof}, of_columns, {dof}, matrix);
+        }
+  }
+
+  // Written rows get the size of the stiffness there, so that their residuals compare with forces.
+  void
+  TangentSystem::measure_stiffness(const CellMatrices &cells)
+  {
+    stiffness.reinit(locally_owned, relevant, communicator, true);
+    for (const unsigned int c : surface)
+      {
+        const auto  matrix = cells.matrix(c);
+        const auto &dofs   = cells.dofs(c);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          stiffness(dofs[i]) += std::abs(matrix(i, i));
+      }
+    stiffness.compress(VectorOperation::add);
+  }
+
+  double
+  TangentSystem::row_scale(const types::global_dof_index row) const
+  {
+    const double scale = stiffness(row);
+    return scale > 0 ? scale : diagonal_scale;
+  }
+
+  void
+  TangentSystem::write_rows(const std::vector<WrittenRow> &rows, const Constraints &supports)
+  {
+    written.clear();
+    for (const auto &row : rows)
+      if (locally_owned.is_element(row.row))
+        {
+          const double scale = row_scale(row.row);
+          written.push_back(row.row);
+          for (const auto &[dof, coefficient] : row.equation.coefficients)
+            for_each_entry(supports, dof, [&, c = coefficient](const auto column, const double weight) {
+              system.add(row.row, column, scale * c * weight);
+            });
+        }
+    system.compress(VectorOperation::add);
+  }
+
+  void
+  TangentSystem::fill_empty_rows(LA::SparseMatrix &matrix, const Constraints &owners) const
+  {
+    for (const auto &line : owners.get_lines())
+      if (locally_owned.is_element(line.index) && matrix.diag_element(line.index) == 0)
+        matrix.set(line.index, line.index, diagonal_scale);
+    matrix.compress(VectorOperation::insert);
   }
 
   EliminatedForm

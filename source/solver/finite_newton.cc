@@ -51,7 +51,7 @@ namespace Amontons
             contact(discretization, supports, interfaces, state, parameters.scaling),
             floating(discretization, supports, interfaces, &state.displacement),
             states(contact.nodes(), interfaces, floating, state.t),
-            system(discretization.locally_owned, discretization.relevant, communicator),
+            system(discretization.locally_owned, discretization.relevant, dim, communicator),
             solver(solver_parameters, dim, false), answers(contact.nodes().size())
       {
         u.reinit(discretization.locally_owned, communicator);
@@ -232,7 +232,7 @@ namespace Amontons
               force.scale(damping.values);
               LA::Vector rhs = condense(force, assembled->test(), loads);
               zero_constrained(assembled->test(), discretization.locally_owned, rhs);
-              const auto result = solver.solve(system.matrix(), y, rhs, linear_tolerance * rhs.l2_norm());
+              const auto result = solver.solve(system.matrix(), y, rhs, 0.); // by its factors
               supports.distribute(y);
               return result.success;
             },
@@ -414,7 +414,10 @@ namespace Amontons
         for (auto &matrix : follower_loads.stiffness(state.displacement))
           further.push_back(std::move(matrix));
         TimerOutput::Scope scope(timer, "assemble condensed system");
-        solver.matrix_changed(LinearSolver::all_rows); // lets go of the matrix, which may be made anew
+        if (system.link(supports, *constraints, further, rows))
+          solver.matrix_changed(LinearSolver::all_rows); // lets go of the matrix
+        else
+          solver.values_changed();
         const LA::Vector *added = springs();
         LA::Vector        sum;
         if (steps)
@@ -502,6 +505,17 @@ namespace Amontons
         return forces_of(relevant) * change + force * change / steps->size() > 0;
       }
 
+      // Newton's residual goes like its square: the linear one need not be smaller, nor than what the
+      // tolerance asks for.
+      double
+      linear_tolerance(const LA::Vector &rhs) const
+      {
+        if (report.iterations.empty())
+          return 1e-6 * rhs.l2_norm();
+        const double r = report.iterations.back().residual;
+        return 0.1 * std::max(std::min(1e-3, r) * r, parameters.tolerance) * force_scale;
+      }
+
       bool
       solve_step(NewtonReport::Iteration &step, LA::Vector &full)
       {
@@ -519,14 +533,13 @@ namespace Amontons
         for (const auto &row : rows)
           if (discretization.locally_owned.is_element(row.row))
             rhs(row.row) =
-                system.row_scale() * (row.equation.value - Amontons::evaluate(row.equation, change));
+                system.row_scale(row.row) * (row.equation.value - Amontons::evaluate(row.equation, change));
         rhs.compress(VectorOperation::insert);
         {
           TimerOutput::Scope scope(timer, "linear solve");
-          const double       size   = rhs.l2_norm();
-          const auto         form   = is_iterative() ? system.eliminated_form() : EliminatedForm();
-          const auto         result = solver.solve(
-              system.matrix(), du, rhs, linear_tolerance * size, is_iterative() ? &form : nullptr);
+          const auto         form = is_iterative() ? system.eliminated_form() : EliminatedForm();
+          const auto         result =
+              solver.solve(system.matrix(), du, rhs, linear_tolerance(rhs), is_iterative() ? &form : nullptr);
           step.krylov = result.iterations;
           if (!result.success)
             {
@@ -776,9 +789,8 @@ namespace Amontons
       Damping                             damping;
       std::unique_ptr<DampedSteps>        steps; // while a motion is followed
       LA::Vector                          damping_force, damped_balance, first_push;
-      double                              damped_error     = 0;
-      bool                                is_downhill      = true; // the last step
-      static constexpr double             linear_tolerance = 1e-10;
+      double                              damped_error = 0;
+      bool                                is_downhill  = true; // the last step
     };
   } // namespace
 

@@ -60,6 +60,11 @@ namespace Amontons
                                   matrix_changed(const unsigned int n_nodes);
     static constexpr unsigned int all_rows = static_cast<unsigned int>(-1);
 
+    // All values have changed, within the same object and pattern: a factorisation is made anew but for its
+    // symbolic part, multigrid keeps its hierarchy while it serves.
+    void
+    values_changed();
+
     // Solves to |r| <= tolerance; the direct solver ignores it. x: owned, initial guess 0.
     LinearSolveReport
     solve(const LA::SparseMatrix &matrix,
@@ -84,7 +89,9 @@ namespace Amontons
     struct Factorisation;
     std::unique_ptr<Factorisation> direct;
     bool                           factorisation_is_old = true;
+    bool                           all_values_are_new   = false;
     unsigned int                   n_changed            = 0; // nodes, since the preconditioner was built
+    double                         steps_per_decade     = 0; // of GMRES with a new hierarchy
 
     LinearSolveReport
     solve_directly(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs);

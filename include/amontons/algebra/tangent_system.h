@@ -3,6 +3,7 @@
 #pragma once
 
 #include <amontons/algebra/condensed_system.h>
+#include <amontons/algebra/direct_scatter.h>
 #include <amontons/algebra/linear_solver.h>
 
 namespace Amontons
@@ -28,11 +29,21 @@ namespace Amontons
   class TangentSystem
   {
   public:
-    TangentSystem(const IndexSet &locally_owned, const IndexSet &relevant, MPI_Comm communicator);
+    TangentSystem(const IndexSet    &locally_owned,
+                  const IndexSet    &relevant,
+                  const unsigned int n_components,
+                  MPI_Comm           communicator);
 
-    // supports: homogeneous. test: supports and equations(). further: each on one rank. diagonal (may be
-    // null) is added to the entries of its DoFs. rows: those of other ranks are left out; scaled by the
-    // largest stiffness.
+    // Whether assemble() with these makes the matrices anew: what refers to them must go. Before each one.
+    bool
+    link(const Constraints                    &supports,
+         const ContactConstraints             &test,
+         const std::vector<RectangularMatrix> &further,
+         const std::vector<WrittenRow>        &rows);
+
+    // supports: homogeneous, always on the same DoFs. test: supports and equations(). further: each on one
+    // rank. diagonal (may be null) is added to the entries of its DoFs. rows: those of other ranks are left
+    // out.
     void
     assemble(const CellMatrices                   &cells,
              const Constraints                    &supports,
@@ -52,33 +63,42 @@ namespace Amontons
     {
       return system;
     }
-    // Of the values of written rows on the right hand side.
+    // Factor of an owned written row: its value on the right hand side gets it, too.
     double
-    row_scale() const
-    {
-      return diagonal_scale;
-    }
+    row_scale(const types::global_dof_index row) const;
 
   private:
     // Which DoFs stand in for others: all that the pattern has to know beside the cells.
     using Links = std::map<types::global_dof_index, std::vector<types::global_dof_index>>; // sorted
     void
     make_pattern(const CellMatrices &cells, const Constraints &supports, const bool with_eliminated_form);
-    bool
-    add_links(const Constraints                    &supports,
-              const ContactConstraints             &test,
-              const std::vector<RectangularMatrix> &further,
-              const std::vector<WrittenRow>        &rows);
+    void
+    add_surface(const CellMatrices                   &cells,
+                const Constraints                    &of_rows,
+                const Constraints                    &of_columns,
+                const std::vector<RectangularMatrix> &further,
+                const LA::Vector                     *diagonal,
+                LA::SparseMatrix                     &matrix) const;
+    void
+    measure_stiffness(const CellMatrices &cells);
+    void
+    write_rows(const std::vector<WrittenRow> &rows, const Constraints &supports);
+    void
+    fill_empty_rows(LA::SparseMatrix &matrix, const Constraints &owners) const;
 
     const IndexSet                       locally_owned, relevant;
+    const unsigned int                   n_components;
     const MPI_Comm                       communicator;
     LA::SparseMatrix                     system, eliminated;
     const ContactConstraints            *constraints = nullptr;
-    std::vector<types::global_dof_index> written;    // rows, owned
-    Links                                replaced;   // test functions: by DoF that is or was eliminated
-    Links                                coupled;    // further matrices and rows: columns by row
-    std::vector<bool>                    is_surface; // by cell: has DoFs that others replace
-    bool                                 has_pattern    = false;
+    std::vector<types::global_dof_index> written;          // rows, owned
+    Links                                replaced;         // test functions: by DoF that is or was eliminated
+    Links                                coupled;          // further matrices and rows: columns by row
+    std::vector<unsigned int>            surface;          // cells with DoFs that others replace
+    std::vector<unsigned int>            constrained_bulk; // other cells, but for those of
+    DirectScatter                        scatter;
+    LA::Vector                           stiffness; // diagonal, on the DoFs of `surface`
+    bool                                 pattern_is_old = true;
     double                               diagonal_scale = 1;
   };
 } // namespace Amontons

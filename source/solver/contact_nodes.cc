@@ -68,6 +68,16 @@ namespace Amontons
   }
 
   template <int dim>
+  Tensor<1, dim>
+  CandidateNode<dim>::tangent() const
+  {
+    Tensor<1, dim> result;
+    if constexpr (dim == 2)
+      result = cross_product_2d(normal) / normal.norm();
+    return result;
+  }
+
+  template <int dim>
   CandidateNode<dim>
   make_contact_node(const Discretization<dim>                &discretization,
                     const std::vector<ContactInterface<dim>> &interfaces,

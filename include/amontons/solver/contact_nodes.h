@@ -30,6 +30,8 @@ namespace Amontons
     jump(const LA::Vector &u) const;
     Tensor<1, dim>
     tangential(const Tensor<1, dim> &vector) const;
+    Tensor<1, dim>
+    tangent() const; // plane problems: unit vector along the surface
   };
 
   // Of one coupling row. with_components: for frictionless nodes, too.

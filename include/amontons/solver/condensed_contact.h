@@ -1,0 +1,81 @@
+// The contact nodes alone: what changes of their states would do to all of them, without a system of the
+// bodies.
+#pragma once
+
+#include <amontons/solver/node_states.h>
+
+#include <functional>
+#include <optional>
+
+namespace Amontons
+{
+  template <int dim>
+  using NodeAnswers = std::vector<NodeAnswer<dim>>;
+
+  // A solution with these states and laws of the nodes. movable: nodes of which supports own nothing.
+  template <int dim>
+  struct BaseSolution
+  {
+    const std::vector<CandidateNode<dim>> &nodes;
+    std::vector<ContactState>              states;
+    std::vector<SlipLaw<dim>>              laws;
+    NodeAnswers<dim>                       answers;
+    std::vector<bool>                      movable;
+    const LA::Vector                      &displacement; // owned
+  };
+
+  // What the base state of a node keeps at zero: a jump of a closed node, the pressure or the shear of an
+  // open one, the shear beyond the law of one that slips; across the surface or along it. Forces are in units
+  // of node.c, so that all inputs are lengths.
+  enum class NodeInput
+  {
+    across,
+    along
+  };
+
+  // The bodies are linear. So what the nodes answer in other states than those of the base is
+  //
+  //   answer = base + sum_j x_j response_j ,
+  //
+  // where the response is that to a unit of an input. Nodes that keep their state have x = 0. One that
+  // changes has as many equations as inputs (tau: its tangent),
+  //
+  //   open: p = 0, q . tau = 0    slip: g = 0, (q - phi' p d) . tau = constant d . tau    stick: g = 0, v .
+  //   tau = 0,
+  //
+  // of which nodes that stay closed need the second only, and nodes that supports hold in part the first.
+  // This is a dense system as small as the set of nodes that change (Sherman, Morrison and Woodbury's
+  // formula). Plane problems only.
+  template <int dim>
+  class CondensedContact
+  {
+  public:
+    using Respond = std::function<NodeAnswers<dim>(const unsigned int node, const NodeInput input)>;
+
+    // n_most: of responses that may be asked for.
+    CondensedContact(const BaseSolution<dim> &base, const Respond &respond, const unsigned int n_most);
+
+    // What all nodes answer in these states; nothing if that takes too many responses.
+    std::optional<NodeAnswers<dim>>
+    answers(const NodeStates<dim> &states);
+
+    unsigned int
+    n_responses() const // so far
+    {
+      return responses.size();
+    }
+    bool
+    is_base(const NodeStates<dim> &states) const;
+
+  private:
+    using Input = std::pair<unsigned int, NodeInput>; // of a node
+
+    std::vector<Input>
+    inputs(const NodeStates<dim> &states) const;
+
+    const BaseSolution<dim>          &base;
+    const Respond                     respond;
+    const unsigned int                n_most;
+    std::map<Input, NodeAnswers<dim>> responses;
+  };
+} // namespace Amontons

@@ -1,0 +1,161 @@
+#include <amontons/solver/condensed_contact.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // The side of an equation that depends on the answer, as a length.
+    template <int dim>
+    double
+    statement(const CandidateNode<dim> &node,
+              const ContactState        state,
+              const SlipLaw<dim>       &law,
+              const NodeAnswer<dim>    &answer,
+              const NodeInput           input)
+    {
+      if (input == NodeInput::across)
+        return state == ContactState::open ? answer.pressure / node.c : answer.gap;
+      if (state == ContactState::stick)
+        return answer.slip * node.tangent();
+      const auto by_pressure =
+          state == ContactState::slip ? law.slope * answer.pressure * law.direction : Tensor<1, dim>();
+      return (answer.shear - by_pressure) * node.tangent() / node.c;
+    }
+
+    template <int dim>
+    double
+    required(const CandidateNode<dim> &node,
+             const ContactState        state,
+             const SlipLaw<dim>       &law,
+             const NodeInput           input)
+    {
+      const bool slips = input == NodeInput::along && state == ContactState::slip;
+      return slips ? law.constant * (law.direction * node.tangent()) / node.c : 0.;
+    }
+
+    template <int dim>
+    bool
+    differ(const SlipLaw<dim> &a, const SlipLaw<dim> &b)
+    {
+      return (a.direction - b.direction).norm() > 1e-8 || std::abs(a.slope - b.slope) > 1e-10 ||
+             std::abs(a.constant - b.constant) > 1e-10 * std::abs(a.constant);
+    }
+
+    template <int dim>
+    void
+    add(const double factor, const NodeAnswers<dim> &response, NodeAnswers<dim> &sum)
+    {
+      for (unsigned int k = 0; k < sum.size(); ++k)
+        {
+          sum[k].pressure += factor * response[k].pressure;
+          sum[k].gap += factor * response[k].gap;
+          sum[k].shear += factor * response[k].shear;
+          sum[k].slip += factor * response[k].slip;
+        }
+    }
+
+    // Inputs that do nothing, since a support owns the node there, are zero.
+    bool
+    solve(FullMatrix<double> &matrix, Vector<double> &x)
+    {
+      LAPACKFullMatrix<double> factors(matrix.m());
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        {
+          double largest = 0;
+          for (unsigned int j = 0; j < matrix.n(); ++j)
+            largest = std::max(largest, std::abs(matrix(i, j)));
+          if (largest == 0)
+            {
+              matrix(i, i) = 1;
+              x[i]         = 0;
+            }
+        }
+      factors = matrix;
+      try
+        {
+          factors.compute_lu_factorization();
+          factors.solve(x);
+        }
+      catch (const LACExceptions::ExcSingular &)
+        {
+          return false;
+        }
+      return true;
+    }
+  } // namespace
+
+  template <int dim>
+  CondensedContact<dim>::CondensedContact(const BaseSolution<dim> &base,
+                                          const Respond           &respond,
+                                          const unsigned int       n_most)
+      : base(base), respond(respond), n_most(n_most)
+  {
+  }
+
+  template <int dim>
+  std::vector<typename CondensedContact<dim>::Input>
+  CondensedContact<dim>::inputs(const NodeStates<dim> &states) const
+  {
+    std::vector<Input> result;
+    for (unsigned int k = 0; k < base.nodes.size(); ++k)
+      {
+        const bool closes_or_opens =
+                       (states[k] == ContactState::open) != (base.states[k] == ContactState::open),
+                   slips_otherwise = states[k] == ContactState::slip && differ(states.law(k), base.laws[k]);
+        if (closes_or_opens)
+          result.emplace_back(k, NodeInput::across);
+        if (base.nodes[k].frictional && base.movable[k] && (states[k] != base.states[k] || slips_otherwise))
+          result.emplace_back(k, NodeInput::along);
+      }
+    return result;
+  }
+
+  template <int dim>
+  bool
+  CondensedContact<dim>::is_base(const NodeStates<dim> &states) const
+  {
+    return inputs(states).empty();
+  }
+
+  template <int dim>
+  std::optional<NodeAnswers<dim>>
+  CondensedContact<dim>::answers(const NodeStates<dim> &states)
+  {
+    const auto         rows  = inputs(states);
+    const unsigned int n_new = std::count_if(
+        rows.begin(), rows.end(), [&](const Input &input) { return responses.count(input) == 0; });
+    if (responses.size() + n_new > n_most)
+      return {};
+
+    std::vector<const NodeAnswers<dim> *> columns;
+    for (const auto &input : rows)
+      {
+        auto response = responses.find(input);
+        if (response == responses.end())
+          response = responses.emplace(input, respond(input.first, input.second)).first;
+        columns.push_back(&response->second);
+      }
+    FullMatrix<double> matrix(rows.size());
+    Vector<double>     x(rows.size());
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      {
+        const auto [k, input] = rows[i];
+        const auto &node      = base.nodes[k];
+        x[i]                  = required(node, states[k], states.law(k), input) -
+               statement(node, states[k], states.law(k), base.answers[k], input);
+        for (unsigned int j = 0; j < rows.size(); ++j)
+          matrix(i, j) = statement(node, states[k], states.law(k), (*columns[j])[k], input);
+      }
+    auto result = base.answers;
+    if (!rows.empty() && !solve(matrix, x))
+      return {};
+    for (unsigned int j = 0; j < rows.size(); ++j)
+      add(x[j], *columns[j], result);
+    return result;
+  }
+
+  template class CondensedContact<2>;
+  template class CondensedContact<3>;
+} // namespace Amontons

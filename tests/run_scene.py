@@ -3,7 +3,7 @@
 
 path: dots through objects, numbers through arrays ("pairs.0.peak_pressure", "meshes.-1.reference.errors.contact_size"); what follows a slice
 ("newton.1:.iterations") or a choice ("contact.X=1.pressure", "contact.pair=roller,state=slip.tx") holds for every element; peak(path) is the
-largest magnitude, kink(path) the largest second difference over it. "contact" and "history" are the rows of the two tables, "skew" see below.
+largest magnitude, kink(path) the largest second difference over it. "contact" and "history" are the rows of the two tables, "skew" and "slowdown" see below.
 A '|' in X stands for ';', at which CMake splits.
 OP: <= >= == abs<= is (a word) has (words in a text), or ~ with "value relative-tolerance"; the value may be a path, which must be one number.
 --fails: the program must end with exit code 1.
@@ -82,6 +82,18 @@ def skew(contact):
     return across / along if along > 0 else 0
 
 
+def slowdown(newton):
+    """Ratio of the last two reductions of the residual, the largest of all solves: well below 1 where convergence is superlinear. Residuals after the
+    first one below 1e-7 are left out, since they show how far linear systems were solved."""
+    largest = 0
+    for solve in newton:
+        r = solve["residuals"]
+        n = next((k for k, residual in enumerate(r) if residual < 1e-7), 0)
+        if n >= 2:
+            largest = max(largest, r[n] * r[n - 2] / r[n - 1] ** 2)
+    return largest
+
+
 def holds(summary, value, operator, numbers):
     if operator == "is":
         return str(value) == numbers[0]
@@ -119,6 +131,7 @@ def main():
     for table in "contact", "history":
         summary[table] = rows(os.path.join(output, table + ".csv"))
     summary["skew"] = skew(summary["contact"])
+    summary["slowdown"] = slowdown(summary["newton"])
     failed = 0
     for check in checks:
         words = check.split()

@@ -114,24 +114,31 @@ namespace Amontons
     std::map<types::global_dof_index, unsigned int> components;
   };
 
-  // (f(-2h) - 8 f(-h) + 8 f(h) - f(2h))/(12 h) of f at u + s v
+  // (f(-2h) - 8 f(-h) + 8 f(h) - f(2h))/(12 h) = f'(0) of f(s)
   template <typename Function>
   auto
-  derivative(const Function &f, const LA::Vector &u, const LA::Vector &v)
+  derivative(const Function &f)
   {
-    const double h  = 1e-3;
-    const auto   at = [&](const double s) {
-      LA::Vector w = u;
-      w.add(s * h, v);
-      return f(w);
-    };
-    auto sum = at(-2);
-    sum -= at(2);
-    auto inner = at(1);
-    inner -= at(-1);
+    const double h   = 1e-3;
+    auto         sum = f(-2 * h);
+    sum -= f(2 * h);
+    auto inner = f(h);
+    inner -= f(-h);
     inner *= 8;
     sum += inner;
     sum *= 1 / (12 * h);
     return sum;
+  }
+
+  // The same of f at u + s v
+  template <typename Function>
+  auto
+  derivative(const Function &f, const LA::Vector &u, const LA::Vector &v)
+  {
+    return derivative([&](const double s) {
+      LA::Vector w = u;
+      w.add(s, v);
+      return f(w);
+    });
   }
 } // namespace Amontons

@@ -1,6 +1,7 @@
 // Finite strain in every kind and degree: forces are the derivative of the stored energy and the tangent that
-// of the forces, rotations cost nothing, homogeneous deformations are exact, inverted cells are found, and
-// the undeformed tangent is the stiffness of small strain.
+// of the forces, also where the dilatations of cells are not yet those of u, rotations cost nothing,
+// homogeneous deformations are exact, inverted cells are found, and the undeformed tangent is the stiffness
+// of small strain.
 #include "check.h"
 #include "deformed_blocks.h"
 
@@ -42,6 +43,67 @@ namespace
         difference -= problem.times_tangent(v);
         check::is_close(difference.linfty_norm(), 0, 1e-8, c.name() + ": derivative of the forces", scale);
       }
+  }
+
+  Vector<double>
+  as_vector(const std::vector<double> &values)
+  {
+    return Vector<double>(values.begin(), values.end());
+  }
+
+  // theta + change, on the way to a solution
+  std::vector<double>
+  moved(std::vector<double> theta, const double s, const std::vector<double> &change)
+  {
+    for (unsigned int k = 0; k < theta.size(); ++k)
+      theta[k] += s * change[k];
+    return theta;
+  }
+
+  // With theta beside P J(u): the change of theta is that of P J, and takes it there; the tangent is the
+  // derivative of the forces along v and this change, what the excess adds to them that along the excess.
+  template <int dim>
+  void
+  check_dilatations(const Case &c)
+  {
+    const Problem<dim> problem(c, {{2, 1, 1}});
+    auto              &elasticity = *problem.elasticity;
+    const LA::Vector   u = problem.random_field(size_of(c)), v = problem.random_field(1. / c.degree);
+    const auto         of_volume = [&](const LA::Vector &w) {
+      elasticity.assemble(w);
+      return as_vector(elasticity.dilatations());
+    };
+    const auto forces = [&](const double s, const std::vector<double> &theta) {
+      LA::Vector w = u;
+      w.add(s, v);
+      elasticity.assemble(w, theta);
+      return elasticity.forces();
+    };
+    const Vector<double> volume = of_volume(u), change_of_volume = derivative(of_volume, u, v);
+    std::vector<double>  theta(volume.begin(), volume.end());
+    for (auto &coefficient : theta)
+      coefficient += random(0.05);
+    check::is_true(!elasticity.assemble(u, theta) && elasticity.dilatations() == theta,
+                   c.name() + ": dilatations are taken");
+
+    std::vector<double> excess = elasticity.change_of_dilatations(LA::Vector(
+                            problem.field([](const Point<dim> &, const unsigned int) { return 0.; }))),
+                        change = elasticity.change_of_dilatations(v);
+    const LA::Vector tangent = problem.times_tangent(v), correction = elasticity.forces_of_excess();
+    for (unsigned int k = 0; k < theta.size(); ++k)
+      {
+        change[k] -= excess[k];
+        check::is_close(theta[k] + excess[k], volume[k], 1e-12, c.name() + ": excess");
+        check::is_close(change[k], change_of_volume[k], 1e-9, c.name() + ": change of the dilatation", 1);
+      }
+
+    LA::Vector   difference = derivative([&](const double s) { return forces(s, moved(theta, s, change)); });
+    const double scale      = difference.linfty_norm();
+    difference -= tangent;
+    check::is_close(difference.linfty_norm(), 0, 1e-8, c.name() + ": tangent beside P J", scale);
+    difference = derivative([&](const double s) { return forces(0, moved(theta, s, excess)); });
+    difference -= correction;
+    check::is_close(difference.linfty_norm(), 0, 1e-8, c.name() + ": forces of the excess", scale);
   }
 
   template <int dim>
@@ -210,6 +272,8 @@ namespace
   {
     check_undeformed<dim>(c);
     check_derivatives<dim>(c);
+    if (c.kind != Kind::plane_stress)
+      check_dilatations<dim>(c);
     check_homogeneous<dim>(c);
     check_inversion<dim>(c);
     if (c.kind != Kind::axisymmetric)

@@ -1,6 +1,7 @@
 #include <amontons/algebra/direct_scatter.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace Amontons
 {
@@ -20,7 +21,108 @@ namespace Amontons
           begin = nullptr; // not compressed
       }
     };
+    // A column of the matrix and what goes there from the columns of a block.
+    struct Column
+    {
+      int                                          local;
+      types::global_dof_index                      dof;
+      std::vector<std::pair<unsigned int, double>> from;
+    };
+
+    std::vector<Column>
+    resolve(const std::vector<types::global_dof_index> &dofs,
+            const Constraints                          &constraints,
+            const LA::SparseMatrix                     &matrix)
+    {
+      std::vector<std::tuple<types::global_dof_index, unsigned int, double>> parts;
+      for (unsigned int j = 0; j < dofs.size(); ++j)
+        if (!constraints.is_constrained(dofs[j]))
+          parts.emplace_back(dofs[j], j, 1.);
+        else
+          for (const auto &[other, weight] : *constraints.get_constraint_entries(dofs[j]))
+            parts.emplace_back(other, j, weight);
+      std::sort(parts.begin(), parts.end());
+      std::vector<Column> columns;
+      for (const auto &[dof, j, weight] : parts)
+        {
+          if (columns.empty() || columns.back().dof != dof)
+            columns.push_back({matrix.trilinos_matrix().LCID(int(dof)), dof, {}});
+          columns.back().from.emplace_back(j, weight);
+        }
+      return columns;
+    }
+
+    // Values for one row of the matrix.
+    void
+    combine(const FullMatrix<double>  &block,
+            const unsigned int         i,
+            const std::vector<Column> &columns,
+            std::vector<double>       &values)
+    {
+      values.clear();
+      for (const auto &column : columns)
+        {
+          double sum = 0;
+          for (const auto &[j, weight] : column.from)
+            sum += weight * block(i, j);
+          values.push_back(sum);
+        }
+    }
+
+    // columns: sorted by their local numbers.
+    void
+    add_to_row(const LA::SparseMatrix    &matrix,
+               const int                  row,
+               const double               factor,
+               const std::vector<Column> &columns,
+               const std::vector<double> &values)
+    {
+      int     n;
+      double *entries;
+      int    *places;
+      matrix.trilinos_matrix().ExtractMyRowView(row, n, entries, places);
+      const int *place = places, *end = places + n;
+      for (unsigned int j = 0; j < columns.size(); ++j)
+        {
+          while (place != end && *place < columns[j].local)
+            ++place;
+          if (place != end && *place == columns[j].local)
+            entries[place - places] += factor * values[j];
+          else
+            AssertThrow(values[j] == 0, ExcMessage("an entry outside of the sparsity pattern"));
+        }
+    }
   } // namespace
+
+  void
+  add_condensed(const FullMatrix<double>                   &block,
+                const std::vector<types::global_dof_index> &rows,
+                const std::vector<types::global_dof_index> &columns,
+                const Constraints                          &of_rows,
+                const Constraints                          &of_columns,
+                LA::SparseMatrix                           &matrix)
+  {
+    auto sorted = resolve(columns, of_columns, matrix);
+    std::sort(sorted.begin(), sorted.end(), [](const auto &a, const auto &b) { return a.local < b.local; });
+    std::vector<double> values;
+    const auto          add = [&](const types::global_dof_index row, const double factor) {
+      if (const int here = matrix.trilinos_matrix().LRID(int(row)); here >= 0)
+        add_to_row(matrix, here, factor, sorted, values);
+      else // sent to its owner
+        for (unsigned int j = 0; j < sorted.size(); ++j)
+          if (values[j] != 0)
+            matrix.add(row, sorted[j].dof, factor * values[j]);
+    };
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      {
+        combine(block, i, sorted, values);
+        if (!of_rows.is_constrained(rows[i]))
+          add(rows[i], 1);
+        else
+          for (const auto &[other, weight] : *of_rows.get_constraint_entries(rows[i]))
+            add(other, weight);
+      }
+  }
 
   std::vector<unsigned int>
   DirectScatter::setup(const LA::SparseMatrix          &matrix,

@@ -167,7 +167,7 @@ namespace Amontons
     system = 0;
     scatter.add(cells, system);
     for (const unsigned int c : constrained_bulk)
-      supports.distribute_local_to_global(cells.matrix(c), cells.dofs(c), system);
+      add_condensed(cells.matrix(c), cells.dofs(c), cells.dofs(c), supports, supports, system);
     system.compress(VectorOperation::add);
     if (with_eliminated_form)
       copy_values(system, eliminated);
@@ -180,7 +180,7 @@ namespace Amontons
     fill_empty_rows(system, supports);
     if (with_eliminated_form)
       {
-        add_surface(cells, test.test(), test.trial(), further, diagonal, eliminated);
+        add_surface(cells, test.test(), test.trial(), {}, diagonal, eliminated); // what matters of it
         eliminated.compress(VectorOperation::add);
         fill_empty_rows(eliminated, test.trial());
       }
@@ -196,15 +196,15 @@ namespace Amontons
                              LA::SparseMatrix                     &matrix) const
   {
     for (const unsigned int c : surface)
-      of_rows.distribute_local_to_global(cells.matrix(c), cells.dofs(c), of_columns, cells.dofs(c), matrix);
+      add_condensed(cells.matrix(c), cells.dofs(c), cells.dofs(c), of_rows, of_columns, matrix);
     for (const auto &part : further)
-      of_rows.distribute_local_to_global(part.matrix, part.rows, of_columns, part.columns, matrix);
+      add_condensed(part.matrix, part.rows, part.columns, of_rows, of_columns, matrix);
     FullMatrix<double> one(1, 1);
     for (const auto dof : locally_owned)
       if (diagonal != nullptr && (*diagonal)(dof) != 0)
         {
           one(0, 0) = (*diagonal)(dof);
-          of_rows.distribute_local_to_global(one, {dof}, of_columns, {dof}, matrix);
+          add_condensed(one, {dof}, {dof}, of_rows, of_columns, matrix);
         }
   }
 

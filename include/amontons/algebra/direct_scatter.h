@@ -5,6 +5,16 @@
 
 namespace Amontons
 {
+  // Adds C_rows^T block C_columns. Rows of constrained DoFs get no diagonal entry. Columns are sorted once
+  // and found by one walk through each row of the matrix.
+  void
+  add_condensed(const FullMatrix<double>                   &block,
+                const std::vector<types::global_dof_index> &rows,
+                const std::vector<types::global_dof_index> &columns,
+                const Constraints                          &of_rows,
+                const Constraints                          &of_columns,
+                LA::SparseMatrix                           &matrix);
+
   // The pattern of a Newton iteration stays while its values change. Places of the entries among the values
   // of the matrix are found once, for cells without constraints of which this rank owns all rows: one for
   // each row and node, whose components follow one another.

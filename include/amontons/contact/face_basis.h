@@ -11,24 +11,42 @@ namespace Amontons
   using dealii::Point;
   using dealii::Tensor;
 
-  // Values and derivatives of the degree + 1 Lagrange polynomials at x, into containers of that size.
+  // Values and derivatives of the degree + 1 Lagrange polynomials at x, into containers of that size: with
+  // t_j = n x - j,
+  //   l_i = w_i prod_{j<i} t_j prod_{j>i} t_j,   w_i = (-1)^(n-i) / (i! (n-i)!).
   template <typename Values>
   void
   lagrange_1d(const unsigned int degree, const double x, Values &values, Values &derivatives)
   {
-    const double n = degree;
+    const double n       = degree;
+    double       product = 1, slope = 0; // of the factors on one side of i
     for (unsigned int i = 0; i <= degree; ++i)
       {
-        values[i]      = 1;
-        derivatives[i] = 0;
-        for (unsigned int j = 0; j <= degree; ++j)
-          if (j != i)
-            {
-              const double slope  = n / (double(i) - double(j));
-              const double factor = slope * (x - j / n);
-              derivatives[i]      = derivatives[i] * factor + values[i] * slope;
-              values[i] *= factor;
-            }
+        values[i]      = product;
+        derivatives[i] = slope;
+        const double t = n * x - i;
+        slope          = slope * t + n * product;
+        product *= t;
+      }
+    product = 1;
+    slope   = 0;
+    for (unsigned int i = degree + 1; i-- > 0;)
+      {
+        derivatives[i] = derivatives[i] * product + values[i] * slope;
+        values[i] *= product;
+        const double t = n * x - i;
+        slope          = slope * t + n * product;
+        product *= t;
+      }
+    double weight    = degree % 2 == 0 ? 1 : -1; // w_0 n!
+    double factorial = 1;
+    for (unsigned int i = 2; i <= degree; ++i)
+      factorial *= i;
+    for (unsigned int i = 0; i <= degree; ++i)
+      {
+        values[i] *= weight / factorial;
+        derivatives[i] *= weight / factorial;
+        weight *= -(n - i) / (i + 1);
       }
   }
 

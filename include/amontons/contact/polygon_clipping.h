@@ -85,8 +85,9 @@ namespace Amontons
       const unsigned int p = std::max(slave.surface.degree, master.surface.degree);
       const bool         straight =
           slave.surface.faces[slave.face].straight && master.surface.faces[master.face].straight;
-      const double varies = std::min(
-          straight ? 0.9 : 0.1, std::max(variation(corners, polygon), variation(master_corners, polygon)));
+      const double varies =
+          straight ? std::min(0.9, std::max(variation(corners, polygon), variation(master_corners, polygon)))
+                   : 0.;
       integrate_polygon(
           slave,
           polygon,

@@ -143,6 +143,16 @@ namespace Amontons
   namespace
   {
     template <int dim>
+    std::vector<bool>
+    nodes_with_rows(const ContactInterface<dim> &interface)
+    {
+      std::vector<bool> result(interface.slave->nodes.size(), false);
+      for (const auto &row : interface.coupling.rows)
+        result[row.node] = true;
+      return result;
+    }
+
+    template <int dim>
     void
     integrate(const Discretization<dim>     &discretization,
               std::vector<OverlapPoint<dim>> points,
@@ -156,9 +166,7 @@ namespace Amontons
           ++interface.n_without_multiplier;
       interface.coupling = integrate_coupling(
           discretization, *interface.slave, interface.master, std::move(points), carries, interface.carried);
-      interface.carried.assign(interface.slave->nodes.size(), false);
-      for (const auto &row : interface.coupling.rows)
-        interface.carried[row.node] = true;
+      interface.carried = nodes_with_rows(interface);
       if (faces_something && interface.coupling.rows.empty() && !interface.slave->moved)
         throw InputError(
             interface.pair->where,
@@ -207,16 +215,18 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  void
+  bool
   move_interface(const Discretization<dim> &discretization,
                  const LA::Vector          &u,
                  ContactInterface<dim>     &interface)
   {
-    interface.slave->move(u);
+    bool moves = interface.slave->move(u);
     if (interface.master_surface)
-      interface.master_surface->move(u);
-    else
-      interface.master.motion = carrier_motion(discretization, interface.master.carrier, u);
+      return interface.master_surface->move(u) || moves;
+    const auto motion = carrier_motion(discretization, interface.master.carrier, u);
+    moves = moves || motion.A != interface.master.motion.A || motion.b != interface.master.motion.b;
+    interface.master.motion = motion;
+    return moves;
   }
 
   template <int dim>
@@ -266,10 +276,15 @@ namespace Amontons
                const LA::Vector                   &u,
                std::vector<ContactInterface<dim>> &interfaces)
   {
+    bool is_new = false;
     for (auto &interface : interfaces)
-      if (!interface.pair->tied)
-        move_interface(discretization, u, interface);
-    integrate_couplings(discretization, supports, interfaces, true);
+      {
+        if (!interface.pair->tied)
+          is_new = move_interface(discretization, u, interface) || is_new;
+        is_new = is_new || interface.carried != nodes_with_rows(interface);
+      }
+    if (is_new)
+      integrate_couplings(discretization, supports, interfaces, true);
   }
 
   template void
@@ -293,7 +308,7 @@ namespace Amontons
                       const bool);
   template void
   turn_interface(const LA::Vector &, ContactInterface<2> &);
-  template void
+  template bool
   move_interface(const Discretization<2> &, const LA::Vector &, ContactInterface<2> &);
   template std::vector<bool>
   choose_slaves(const Discretization<3> &);
@@ -306,6 +321,6 @@ namespace Amontons
                       const bool);
   template void
   turn_interface(const LA::Vector &, ContactInterface<3> &);
-  template void
+  template bool
   move_interface(const Discretization<3> &, const LA::Vector &, ContactInterface<3> &);
 } // namespace Amontons

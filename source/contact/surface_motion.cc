@@ -40,13 +40,21 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  void
+  bool
   ContactSurface<dim>::move(const LA::Vector &u)
   {
-    moved = true;
+    bool changed = !moved || turned;
+    moved        = true;
+    turned       = false;
     for (auto &node : nodes)
       for (unsigned int c = 0; c < dim; ++c)
-        node.x[c] = node.X[c] + u(node.dofs[c]);
+        {
+          const double x = node.X[c] + u(node.dofs[c]);
+          changed        = changed || x != node.x[c];
+          node.x[c]      = x;
+        }
+    if (!changed)
+      return false;
     std::vector<std::vector<double>> values; // of the nodes' shape functions at the lattice points
     for (const auto &xi : lattice<dim - 1>(geometry_degree))
       values.push_back(lagrange_values<dim - 1>(degree, xi));
@@ -62,6 +70,7 @@ namespace Amontons
         measure(face);
       }
     make_normals();
+    return true;
   }
 
   // With the tangents T_k of the finite elements' face and normals N interpolated between its nodes, d =
@@ -78,6 +87,7 @@ namespace Amontons
         for (unsigned int c = 0; c < dim; ++c)
           x.back()[c] += u(node.dofs[c]);
       }
+    turned                    = true;
     const auto normals_before = element_normals(X), normals_after = element_normals(x);
     const auto points = lattice<dim - 1>(geometry_degree);
     for (unsigned int f = 0; f < faces.size(); ++f)
@@ -232,7 +242,7 @@ namespace Amontons
   }
 
 #define INSTANTIATE(dim)                                                                                     \
-  template void ContactSurface<dim>::move(const LA::Vector &);                                               \
+  template bool ContactSurface<dim>::move(const LA::Vector &);                                               \
   template void ContactSurface<dim>::turn(const LA::Vector &);                                               \
   template void ContactSurface<dim>::make_normals();                                                         \
   template void ContactSurface<dim>::find_sharpest_edge();                                                   \

@@ -84,8 +84,12 @@ namespace Amontons
     for (auto &interface : interfaces)
       if (!interface.pair->tied)
         turn_interface(committed, interface);
-    move(committed);
-    remember_old_rows(committed, closed_nodes(start));
+    old.resize(all.size());
+    if (std::any_of(all.begin(), all.end(), [](const auto &node) { return node.frictional; }))
+      {
+        move(committed);
+        remember_old_rows(committed, closed_nodes(start));
+      }
   }
 
   // The states are in the order of the slave nodes that had a row.
@@ -130,7 +134,6 @@ namespace Amontons
   void
   MovingContact<dim>::remember_old_rows(const LA::Vector &u, const std::vector<bool> &closed)
   {
-    old.resize(all.size());
     for (unsigned int k = 0; k < all.size(); ++k)
       {
         const double h    = interfaces[all[k].interface].slave->mean_size,

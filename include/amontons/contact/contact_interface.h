@@ -34,9 +34,9 @@ namespace Amontons
   std::vector<ContactInterface<dim>>
   make_interfaces(const Discretization<dim> &discretization, const std::vector<bool> &first_is_slave);
 
-  // Takes both sides to where u (readable at all their DoFs) puts them.
+  // Takes both sides to where u (readable at all their DoFs) puts them; false if they are there.
   template <int dim>
-  void
+  bool
   move_interface(const Discretization<dim> &discretization,
                  const LA::Vector          &u,
                  ContactInterface<dim>     &interface);
@@ -55,7 +55,7 @@ namespace Amontons
                       std::vector<ContactInterface<dim>> &interfaces,
                       const bool                          moved = false);
 
-  // Couples the surfaces where u takes them; tied ones stay where they were.
+  // Couples the surfaces where u takes them, unless they are there already; tied ones stay where they were.
   template <int dim>
   void
   couple_moved(const Discretization<dim>          &discretization,

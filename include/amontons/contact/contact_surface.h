@@ -82,8 +82,9 @@ namespace Amontons
     ContactSurface(const Discretization<dim> &discretization, const BoundaryName &name, OwnedFaces<dim> own);
 
     // To where u (readable at all DoFs of the surface) takes the reference geometry: lattice points by
-    // interpolation, exact up to geometry_degree. Normals and sizes are made anew, mean_size stays.
-    void
+    // interpolation, exact up to geometry_degree. Normals and sizes are made anew, mean_size stays. False if
+    // the surface is there already.
+    bool
     move(const LA::Vector &u);
 
     // `move` leaves what lies between the true surface and that of the finite elements as it is. Where the
@@ -153,6 +154,7 @@ namespace Amontons
     element_normals(const std::vector<Point<dim>> &x) const;
 
     const IndexSet::size_type            n_dofs;
+    bool                                 turned = false;     // since the last move
     std::vector<std::vector<Point<dim>>> reference_geometry; // by face
     std::vector<std::vector<Tensor<1, dim>>>
         deviations; // likewise, of the lattice from the finite elements' face

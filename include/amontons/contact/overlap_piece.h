@@ -83,6 +83,9 @@ namespace Amontons
       middle[d] = 0.5;
     for (const unsigned int m : master_faces)
       {
+        if constexpr (dim == 3)
+          if (clipper.misses(master.faces[m]))
+            continue;
         if (clipper.normal * master.face_normal(m, middle) > -0.1)
           continue;
         const auto opposite = [&](OverlapPoint<dim> &p) { // may miss by rounding at the ends of a sliver

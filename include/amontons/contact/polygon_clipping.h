@@ -61,9 +61,39 @@ namespace Amontons
       for (unsigned int v = 0; v < 4; ++v)
         corners[v] = project(corner(slave, v));
       window = around(corners);
-      flat   = slave.surface.faces[slave.face].straight;
       for (const unsigned int i : slave.surface.faces[slave.face].nodes)
-        flat = flat && (slave.surface.nodes[i].normal - normal).norm() < 1e-12;
+        bend = std::max(bend, (slave.surface.nodes[i].normal - normal).norm());
+      flat = slave.surface.faces[slave.face].straight && bend < 1e-12;
+    }
+
+    // Whether nothing of a face is opposite, told without projections along the normals: its corners in the
+    // plane, whose feet lie elsewhere by no more than the normals' bend times the height.
+    bool
+    misses(const SurfaceFace<3> &master) const
+    {
+      if (bend > 0.4)
+        return false;
+      constexpr unsigned int g      = ContactSurface<3>::geometry_degree;
+      double                 height = 0;
+      Polygon<double>        theirs, ours;
+      for (const unsigned int k : {0u, g, g * (g + 1), (g + 1) * (g + 1) - 1})
+        {
+          const Tensor<1, 3> y = master.geometry[k] - value_of(origin);
+          height               = std::max(height, std::abs(normal * y));
+          theirs.emplace_back(Point<2>(value_of(axes[0]) * y, value_of(axes[1]) * y));
+        }
+      for (const auto &corner : corners)
+        ours.emplace_back(value_of(corner));
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          const auto lower    = [d](const auto &p, const auto &q) { return p[d] < q[d]; };
+          const auto a        = std::minmax_element(ours.begin(), ours.end(), lower),
+                     b        = std::minmax_element(theirs.begin(), theirs.end(), lower);
+          const double margin = 2 * bend * height + 0.3 * slave.surface.faces[slave.face].size;
+          if ((*b.first)[d] > (*a.second)[d] + margin || (*b.second)[d] < (*a.first)[d] - margin)
+            return true;
+        }
+      return false;
     }
 
     template <typename OnPiece>
@@ -136,9 +166,10 @@ namespace Amontons
     }
 
     Vector                origin;
-    std::array<Vector, 2> axes;    // of the plane in which faces are clipped
-    Corners<Number>       corners; // of the slave face
-    Polygon<Number>       window;  // the same
-    bool                  flat;    // plane, with one normal
+    std::array<Vector, 2> axes;     // of the plane in which faces are clipped
+    Corners<Number>       corners;  // of the slave face
+    Polygon<Number>       window;   // the same
+    double                bend = 0; // largest deviation of a nodal normal from `normal`
+    bool                  flat;     // plane, with one normal
   };
 } // namespace Amontons

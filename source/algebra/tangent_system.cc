@@ -146,7 +146,7 @@ namespace Amontons
     SparsityTools::distribute_sparsity_pattern(dsp, locally_owned, communicator, relevant);
     system.reinit(locally_owned, locally_owned, dsp, communicator);
     if (with_eliminated_form)
-      eliminated.reinit(locally_owned, locally_owned, dsp, communicator);
+      eliminated.reinit(system);
     constrained_bulk = scatter.setup(system, cells, bulk, supports, n_components);
     pattern_is_old   = false;
   }

@@ -4,33 +4,32 @@
 
 namespace Amontons
 {
-  void
-  bernstein_1d(const unsigned int degree, const double x, std::vector<double> &values)
-  {
-    if (degree == 1)
-      values = {1 - x, x};
-    else
-      {
-        Assert(degree == 2, dealii::ExcNotImplemented());
-        values = {(1 - x) * (1 - x), 2 * x * (1 - x), x * x};
-      }
-  }
-
   namespace
   {
-    // Product over the directions of one-dimensional factors f[direction][index], the first index fastest.
+    using Factors = std::array<double, 5>; // one-dimensional polynomials, up to degree 4
+
+    void
+    bernstein_1d(const unsigned int degree, const double x, Factors &values)
+    {
+      Assert(degree == 1 || degree == 2, dealii::ExcNotImplemented());
+      if (degree == 1)
+        values = {1 - x, x};
+      else
+        values = {(1 - x) * (1 - x), 2 * x * (1 - x), x * x};
+    }
+
+    // Product over the directions of the first n factors f[direction][index], the first index fastest.
     template <int fdim>
     std::vector<double>
-    tensor_product(const std::array<std::vector<double>, fdim> &f)
+    tensor_product(const unsigned int n, const std::array<Factors, fdim> &f)
     {
-      std::vector<double> result = f[0];
-      for (unsigned int d = 1; d < fdim; ++d)
+      std::vector<double> result(f[0].begin(), f[0].begin() + n);
+      if constexpr (fdim == 2)
         {
-          std::vector<double> larger;
-          for (const double outer : f[d])
-            for (const double inner : result)
-              larger.push_back(outer * inner);
-          result.swap(larger);
+          result.resize(n * n);
+          for (unsigned int j = n; j-- > 0;)
+            for (unsigned int i = 0; i < n; ++i)
+              result[i + n * j] = f[0][i] * f[1][j];
         }
       return result;
     }
@@ -40,33 +39,26 @@ namespace Amontons
   std::vector<double>
   lagrange_values(const unsigned int degree, const Point<fdim> &xi)
   {
-    std::array<std::vector<double>, fdim> f;
-    std::vector<double>                   unused(degree + 1);
+    std::array<Factors, fdim> f;
+    Factors                   unused;
     for (unsigned int d = 0; d < fdim; ++d)
-      {
-        f[d].resize(degree + 1);
-        lagrange_1d(degree, xi[d], f[d], unused);
-      }
-    return tensor_product<fdim>(f);
+      lagrange_1d(degree, xi[d], f[d], unused);
+    return tensor_product<fdim>(degree + 1, f);
   }
 
   template <int fdim>
   std::vector<Tensor<1, fdim>>
   lagrange_gradients(const unsigned int degree, const Point<fdim> &xi)
   {
-    std::array<std::vector<double>, fdim> values, derivatives;
+    std::array<Factors, fdim> values, derivatives;
     for (unsigned int d = 0; d < fdim; ++d)
-      {
-        values[d].resize(degree + 1);
-        derivatives[d].resize(degree + 1);
-        lagrange_1d(degree, xi[d], values[d], derivatives[d]);
-      }
+      lagrange_1d(degree, xi[d], values[d], derivatives[d]);
     std::vector<Tensor<1, fdim>> gradients;
     for (unsigned int d = 0; d < fdim; ++d)
       {
         auto f             = values;
         f[d]               = derivatives[d];
-        const auto product = tensor_product<fdim>(f);
+        const auto product = tensor_product<fdim>(degree + 1, f);
         gradients.resize(product.size());
         for (unsigned int i = 0; i < product.size(); ++i)
           gradients[i][d] = product[i];
@@ -78,10 +70,10 @@ namespace Amontons
   std::vector<double>
   bernstein_values(const unsigned int degree, const Point<fdim> &xi)
   {
-    std::array<std::vector<double>, fdim> f;
+    std::array<Factors, fdim> f;
     for (unsigned int d = 0; d < fdim; ++d)
       bernstein_1d(degree, xi[d], f[d]);
-    return tensor_product<fdim>(f);
+    return tensor_product<fdim>(degree + 1, f);
   }
 
   std::vector<double>

@@ -41,15 +41,23 @@ namespace Amontons
     std::array<std::array<Tensor<1, dim>, dim - 1>, dim - 1> result;
     for (unsigned int d = 0; d < dim - 1; ++d)
       p[d] = lagrange_polynomials(xi[d]);
-    for (unsigned int k = 0; k < dim - 1; ++k)
-      for (unsigned int l = 0; l < dim - 1; ++l)
-        for (unsigned int i = 0; i < face.geometry.size(); ++i)
+    if constexpr (dim == 2)
+      for (unsigned int i = 0; i < n; ++i)
+        result[0][0] += p[0][2][i] * face.geometry[i];
+    else
+      {
+        for (unsigned int j = 0; j < n; ++j)
           {
-            double value = 1;
-            for (unsigned int d = 0, rest = i; d < dim - 1; ++d, rest /= n)
-              value *= p[d][(d == k) + (d == l)][rest % n];
-            result[k][l] += value * face.geometry[i];
+            std::array<Tensor<1, dim>, 3> row; // and its derivatives along the row
+            for (unsigned int i = 0; i < n; ++i)
+              for (unsigned int order = 0; order < 3; ++order)
+                row[order] += p[0][order][i] * face.geometry[i + n * j];
+            result[0][0] += p[1][0][j] * row[2];
+            result[0][1] += p[1][1][j] * row[1];
+            result[1][1] += p[1][2][j] * row[0];
           }
+        result[1][0] = result[0][1];
+      }
     return result;
   }
 

@@ -50,10 +50,6 @@ namespace Amontons
       }
   }
 
-  // The Bernstein polynomials
-  void
-  bernstein_1d(const unsigned int degree, const double x, std::vector<double> &values);
-
   // (degree+1)^fdim values, the first coordinate running fastest.
   template <int fdim>
   std::vector<double>
@@ -63,6 +59,7 @@ namespace Amontons
   std::vector<Tensor<1, fdim>>
   lagrange_gradients(const unsigned int degree, const Point<fdim> &xi);
 
+  // The Bernstein polynomials of degree 1 or 2.
   template <int fdim>
   std::vector<double>
   bernstein_values(const unsigned int degree, const Point<fdim> &xi);

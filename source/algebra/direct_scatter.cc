@@ -21,60 +21,71 @@ namespace Amontons
           begin = nullptr; // not compressed
       }
     };
-    // A column of the matrix and what goes there from the columns of a block.
-    struct Column
+    // Columns of the matrix, sorted by their local numbers, and what goes to each from the columns of a
+    // block.
+    struct Columns
     {
-      int                                          local;
-      types::global_dof_index                      dof;
-      std::vector<std::pair<unsigned int, double>> from;
+      struct Part
+      {
+        int                     local;
+        types::global_dof_index dof;
+        unsigned int            from;
+        double                  weight;
+      };
+      std::vector<Part>         parts;
+      std::vector<unsigned int> begin; // of each column among the parts, and the end
+
+      Columns(const std::vector<types::global_dof_index> &dofs,
+              const Constraints                          &constraints,
+              const LA::SparseMatrix                     &matrix)
+      {
+        const auto append =
+            [&](const types::global_dof_index dof, const unsigned int j, const double weight) {
+              parts.push_back({matrix.trilinos_matrix().LCID(int(dof)), dof, j, weight});
+            };
+        for (unsigned int j = 0; j < dofs.size(); ++j)
+          if (!constraints.is_constrained(dofs[j]))
+            append(dofs[j], j, 1);
+          else
+            for (const auto &[other, weight] : *constraints.get_constraint_entries(dofs[j]))
+              append(other, j, weight);
+        std::sort(parts.begin(), parts.end(), [](const Part &a, const Part &b) {
+          return std::tie(a.local, a.dof) < std::tie(b.local, b.dof);
+        });
+        for (unsigned int k = 0; k < parts.size(); ++k)
+          if (k == 0 || parts[k].dof != parts[k - 1].dof)
+            begin.push_back(k);
+        begin.push_back(parts.size());
+      }
+
+      unsigned int
+      size() const
+      {
+        return begin.size() - 1;
+      }
+
+      const Part &
+      first(const unsigned int column) const
+      {
+        return parts[begin[column]];
+      }
+
+      // Values for one row of the matrix.
+      void
+      combine(const FullMatrix<double> &block, const unsigned int i, std::vector<double> &values) const
+      {
+        values.assign(size(), 0.);
+        for (unsigned int column = 0; column < size(); ++column)
+          for (unsigned int k = begin[column]; k < begin[column + 1]; ++k)
+            values[column] += parts[k].weight * block(i, parts[k].from);
+      }
     };
 
-    std::vector<Column>
-    resolve(const std::vector<types::global_dof_index> &dofs,
-            const Constraints                          &constraints,
-            const LA::SparseMatrix                     &matrix)
-    {
-      std::vector<std::tuple<types::global_dof_index, unsigned int, double>> parts;
-      for (unsigned int j = 0; j < dofs.size(); ++j)
-        if (!constraints.is_constrained(dofs[j]))
-          parts.emplace_back(dofs[j], j, 1.);
-        else
-          for (const auto &[other, weight] : *constraints.get_constraint_entries(dofs[j]))
-            parts.emplace_back(other, j, weight);
-      std::sort(parts.begin(), parts.end());
-      std::vector<Column> columns;
-      for (const auto &[dof, j, weight] : parts)
-        {
-          if (columns.empty() || columns.back().dof != dof)
-            columns.push_back({matrix.trilinos_matrix().LCID(int(dof)), dof, {}});
-          columns.back().from.emplace_back(j, weight);
-        }
-      return columns;
-    }
-
-    // Values for one row of the matrix.
-    void
-    combine(const FullMatrix<double>  &block,
-            const unsigned int         i,
-            const std::vector<Column> &columns,
-            std::vector<double>       &values)
-    {
-      values.clear();
-      for (const auto &column : columns)
-        {
-          double sum = 0;
-          for (const auto &[j, weight] : column.from)
-            sum += weight * block(i, j);
-          values.push_back(sum);
-        }
-    }
-
-    // columns: sorted by their local numbers.
     void
     add_to_row(const LA::SparseMatrix    &matrix,
                const int                  row,
                const double               factor,
-               const std::vector<Column> &columns,
+               const Columns             &columns,
                const std::vector<double> &values)
     {
       int     n;
@@ -84,9 +95,10 @@ namespace Amontons
       const int *place = places, *end = places + n;
       for (unsigned int j = 0; j < columns.size(); ++j)
         {
-          while (place != end && *place < columns[j].local)
+          const int local = columns.first(j).local;
+          while (place != end && *place < local)
             ++place;
-          if (place != end && *place == columns[j].local)
+          if (place != end && *place == local)
             entries[place - places] += factor * values[j];
           else
             AssertThrow(values[j] == 0, ExcMessage("an entry outside of the sparsity pattern"));
@@ -102,8 +114,7 @@ namespace Amontons
                 const Constraints                          &of_columns,
                 LA::SparseMatrix                           &matrix)
   {
-    auto sorted = resolve(columns, of_columns, matrix);
-    std::sort(sorted.begin(), sorted.end(), [](const auto &a, const auto &b) { return a.local < b.local; });
+    const Columns       sorted(columns, of_columns, matrix);
     std::vector<double> values;
     const auto          add = [&](const types::global_dof_index row, const double factor) {
       if (const int here = matrix.trilinos_matrix().LRID(int(row)); here >= 0)
@@ -111,11 +122,11 @@ namespace Amontons
       else // sent to its owner
         for (unsigned int j = 0; j < sorted.size(); ++j)
           if (values[j] != 0)
-            matrix.add(row, sorted[j].dof, factor * values[j]);
+            matrix.add(row, sorted.first(j).dof, factor * values[j]);
     };
     for (unsigned int i = 0; i < rows.size(); ++i)
       {
-        combine(block, i, sorted, values);
+        sorted.combine(block, i, values);
         if (!of_rows.is_constrained(rows[i]))
           add(rows[i], 1);
         else

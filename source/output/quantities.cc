@@ -19,17 +19,17 @@ namespace Amontons
       Point<dim>   X;
     };
 
-    // Of the owned DoFs, in their order; those of rigid bodies and carriers have no body. Finite strain: where they
-    // are now.
+    // Of the owned DoFs, in their order; those of rigid bodies and carriers have no body. Finite strain:
+    // where they are now.
     template <int dim>
     std::vector<Place<dim>>
     locate_dofs(const Answer<dim> &answer)
     {
       const auto                          &discretization = answer.discretization;
-      const bool                           moved = answer.elasticity.finite_strain();
-      const auto                          &fe    = discretization.fe;
-      const auto                          &base  = fe.base_element(0);
-      const IndexSet                      &owned = discretization.locally_owned;
+      const bool                           moved          = answer.elasticity.finite_strain();
+      const auto                          &fe             = discretization.fe;
+      const auto                          &base           = fe.base_element(0);
+      const IndexSet                      &owned          = discretization.locally_owned;
       std::vector<Place<dim>>              places(owned.n_elements());
       std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
       FEValues<dim>                        values(discretization.mapping,
@@ -142,6 +142,26 @@ namespace Amontons
             largest = std::max(largest, bound);
           }
       return largest > 0 ? excess / largest : 0.;
+    }
+
+    // |q/|q| - v/|v|| of the nodes that slip; slips that are nothing beside the others have no direction.
+    template <int dim>
+    double
+    slip_misalignment(const Answer<dim> &answer, const unsigned int i)
+    {
+      const auto &interface = answer.interfaces[i];
+      const auto &slips = answer.state.slips[i], &shears = answer.state.shears[i];
+      double      largest = 0, misalignment = 0;
+      for (unsigned int r = 0; interface.pair->has_friction() && r < interface.coupling.rows.size(); ++r)
+        if (answer.state.states[i][r] == ContactState::slip)
+          largest = std::max(largest, slips[r].norm());
+      const double least = std::max(1e-3 * largest, 1e-9 * interface.slave->mean_size);
+      for (unsigned int r = 0; largest > least && r < interface.coupling.rows.size(); ++r)
+        if (answer.state.states[i][r] == ContactState::slip && slips[r].norm() > least &&
+            shears[r].norm() > 0)
+          misalignment =
+              std::max(misalignment, (shears[r] / shears[r].norm() - slips[r] / slips[r].norm()).norm());
+      return misalignment;
     }
 
     template <int dim>
@@ -258,12 +278,13 @@ namespace Amontons
   check_physics(const Answer<dim> &answer)
   {
     std::map<std::string, double> checks;
-    double                        penetration = 0, tension = 0, complementarity = 0, cone = 0;
+    double penetration = 0, tension = 0, complementarity = 0, cone = 0, misalignment = 0;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       {
         if (answer.interfaces[i].pair->tied)
           continue;
         cone              = std::max(cone, cone_excess(answer, i));
+        misalignment      = std::max(misalignment, slip_misalignment(answer, i));
         const double h    = answer.interfaces[i].slave->mean_size;
         double       peak = 0;
         for (const double p : answer.state.pressures[i])
@@ -285,7 +306,10 @@ namespace Amontons
     if (std::any_of(answer.interfaces.begin(), answer.interfaces.end(), [](const auto &interface) {
           return interface.pair->has_friction();
         }))
-      checks["coulomb_cone"] = cone;
+      {
+        checks["coulomb_cone"]   = cone;
+        checks["slip_direction"] = misalignment;
+      }
 
     // By body: the supports' forces are what is missing for equilibrium on constrained DoFs; elsewhere
     // nothing may be missing.

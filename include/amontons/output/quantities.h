@@ -62,7 +62,8 @@ namespace Amontons
   // relative to that of all of them; moment_balance: their moment on a body about the origin, relative to
   // contact forces times its size; complementarity: max |p g| relative to p_max times the mean face size;
   // penetration: max(-g) relative to the face size; tension: max(-p) relative to p_max; coulomb_cone: how far
-  // shears exceed their bound, relative to the largest bound.
+  // shears exceed their bound, relative to the largest bound; slip_direction: the largest angle between shear
+  // and slip of a node (that of the multiplier, not of the projected traction).
   template <int dim>
   std::map<std::string, double>
   check_physics(const Answer<dim> &answer);

@@ -244,6 +244,22 @@ namespace
       }
   }
 
+  // Cells pressed to next to nothing count as inverted.
+  template <int dim>
+  void
+  check_collapse(const Case &c)
+  {
+    for (const double left : {1e-5, 1e-7})
+      {
+        const Problem<dim> problem(c, {{2, 1, 1}});
+        const LA::Vector   u = problem.field([&](const Point<dim> &X, const unsigned int component) {
+          return component == dim - 1 ? (left - 1) * X[component] : 0.;
+        });
+        check::is_true(problem.elasticity->assemble(u).has_value() == (left < 1e-6),
+                       c.name() + ": collapse is found");
+      }
+  }
+
   // The second of two cells folded over.
   template <int dim>
   void
@@ -276,6 +292,7 @@ namespace
       check_dilatations<dim>(c);
     check_homogeneous<dim>(c);
     check_inversion<dim>(c);
+    check_collapse<dim>(c);
     if (c.kind != Kind::axisymmetric)
       check_rotation<dim>(c);
   }

@@ -23,7 +23,8 @@ namespace Amontons
     FiniteKinematics(const FiniteElement<dim> &fe, const Kind kind);
 
     // Values as for StrainOperator; u on the cell's degrees of freedom; theta: coefficients, or null for P J.
-    // Returns the smallest det F or theta (or not a number); unless that is positive, nothing below holds.
+    // Returns the smallest det F or theta (or not a number), 0 for less than a millionth; unless that is
+    // positive, nothing below holds.
     double
     reinit(const FEValues<dim> &values, const std::vector<double> &u, const double *theta = nullptr);
 

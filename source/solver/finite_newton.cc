@@ -1,4 +1,5 @@
 #include <amontons/algebra/rigid_body_modes.h>
+#include <amontons/solver/contact_responses.h>
 #include <amontons/solver/damped_motion.h>
 #include <amontons/solver/diagnosis.h>
 #include <amontons/solver/finite_newton.h>
@@ -627,14 +628,7 @@ namespace Amontons
         damped_balance = balance;
         if (steps)
           damped_balance += damping_force;
-        const LA::Vector    on_supports = condense(damped_balance, supports, loads);
-        std::vector<double> at_pivots(constraints->pivots().size(), 0.);
-        for (unsigned int e = 0; e < at_pivots.size(); ++e)
-          if (const auto pivot = constraints->pivots()[e];
-              pivot && discretization.locally_owned.is_element(*pivot))
-            at_pivots[e] = on_supports(*pivot);
-        Utilities::MPI::sum(at_pivots, communicator, at_pivots);
-        const auto multipliers = constraints->recover_multipliers(at_pivots);
+        const auto multipliers = multipliers_of(damped_balance, supports, *constraints);
         for (unsigned int k = 0; k < answers.size(); ++k)
           answers[k] = answer(k, multipliers);
       }
@@ -656,11 +650,7 @@ namespace Amontons
         const unsigned int e = first_equation[k];
         if (states[k] == ContactState::stick)
           {
-            Tensor<1, dim> traction;
-            for (unsigned int d = 0; d < dim; ++d)
-              traction[d] = multipliers[e + d] / node.area;
-            result.pressure = traction * node.normal / node.normal.norm_square();
-            result.shear    = node.tangential(traction);
+            set_traction_of_stick(node, &multipliers[e], result);
             return result;
           }
         if (constraints->pivots()[e])

@@ -344,12 +344,12 @@ namespace Amontons
               c        = std::max(c, node.c);
             }
         rounding += 1e-13 * c * u.linfty_norm();
-        const BaseSolution<dim> base{nodes, present_states(), laws, answers, movable_nodes(), u};
-        step.n_changes = states.update(answers, rounding);
+        const auto before = present_states();
+        step.n_changes    = states.update(answers, rounding);
         if (step.n_changes > 0 && looks_ahead())
           {
-            step.krylov += look_ahead(base, rounding);
-            step.n_changes = std::max(1u, n_changes_since(base.states));
+            step.krylov += look_ahead({nodes, before, laws, answers, movable_nodes(), u}, rounding);
+            step.n_changes = std::max(1u, n_changes_since(before));
           }
         report.safeguarded = report.safeguarded || states.safeguarded();
         report.frozen      = report.frozen || states.frozen();

@@ -1,4 +1,5 @@
 #include <amontons/elasticity/finite_kinematics.h>
+#include <amontons/elasticity/kirchhoff.h>
 
 #include <algorithm>
 
@@ -20,34 +21,34 @@ namespace Amontons
                                 const double              *theta)
   {
     const unsigned int n_q = values.n_quadrature_points;
-    deformation.resize(n_q);
+    displacement.resize(n_q);
     weights.resize(n_q);
-    jacobians.resize(n_q);
+    volume_changes.resize(n_q);
     spatial_gradients.reinit(n_q * dim, n_nodes, true);
     if (kind == Kind::axisymmetric)
       hoops.resize(n_q * n_nodes);
 
     for (unsigned int q = 0; q < n_q; ++q)
       {
-        weights[q]     = values.JxW(q) * measure<dim>(kind, values.quadrature_point(q));
-        deformation[q] = deformation_gradient(values, q, u);
-        jacobians[q]   = determinant(deformation[q]);
-        if (std::isnan(jacobians[q]))
-          return jacobians[q];
+        weights[q]        = values.JxW(q) * measure<dim>(kind, values.quadrature_point(q));
+        displacement[q]   = displacement_gradient(values, q, u);
+        volume_changes[q] = change_of_determinant(displacement[q]);
+        if (std::isnan(volume_changes[q]))
+          return volume_changes[q];
       }
     // St. Venant-Kirchhoff bodies have equilibria with cells pressed to nothing, where rounding decides about
     // forces.
     constexpr double collapsed = 1e-6;
-    const double     smallest  = *std::min_element(jacobians.begin(), jacobians.end());
+    const double     smallest  = 1 + *std::min_element(volume_changes.begin(), volume_changes.end());
     if (smallest <= collapsed)
       return std::min(smallest, 0.);
     for (unsigned int q = 0; q < n_q; ++q)
       push_forward(values, q);
     if (kind == Kind::plane_stress)
-      dilatations = jacobians;
+      dilatations = volume_changes;
     else
       set_dilatations(values, theta);
-    return std::min(smallest, *std::min_element(dilatations.begin(), dilatations.end()));
+    return std::min(smallest, 1 + *std::min_element(dilatations.begin(), dilatations.end()));
   }
 
   template <int dim>
@@ -55,7 +56,7 @@ namespace Amontons
   FiniteKinematics<dim>::set_dilatations(const FEValues<dim> &values, const double *theta)
   {
     projection.reinit(values, weights);
-    const Vector<double> &of_volume = projection.project(jacobians);
+    const Vector<double> &of_volume = projection.project(volume_changes);
     if (theta == nullptr)
       theta = of_volume.begin();
     theta_coefficients.assign(theta, theta + of_volume.size());
@@ -67,25 +68,25 @@ namespace Amontons
 
   template <int dim>
   Tensor<2, 3>
-  FiniteKinematics<dim>::deformation_gradient(const FEValues<dim>       &values,
-                                              const unsigned int         q,
-                                              const std::vector<double> &u)
+  FiniteKinematics<dim>::displacement_gradient(const FEValues<dim>       &values,
+                                               const unsigned int         q,
+                                               const std::vector<double> &u)
   {
-    Tensor<2, 3> F = unit_symmetric_tensor<3>();
+    Tensor<2, 3> H;
     for (unsigned int m = 0; m < n_nodes; ++m)
       {
         const auto &gradient = values.shape_grad(index(0, m), q);
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
-            F[c][d] += u[index(c, m)] * gradient[d];
+            H[c][d] += u[index(c, m)] * gradient[d];
       }
     if (kind == Kind::axisymmetric)
       for (unsigned int m = 0; m < n_nodes; ++m)
         {
           const unsigned int i = index(0, m);
-          F[2][2] += u[i] * values.shape_value(i, q) / values.quadrature_point(q)[0];
+          H[2][2] += u[i] * values.shape_value(i, q) / values.quadrature_point(q)[0];
         }
-    return F;
+    return H;
   }
 
   // grad N = F^-T Grad N
@@ -93,7 +94,7 @@ namespace Amontons
   void
   FiniteKinematics<dim>::push_forward(const FEValues<dim> &values, const unsigned int q)
   {
-    const Tensor<2, 3> inverse = invert(deformation[q]);
+    const Tensor<2, 3> inverse = invert(Tensor<2, 3>(unit_symmetric_tensor<3>()) + displacement[q]);
     for (unsigned int m = 0; m < n_nodes; ++m)
       {
         const unsigned int i        = index(0, m);
@@ -110,12 +111,16 @@ namespace Amontons
       }
   }
 
+  // (theta/J)^(2/3) (H + H^T + H H^T) + ((theta/J)^(2/3) - 1) I,  H = F - I
   template <int dim>
   SymmetricTensor<2, 3>
-  FiniteKinematics<dim>::left_cauchy_green(const unsigned int q) const
+  FiniteKinematics<dim>::strain(const unsigned int q) const
   {
-    const double scale = std::pow(dilatations[q] / jacobians[q], 2. / 3);
-    return scale * symmetrize(deformation[q] * transpose(deformation[q]));
+    const auto  &H      = displacement[q];
+    const double change = (dilatations[q] - volume_changes[q]) / jacobian(q); // theta/J - 1
+    const double scale  = std::expm1(2. / 3 * std::log1p(change));            // (theta/J)^(2/3) - 1
+    return (1 + scale) * (2 * symmetrize(H) + symmetrize(H * transpose(H))) +
+           scale * unit_symmetric_tensor<3>();
   }
 
   template class FiniteKinematics<2>;

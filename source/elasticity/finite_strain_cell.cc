@@ -51,17 +51,17 @@ namespace Amontons
     if (!(smallest > 0))
       return smallest;
     const unsigned int n_q = kinematics.n_points();
-    b.resize(n_q);
+    strain.resize(n_q);
     stress.resize(n_q);
     pressure.resize(n_q);
     for (unsigned int q = 0; q < n_q; ++q)
       {
-        b[q] = kinematics.left_cauchy_green(q);
+        strain[q] = kinematics.strain(q);
         if (!projects)
-          b[q][2][2] = squared_thickness(law, b[q]);
-        if (!(b[q][2][2] > 0))
-          return b[q][2][2];
-        stress[q]   = kirchhoff_stress(law, b[q]);
+          strain[q][2][2] = thickness_strain(law, strain[q]);
+        if (const double b_33 = 1 + strain[q][2][2]; !(b_33 > 0))
+          return b_33;
+        stress[q]   = kirchhoff_stress(law, strain[q]);
         pressure[q] = trace_of_stress(q) / 3;
       }
     if (projects)
@@ -87,7 +87,7 @@ namespace Amontons
   {
     double sum = 0;
     for (unsigned int q = 0; q < kinematics.n_points(); ++q)
-      sum += kinematics.weight(q) * Amontons::energy(*law, b[q]);
+      sum += kinematics.weight(q) * Amontons::energy(*law, strain[q]);
     return sum;
   }
 
@@ -108,7 +108,7 @@ namespace Amontons
     for (unsigned int q = 0; q < kinematics.n_points(); ++q)
       {
         const double alpha = pressure[q] / (3 * kinematics.dilatation(q));
-        change[q]          = change_with_volume(spatial_tangent(*law, b[q]), stress[q]);
+        change[q]          = change_with_volume(spatial_tangent(*law, strain[q]), stress[q]);
         for (auto &component : change[q])
           component *= alpha;
         pressure[q] = trace_of(change[q]) / 3 - alpha * trace_of_stress(q);
@@ -206,7 +206,7 @@ namespace Amontons
   typename FiniteStrainCell<dim>::Matrix
   FiniteStrainCell<dim>::material_matrix(const unsigned int q) const
   {
-    SpatialTangent c = spatial_tangent(*law, b[q]);
+    SpatialTangent c = spatial_tangent(*law, strain[q]);
     if (!projects)
       c = condense_thickness(c);
     Matrix M = {};
@@ -305,7 +305,7 @@ namespace Amontons
   Voigt<dim>
   FiniteStrainCell<dim>::cauchy_stress(const unsigned int q) const
   {
-    const double J = std::sqrt(determinant(b[q]));
+    const double J = std::sqrt(1 + change_of_determinant(strain[q]));
     Voigt<dim>   sigma;
     for (unsigned int k = 0; k < n_voigt<dim>; ++k)
       sigma[k] = stress[q][k] / J;

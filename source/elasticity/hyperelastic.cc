@@ -13,27 +13,27 @@ namespace Amontons
   }
 
   double
-  energy(const HyperelasticLaw &law, const SymmetricTensor<2, 3> &b)
+  energy(const HyperelasticLaw &law, const SymmetricTensor<2, 3> &e)
   {
-    return std::visit([&](const auto &l) { return l.energy(b); }, law);
+    return std::visit([&](const auto &l) { return l.energy(e); }, law);
   }
 
   Voigt<3>
-  kirchhoff_stress(const HyperelasticLaw &law, const SymmetricTensor<2, 3> &b)
+  kirchhoff_stress(const HyperelasticLaw &law, const SymmetricTensor<2, 3> &e)
   {
-    return std::visit([&](const auto &l) { return l.stress(b); }, law);
+    return std::visit([&](const auto &l) { return l.stress(e); }, law);
   }
 
   SpatialTangent
-  spatial_tangent(const HyperelasticLaw &law, const SymmetricTensor<2, 3> &b)
+  spatial_tangent(const HyperelasticLaw &law, const SymmetricTensor<2, 3> &e)
   {
-    return std::visit([&](const auto &l) { return l.tangent(b); }, law);
+    return std::visit([&](const auto &l) { return l.tangent(e); }, law);
   }
 
   double
-  squared_thickness(const HyperelasticLaw &law, const SymmetricTensor<2, 3> &b)
+  thickness_strain(const HyperelasticLaw &law, const SymmetricTensor<2, 3> &e)
   {
-    return std::visit([&](const auto &l) { return l.squared_thickness(b); }, law);
+    return std::visit([&](const auto &l) { return l.thickness_strain(e); }, law);
   }
 
   SpatialTangent

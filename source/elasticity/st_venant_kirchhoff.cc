@@ -3,22 +3,22 @@
 namespace Amontons
 {
   double
-  StVenantKirchhoff::energy(const SymmetricTensor<2, 3> &b) const
+  StVenantKirchhoff::energy(const SymmetricTensor<2, 3> &e) const
   {
-    const double trace_E = (trace(b) - 3) / 2;
-    return lambda / 2 * trace_E * trace_E + mu / 4 * (b * b - 2 * trace(b) + 3);
+    return lambda / 8 * trace(e) * trace(e) + mu / 4 * (e * e);
   }
 
   Voigt<3>
-  StVenantKirchhoff::stress(const SymmetricTensor<2, 3> &b) const
+  StVenantKirchhoff::stress(const SymmetricTensor<2, 3> &e) const
   {
-    return as_voigt((lambda / 2 * (trace(b) - 3) - mu) * b +
-                    mu * symmetrize(Tensor<2, 3>(b) * Tensor<2, 3>(b)));
+    const auto b = unit_symmetric_tensor<3>() + e;
+    return as_voigt(lambda / 2 * trace(e) * b + mu * (e + symmetrize(Tensor<2, 3>(e) * Tensor<2, 3>(e))));
   }
 
   SpatialTangent
-  StVenantKirchhoff::tangent(const SymmetricTensor<2, 3> &b) const
+  StVenantKirchhoff::tangent(const SymmetricTensor<2, 3> &e) const
   {
+    const auto     b = unit_symmetric_tensor<3>() + e;
     SpatialTangent c;
     for (unsigned int m = 0; m < 6; ++m)
       for (unsigned int n = 0; n < 6; ++n)
@@ -30,10 +30,10 @@ namespace Amontons
     return c;
   }
 
-  // lambda/2 (b_11 + b_22 + x - 3) + mu (x - 1) = 0 with x = b_33
+  // lambda/2 (e_11 + e_22 + x) + mu x = 0 with x = e_33
   double
-  StVenantKirchhoff::squared_thickness(const SymmetricTensor<2, 3> &b) const
+  StVenantKirchhoff::thickness_strain(const SymmetricTensor<2, 3> &e) const
   {
-    return (mu + lambda / 2 * (3 - b[0][0] - b[1][1])) / (mu + lambda / 2);
+    return -lambda / 2 * (e[0][0] + e[1][1]) / (mu + lambda / 2);
   }
 } // namespace Amontons

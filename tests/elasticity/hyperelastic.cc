@@ -1,5 +1,6 @@
 // Laws of finite strain at a point: stress is the derivative of the energy, the tangent that of the stress,
-// and uniaxial tension, simple shear and equibiaxial tension have their closed forms.
+// uniaxial tension, simple shear and equibiaxial tension have their closed forms, and tiny strains keep their
+// digits.
 #include "check.h"
 
 #include <amontons/elasticity/hyperelastic.h>
@@ -35,10 +36,11 @@ namespace
     return t;
   }
 
+  // b - I
   SymmetricTensor<2, 3>
-  left_cauchy_green(const Tensor<2, 3> &F)
+  strain_of(const Tensor<2, 3> &F)
   {
-    return symmetrize(F * transpose(F));
+    return symmetrize(F * transpose(F)) - unit_symmetric_tensor<3>();
   }
 
   Voigt<3>
@@ -81,9 +83,9 @@ namespace
     for (unsigned int sample = 0; sample < 5; ++sample)
       {
         const Tensor<2, 3> F = I + random_tensor(0.3), L = random_tensor(1);
-        const auto         b      = [&](const double s) { return left_cauchy_green((I + s * L) * F); };
-        const Voigt<3>     stress = kirchhoff_stress(law, b(0)), rate = engineering(L);
-        const auto         tangent = spatial_tangent(law, b(0));
+        const auto         e      = [&](const double s) { return strain_of((I + s * L) * F); };
+        const Voigt<3>     stress = kirchhoff_stress(law, e(0)), rate = engineering(L);
+        const auto         tangent = spatial_tangent(law, e(0));
         const Tensor<2, 3> tau = as_tensor(stress), rotated = L * tau + tau * transpose(L);
         double             power = 0;
         for (unsigned int k = 0; k < 6; ++k)
@@ -96,13 +98,13 @@ namespace
                 expected += tangent[k][l] * rate[l];
                 scale = std::max(scale, std::abs(tangent[k][l]));
               }
-            check::is_close(derivative([&](const double s) { return kirchhoff_stress(law, b(s))[k]; }),
+            check::is_close(derivative([&](const double s) { return kirchhoff_stress(law, e(s))[k]; }),
                             expected,
                             1e-8,
                             name + ": derivative of the stress",
                             scale);
           }
-        check::is_close(derivative([&](const double s) { return energy(law, b(s)); }),
+        check::is_close(derivative([&](const double s) { return energy(law, e(s)); }),
                         power,
                         1e-8,
                         name + ": derivative of the energy",
@@ -121,14 +123,14 @@ namespace
     };
     const auto         I = Tensor<2, 3>(unit_symmetric_tensor<3>());
     const Tensor<2, 3> F = I + in_plane(random_tensor(0.3)), L = in_plane(random_tensor(1));
-    const auto         b = [&](const double s) {
-      auto result  = left_cauchy_green((I + s * L) * F);
-      result[2][2] = squared_thickness(law, result);
+    const auto         e = [&](const double s) {
+      auto result  = strain_of((I + s * L) * F);
+      result[2][2] = thickness_strain(law, result);
       return result;
     };
-    const Voigt<3> stress = kirchhoff_stress(law, b(0)), rate = engineering(L);
+    const Voigt<3> stress = kirchhoff_stress(law, e(0)), rate = engineering(L);
     check::is_close(stress[2], 0, 1e-13, name + ": no stress along the thickness", E / (1 - 2 * 0.4999));
-    const auto         tangent = condense_thickness(spatial_tangent(law, b(0)));
+    const auto         tangent = condense_thickness(spatial_tangent(law, e(0)));
     const Tensor<2, 3> tau = as_tensor(stress), rotated = L * tau + tau * transpose(L);
     for (const unsigned int k : {0, 1, 3})
       {
@@ -136,7 +138,7 @@ namespace
         double expected   = rotated[i][j];
         for (const unsigned int l : {0, 1, 3})
           expected += tangent[k][l] * rate[l];
-        check::is_close(derivative([&](const double s) { return kirchhoff_stress(law, b(s))[k]; }),
+        check::is_close(derivative([&](const double s) { return kirchhoff_stress(law, e(s))[k]; }),
                         expected,
                         1e-7,
                         name + ": derivative of the stress in plane stress",
@@ -146,11 +148,11 @@ namespace
 
   void
   check_stress(const HyperelasticLaw       &law,
-               const SymmetricTensor<2, 3> &b,
+               const SymmetricTensor<2, 3> &e,
                const Voigt<3>              &expected,
                const std::string           &what)
   {
-    const Voigt<3> stress = kirchhoff_stress(law, b);
+    const Voigt<3> stress = kirchhoff_stress(law, e);
     for (unsigned int k = 0; k < 6; ++k)
       check::is_close(stress[k], expected[k], 1e-11, what + ", component " + std::to_string(k), 1e3 * E);
   }
@@ -158,11 +160,11 @@ namespace
   SymmetricTensor<2, 3>
   diagonal(const double b_1, const double b_2, const double b_3)
   {
-    SymmetricTensor<2, 3> b;
-    b[0][0] = b_1;
-    b[1][1] = b_2;
-    b[2][2] = b_3;
-    return b;
+    SymmetricTensor<2, 3> e;
+    e[0][0] = b_1 - 1;
+    e[1][1] = b_2 - 1;
+    e[2][2] = b_3 - 1;
+    return e;
   }
 
   // gamma along x per y
@@ -171,7 +173,7 @@ namespace
   {
     Tensor<2, 3> F(unit_symmetric_tensor<3>());
     F[0][1] = gamma;
-    return left_cauchy_green(F);
+    return strain_of(F);
   }
 
   // Stretch a along x. With x the square of the lateral stretch, sigma_22 = 0 is
@@ -192,7 +194,7 @@ namespace
                           mu * (a * a - 1 / a),
                           2e-3,
                           name + ": incompressible limit");
-        const double thickness = squared_thickness(law, diagonal(a * a, a * a, 1));
+        const double thickness = 1 + thickness_strain(law, diagonal(a * a, a * a, 1));
         const double biaxial   = mu * (a * a - thickness);
         check::is_close(
             thickness, (2 * mu + lambda) / (2 * mu + lambda * std::pow(a, 4)), 1e-13, name + ": thickness");
@@ -216,7 +218,7 @@ namespace
         const double thickness = 1 - 4 * nu / (1 - nu) * strain;
         const double biaxial   = a * a * E / (1 - nu) * strain;
         check::is_close(
-            squared_thickness(law, diagonal(a * a, a * a, 1)), thickness, 1e-12, name + ": thickness");
+            1 + thickness_strain(law, diagonal(a * a, a * a, 1)), thickness, 1e-12, name + ": thickness");
         check_stress(law, diagonal(a * a, a * a, thickness), {{biaxial, biaxial}}, name + ": biaxial");
       }
     const double g = 0.7, S_33 = lambda * g * g / 2, S_11 = S_33, S_22 = S_33 + mu * g * g, S_12 = mu * g;
@@ -224,6 +226,25 @@ namespace
                  sheared(g),
                  {{S_11 + 2 * g * S_12 + g * g * S_22, S_22, S_33, S_12 + g * S_22, 0, 0}},
                  name + ": shear");
+  }
+
+  // Hooke's law, to as many digits as the strain has.
+  void
+  check_tiny_strains(const HyperelasticLaw &law, const double nu, const std::string &name)
+  {
+    const double                mu = E / 2 / (1 + nu), lambda = 2 * mu * nu / (1 - 2 * nu);
+    const SymmetricTensor<2, 3> strain = 1e-13 * symmetrize(random_tensor(1));
+    const SymmetricTensor<2, 3> sigma = lambda * trace(strain) * unit_symmetric_tensor<3>() + 2 * mu * strain;
+    const Voigt<3>              stress = kirchhoff_stress(law, 2 * strain), expected = as_voigt(sigma);
+    for (unsigned int k = 0; k < 6; ++k)
+      check::is_close(stress[k], expected[k], 1e-11, name + ": tiny stress", sigma.norm());
+    check::is_close(energy(law, 2 * strain), 0.5 * (sigma * strain), 1e-2, name + ": tiny energy", 1e-26 * E);
+    const double thickness = thickness_strain(law, 2 * strain);
+    check::is_close(thickness,
+                    -2 * nu / (1 - nu) * (strain[0][0] + strain[1][1]),
+                    1e-11,
+                    name + ": tiny change of the thickness",
+                    strain.norm());
   }
 } // namespace
 
@@ -239,6 +260,7 @@ main()
               std::to_string(nu);
           check_derivatives(law_of(law, nu), name);
           check_plane_stress(law_of(law, nu), name);
+          check_tiny_strains(law_of(law, nu), nu, name);
         }
       check_neo_hookean(nu);
       check_st_venant_kirchhoff(nu);

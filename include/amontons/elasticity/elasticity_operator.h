@@ -39,8 +39,8 @@ namespace Amontons
     assemble(const LA::Vector &u, const std::vector<double> &dilatations = {});
 
     // Of the last assemble() with finite strain, unless it found an inverted cell: forces, what the excess
-    // adds to them in the next step, dilatations, and how Newton's step (readable at relevant DoFs) changes
-    // them.
+    // adds to them in the next step, dilatations (less 1), and how Newton's step (readable at relevant DoFs)
+    // changes them.
     const LA::Vector &
     forces() const
     {
@@ -170,7 +170,7 @@ namespace Amontons
     const std::size_t               n_values; // per cell
     std::vector<double>             values;   // of the cells' lower triangles, row by row
 
-    // Finite strain: coefficients of theta, of the excess, and of P(J tr B), cell by cell.
+    // Finite strain: coefficients of theta - 1, of the excess, and of P(J tr B), cell by cell.
     const unsigned int  n_dilatations; // per cell
     std::vector<double> cell_dilatations, excesses, changes_of_volume;
     LA::Vector          assembled_forces, assembled_forces_of_excess;

@@ -16,13 +16,15 @@ namespace Amontons
   // strain of StrainOperator. Plane stress needs none: theta = J there.
   //
   // On the way to a solution theta may be another polynomial: the excess P J - theta is what it lacks.
+  // Inside, all of this is kept as what it differs from 1 by, so that tiny strains keep their digits.
   template <int dim>
   class FiniteKinematics
   {
   public:
     FiniteKinematics(const FiniteElement<dim> &fe, const Kind kind);
 
-    // Values as for StrainOperator; u on the cell's degrees of freedom; theta: coefficients, or null for P J.
+    // Values as for StrainOperator; u on the cell's degrees of freedom; theta: coefficients of theta - 1, or
+    // null for P J.
     // Returns the smallest det F or theta (or not a number), 0 for less than a millionth; unless that is
     // positive, nothing below holds.
     double
@@ -41,17 +43,17 @@ namespace Amontons
     double
     jacobian(const unsigned int q) const
     {
-      return jacobians[q];
+      return 1 + volume_changes[q];
     }
     double
     dilatation(const unsigned int q) const // theta
     {
-      return dilatations[q];
+      return 1 + dilatations[q];
     }
 
-    // b = F_bar F_bar^T
+    // e = F_bar F_bar^T - I
     SymmetricTensor<2, 3>
-    left_cauchy_green(const unsigned int q) const;
+    strain(const unsigned int q) const;
 
     // Of the scalar shape functions, row q dim + d: d/dx_d at point q in the current configuration.
     const FullMatrix<double> &
@@ -66,7 +68,7 @@ namespace Amontons
       return hoops.empty() ? 0. : hoops[q * n_nodes + m];
     }
 
-    // Coefficients of theta and of P J - theta; values of the latter at the points.
+    // Coefficients of theta - 1 and of P J - theta; values of the latter at the points.
     const std::vector<double> &
     dilatation() const
     {
@@ -112,7 +114,7 @@ namespace Amontons
 
   private:
     Tensor<2, 3>
-    deformation_gradient(const FEValues<dim> &values, const unsigned int q, const std::vector<double> &u);
+    displacement_gradient(const FEValues<dim> &values, const unsigned int q, const std::vector<double> &u);
     void
     push_forward(const FEValues<dim> &values, const unsigned int q);
     void
@@ -120,8 +122,9 @@ namespace Amontons
 
     std::array<std::vector<unsigned int>, dim> indices;
 
-    std::vector<Tensor<2, 3>> deformation; // F
-    std::vector<double>       weights, jacobians, dilatations, hoops, theta_coefficients, excess_coefficients;
+    std::vector<Tensor<2, 3>> displacement;                // F - I
+    std::vector<double>       volume_changes, dilatations; // J - 1, theta - 1
+    std::vector<double>       weights, hoops, theta_coefficients, excess_coefficients;
     FullMatrix<double>        spatial_gradients;
     PressureProjection<dim>   projection;
   };

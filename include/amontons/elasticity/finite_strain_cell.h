@@ -51,8 +51,8 @@ namespace Amontons
     std::vector<double>
     forces_of_excess();
 
-    // Coefficients of theta, of the excess, and (after make_tangent()) of P(J tr B), a column for each shape
-    // function.
+    // Coefficients of theta - 1, of the excess, and (after make_tangent()) of P(J tr B), a column for each
+    // shape function.
     const std::vector<double> &
     dilatation() const
     {
@@ -107,7 +107,7 @@ namespace Amontons
     FiniteKinematics<dim>              kinematics;
     const bool                         projects;
     const HyperelasticLaw             *law = nullptr;
-    std::vector<SymmetricTensor<2, 3>> b;
+    std::vector<SymmetricTensor<2, 3>> strain;   // e = b - I
     std::vector<Voigt<3>>              stress;   // tau
     std::vector<double>                pressure; // J pi; plane stress: tr tau/3
 

@@ -19,4 +19,13 @@ namespace Amontons
   {
     return {{s[0][0], s[1][1], s[2][2], s[0][1], s[0][2], s[1][2]}};
   }
+
+  // det(I + h) - 1 = tr h + (sum of the principal minors of h) + det h: small strains keep their digits.
+  template <typename TensorType>
+  double
+  change_of_determinant(const TensorType &h)
+  {
+    return h[0][0] + h[1][1] + h[2][2] + (h[0][0] * h[1][1] - h[0][1] * h[1][0]) +
+           (h[1][1] * h[2][2] - h[1][2] * h[2][1]) + (h[2][2] * h[0][0] - h[2][0] * h[0][2]) + determinant(h);
+  }
 } // namespace Amontons

@@ -1,4 +1,4 @@
-// Compressible neo-Hookean solid, at a point.
+// Compressible neo-Hookean solid, at a point; e = b - I.
 #pragma once
 
 #include <amontons/elasticity/kirchhoff.h>
@@ -13,18 +13,18 @@ namespace Amontons
     double lambda, mu;
 
     double
-    energy(const SymmetricTensor<2, 3> &b) const;
+    energy(const SymmetricTensor<2, 3> &e) const;
 
     // tau = mu (b - I) + lambda/2 (J^2 - 1) I
     Voigt<3>
-    stress(const SymmetricTensor<2, 3> &b) const;
+    stress(const SymmetricTensor<2, 3> &e) const;
 
     // c_ijkl = lambda J^2 d_ij d_kl + (mu - lambda/2 (J^2 - 1)) (d_ik d_jl + d_il d_jk)
     SpatialTangent
-    tangent(const SymmetricTensor<2, 3> &b) const;
+    tangent(const SymmetricTensor<2, 3> &e) const;
 
-    // b_33 with tau_33 = 0, for given b_11, b_22, b_12.
+    // e_33 with tau_33 = 0, for given e_11, e_22, e_12.
     double
-    squared_thickness(const SymmetricTensor<2, 3> &b) const;
+    thickness_strain(const SymmetricTensor<2, 3> &e) const;
   };
 } // namespace Amontons

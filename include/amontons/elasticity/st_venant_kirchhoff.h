@@ -1,4 +1,4 @@
-// St. Venant-Kirchhoff solid, at a point.
+// St. Venant-Kirchhoff solid, at a point; e = b - I.
 #pragma once
 
 #include <amontons/elasticity/kirchhoff.h>
@@ -12,20 +12,20 @@ namespace Amontons
   {
     double lambda, mu;
 
-    // tr E = (tr b - 3)/2,  4 E:E = tr b^2 - 2 tr b + 3
+    // tr E = tr e/2,  4 E:E = e:e
     double
-    energy(const SymmetricTensor<2, 3> &b) const;
+    energy(const SymmetricTensor<2, 3> &e) const;
 
-    // tau = lambda tr E b + mu (b^2 - b)
+    // tau = lambda tr E b + mu b e
     Voigt<3>
-    stress(const SymmetricTensor<2, 3> &b) const;
+    stress(const SymmetricTensor<2, 3> &e) const;
 
     // c_ijkl = lambda b_ij b_kl + mu (b_ik b_jl + b_il b_jk)
     SpatialTangent
-    tangent(const SymmetricTensor<2, 3> &b) const;
+    tangent(const SymmetricTensor<2, 3> &e) const;
 
-    // b_33 with tau_33 = 0, for given b_11, b_22, b_12; not positive where there is none.
+    // e_33 with tau_33 = 0, for given e_11, e_22, e_12; not above -1 where there is none.
     double
-    squared_thickness(const SymmetricTensor<2, 3> &b) const;
+    thickness_strain(const SymmetricTensor<2, 3> &e) const;
   };
 } // namespace Amontons

@@ -641,6 +641,27 @@ foreach(mu 0 0.3)
                  CHECK ${KEPT_FINITE} "newton.4:.iterations <= 8" "reference.errors.contact_size <= 0.015" "reference.errors.peak_pressure <= 0.02")
 endforeach()
 
+# Loads so small that the contact is within one face, in one step from the start: down to a millionth of the scene's. Between the spheres the first node to
+# touch lets the upper body rise by 4e-4, a million times its deformation: forces are balanced to the rounding of that.
+foreach(mu 0 0.3)
+  foreach(degree 1 2)
+    foreach(force -2.5e-4 -2.5e-2 -2.5)
+      add_scene_test(NAME cylinders_finite_force_${force}_q${degree}_mu_${mu} SCENE verification/two_cylinders.prm
+                     SET "Kinematics=finite strain" "Increments=1" "Refinement/Cycles=0" "Boundary condition load/Force=0|${force}" "Discretization/Degree=${degree}"
+                         "Contact line/Friction coefficient=${mu}"
+                     CHECK ${KEPT_FINITE} "meshes.0.t ~ 1 1e-12" "newton.:.iterations <= 16" "pairs.0.normal_force.1 ~ ${force} 0.01")
+    endforeach()
+  endforeach()
+  add_scene_test(NAME spheres_finite_tiny_force_mu_${mu} SCENE two_spheres.prm
+                 SET "Kinematics=finite strain" "Increments=1" "Refinement/Initial refinements=3" "Refinement/Cycles=1" "Boundary condition load/Force=0|0|-125e-6"
+                     "Contact point/Friction coefficient=${mu}"
+                 CHECK "status is converged" "checks.tension <= 1e-6" "checks.penetration <= 1e-8" "meshes.1.t ~ 1 1e-12" "newton.:.iterations <= 16"
+                       "checks.force_balance <= 1e-6" "pairs.0.normal_force.2 ~ -125e-6 0.02")
+  add_scene_test(NAME sphere_finite_tiny_force_mu_${mu} SCENE hertz_sphere.prm
+                 SET "Kinematics=finite strain" "Increments=1" "Refinement/Cycles=2" "Obstacle sphere/Force=0|0|-250e-6" "Contact top/Friction coefficient=${mu}"
+                 CHECK ${KEPT_FINITE} "meshes.2.t ~ 1 1e-12" "newton.:.iterations <= 16" "pairs.0.normal_force.2 ~ -250e-6 0.01")
+endforeach()
+
 # Code_Aster's test ssnp154 (St. Venant-Kirchhoff): -1.3069 with linear elements, -1.3080 with quadratic ones. The pressure is lower than at small strain.
 add_scene_test(NAME roller_finite SCENE nafems_roller_finite.prm
                CHECK ${KEPT_FINITE} "newton.0.iterations <= 12" "newton.1:.iterations <= 6" "probes.0.points.0.displacement.1 ~ -1.3080 5e-4" "pairs.0.peak_pressure ~ 3513 0.01")

@@ -37,21 +37,23 @@ namespace Amontons
     return polygon;
   }
 
-  // The part to the left of the line from a to b (Sutherland and Hodgman 1974).
+  // The part to the left of the line from a to b (Sutherland and Hodgman 1974). Where edges lie on the line
+  // but for rounding, they stay whole: rounding would else decide where to cut them.
   template <typename Number>
   Polygon<Number>
   cut(const Polygon<Number> &polygon, const Components<2, Number> &a, const Components<2, Number> &b)
   {
     Polygon<Number>    result;
     const auto         side = [&](const Components<2, Number> &p) { return cross(b - a, p - a); };
+    const double       none = 1e-11 * value_of(dot(b - a, b - a));
     const unsigned int n    = polygon.size();
     for (unsigned int i = 0; i < n; ++i)
       {
         const auto  &p = polygon[i], &q = polygon[(i + 1) % n];
         const Number s = side(p), t = side(q);
-        if (s >= 0)
+        if (s >= -none)
           result.push_back(p);
-        if ((s > 0 && t < 0) || (s < 0 && t > 0))
+        if ((s > none && t < -none) || (s < -none && t > none))
           result.push_back(p + scaled(Number(s / (s - t)), q - p));
       }
     return result;

@@ -20,8 +20,22 @@ namespace Amontons
   const Quadrature<2> &
   triangle_formula(const double degree);
 
+  // The vertex that is foremost along a direction, which none of the usual edges has. The first one depends
+  // on rounding where vertices lie on the edges that they were cut with.
+  template <typename Number>
+  unsigned int
+  foremost_vertex(const Polygon<Number> &polygon)
+  {
+    const auto along = [](const auto &p) { return 0.83 * value_of(p[0]) + 0.55774 * value_of(p[1]); };
+    return std::max_element(polygon.begin(),
+                            polygon.end(),
+                            [&](const auto &p, const auto &q) { return along(p) < along(q); }) -
+           polygon.begin();
+  }
+
   // Calls on_piece(n, slave_point) for the formula on each triangle of a polygon; slave_point(q), q < n.
-  // to_xi takes its points to (xi, area element dxi).
+  // to_xi takes its points to (xi, area element dxi). On curved faces formulas are not exact: triangles must
+  // be the same ones when the polygon moves a little.
   template <typename Number, typename ToXi, typename OnPiece>
   void
   integrate_polygon(const VariedFace<3, Number> &slave,
@@ -30,14 +44,19 @@ namespace Amontons
                     const ToXi                  &to_xi,
                     const OnPiece               &on_piece)
   {
+    const unsigned int first  = polygon.empty() ? 0 : foremost_vertex(polygon);
+    const auto         vertex = [&](const unsigned int i) -> const auto &
+    {
+      return polygon[(first + i) % polygon.size()];
+    };
     for (unsigned int i = 1; i + 1 < polygon.size(); ++i)
       {
-        const auto   a = polygon[i] - polygon[0], b = polygon[i + 1] - polygon[0];
+        const auto   a = vertex(i) - vertex(0), b = vertex(i + 1) - vertex(0);
         const Number twice_area = cross(a, b);
         if (value_of(twice_area) != 0)
           on_piece(formula.size(), [&](const unsigned int q) {
             const auto [xi, element] =
-                to_xi(polygon[0] + (scaled(formula.point(q)[0], a) + scaled(formula.point(q)[1], b)));
+                to_xi(vertex(0) + (scaled(formula.point(q)[0], a) + scaled(formula.point(q)[1], b)));
             return SlavePoint<3, Number>(slave, xi, Number(formula.weight(q) * twice_area * element));
           });
       }

@@ -4,6 +4,7 @@
 The first run is the reference. The same forces, peaks, sizes, sets, energies and rows of contact.csv (sorted by place), to a relative tolerance.
 --tolerance 1e-8: of forces and pressures;  --iterations 0: by how much the iterations on a mesh may differ;
 --any-iterations: by whatever;  --forces-only: no contact.csv.
+--history T: instead of all that, the force on the pairs' first bodies from t = T on, whichever side is the slave: each component to the tolerance.
 """
 import csv
 import json
@@ -73,9 +74,46 @@ def compare(first, other, tolerance, iterations, forces_only):
     return messages
 
 
+def forces(output):
+    """{pair: [(t, force)]} of the converged increments. Forces of a file act on the slave: turned to be those of positive last component at the end."""
+    with open(os.path.join(output, "history.csv")) as file:
+        rows = {float(r["t"]): r for r in csv.DictReader(file)}  # the last of each time: on the finest mesh
+    found = {}
+    for name in next(iter(rows.values())):
+        if name.endswith(".normal_force_x"):
+            pair = name[: -len(".normal_force_x")]
+            axes = [c for c in "xyz" if f"{pair}.normal_force_{c}" in rows[min(rows)]]
+            total = [(t, [float(rows[t][f"{pair}.normal_force_{c}"]) + float(rows[t][f"{pair}.tangential_force_{c}"]) for c in axes]) for t in sorted(rows)]
+            sign = 1 if total[-1][1][-1] > 0 else -1
+            found[pair] = [(t, [sign * f for f in force]) for t, force in total]
+    return found
+
+
+def compare_histories(output, other, tolerance, start):
+    """The differences, as messages; between the times of the other run its forces are interpolated."""
+    messages, reference = [], forces(output)
+    for pair, others in forces(other).items():
+        largest = 0
+        for t, force in reference[pair]:
+            after = next((i for i, (s, _) in enumerate(others) if s >= t - 1e-12), None)
+            if t < start - 1e-12:
+                continue
+            if not after:
+                messages.append(f"{pair}: no force at t = {t}")
+                continue
+            (s, f), (r, g) = others[after - 1], others[after]
+            for a, b, c in zip(force, f, g):
+                b += (c - b) * (t - s) / (r - s)
+                largest = max(largest, abs(a - b) / max(abs(a), 1e-300))
+                if not abs(a - b) <= tolerance * abs(a):
+                    messages.append(f"{pair} force at t = {t}: {a} and {b}")
+        print(f"       {pair}: components of the force differ by {100 * largest:.2f} % at most")
+    return messages
+
+
 def main():
     executable, output, scene = sys.argv[1:4]
-    sets, runs, tolerance, iterations, forces_only = [], [], 1e-8, 0, False
+    sets, runs, tolerance, iterations, forces_only, start = [], [], 1e-8, 0, False, None
     arguments = sys.argv[4:]
     while arguments:
         flag = arguments.pop(0)
@@ -83,6 +121,8 @@ def main():
             forces_only = True
         elif flag == "--any-iterations":
             iterations = None
+        elif flag == "--history":
+            start = float(arguments.pop(0))
         elif flag == "--set":
             sets.append(arguments.pop(0))
         elif flag == "--run":
@@ -95,8 +135,11 @@ def main():
             sys.exit(f"unknown option {flag}")
     results = [run(executable, f"{output}_{i}", scene, r[0], sets + r[1:]) for i, r in enumerate(runs)]
     failed = 0
-    for words, result in zip(runs[1:], results[1:]):
-        messages = compare(results[0], result, tolerance, iterations, forces_only)
+    for i, (words, result) in enumerate(zip(runs[1:], results[1:])):
+        if start is None:
+            messages = compare(results[0], result, tolerance, iterations, forces_only)
+        else:
+            messages = compare_histories(f"{output}_0", f"{output}_{i + 1}", tolerance, start)
         print(f"{'FAILED' if messages else 'ok    '} {' | '.join(runs[0])} against {' | '.join(words)}")
         for message in messages[:10]:
             print(f"         {message}")

@@ -728,6 +728,10 @@ foreach(mu 0 0.3)
                  CHECK ${SOUND} "newton.:.iterations <= 6" "newton.:.residual <= 1e-9")
 endforeach()
 
+# Either side as slave: the same forces while it begins to slide (quadratic elements, a shorter block).
+add_comparison_test(NAME ironing_slaves SCENE ironing.prm SET "End time=1.05" "Increments=105" "Discretization/Degree=2" "Body block/Upper corner=4,0" "Body block/Cells=32,8"
+                    RUN "1 | Contact ironing/Slave=second" "1 | Contact ironing/Slave=first" OPTIONS --tolerance 0.01 --history 1)
+
 # The beam meets the wall and snaps along it; the arch leaves its indenter and is caught again.
 foreach(scene wall_buckling snap_away)
   add_scene_test(NAME ${scene} SCENE ${scene}.prm CHECK "checks.tension <= 1e-9" "checks.penetration <= 1e-9" "checks.force_balance <= 1e-6"

@@ -1,4 +1,4 @@
-#include <amontons/algebra/condensed_system.h>
+#include <amontons/algebra/direct_scatter.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
@@ -113,30 +113,41 @@ namespace Amontons
             for (const auto dof : dofs)
               add_reached(dof);
           }
-        supports.add_entries_local_to_global(dofs, dsp, true);
+        supports.add_entries_local_to_global(dofs, dsp, false);
       }
     for (const auto dof : locally_owned)
       dsp.add(dof, dof);
     SparsityTools::distribute_sparsity_pattern(dsp, locally_owned, communicator, relevant);
     system.reinit(locally_owned, locally_owned, dsp, communicator);
 
-    double largest = 0;
-    system         = 0;
-    for (unsigned int c = 0; c < cells.n; ++c)
-      {
-        const FullMatrix<double> cell_matrix = cells.matrix(c);
-        for (unsigned int i = 0; i < cell_matrix.m(); ++i)
-          largest = std::max(largest, cell_matrix(i, i));
-        if (!is_surface[c])
-          supports.distribute_local_to_global(cell_matrix, cells.dofs(c), system);
-      }
-    system.compress(VectorOperation::add);
-    diagonal_scale = Utilities::MPI::max(largest, communicator);
+    system = 0;
+    assemble_bulk(cells, supports, is_surface);
     if (diagonal != nullptr)
       for (const auto dof : locally_owned)
         if ((*diagonal)(dof) != 0)
           add_reached(dof);
     save_bulk_rows(reached);
+  }
+
+  // And the stiffness of the DoFs that have, or may get, no equation of their own.
+  void
+  CondensedSystem::assemble_bulk(const CellMatrices      &cells,
+                                 const Constraints       &supports,
+                                 const std::vector<bool> &is_surface)
+  {
+    stiffness.reinit(locally_owned, relevant, communicator, true);
+    for (unsigned int c = 0; c < cells.n; ++c)
+      {
+        const auto  matrix = cells.matrix(c);
+        const auto &dofs   = cells.dofs(c);
+        if (!is_surface[c])
+          add_condensed(matrix, dofs, dofs, supports, supports, system);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (is_surface[c] || supports.is_constrained(dofs[i]))
+            stiffness(dofs[i]) += matrix(i, i);
+      }
+    system.compress(VectorOperation::add);
+    stiffness.compress(VectorOperation::add);
   }
 
   // Rows that assemble() adds to, from this rank or another one.
@@ -182,27 +193,19 @@ namespace Amontons
   }
 
   void
-  CondensedSystem::add(const FullMatrix<double>                   &matrix,
-                       const std::vector<types::global_dof_index> &dofs,
-                       const ContactConstraints                   &constraints)
-  {
-    if (constraints.is_symmetric())
-      constraints.trial().distribute_local_to_global(matrix, dofs, system);
-    else
-      constraints.test().distribute_local_to_global(matrix, dofs, constraints.trial(), dofs, system);
-  }
-
-  void
   CondensedSystem::assemble(const CellMatrices               &cells,
                             const ContactConstraints         &constraints,
                             const LA::Vector                 *diagonal,
                             const std::vector<FurtherMatrix> &further)
   {
     restore_bulk_rows();
+    const auto add = [&](const FullMatrix<double> &matrix, const std::vector<types::global_dof_index> &dofs) {
+      add_condensed(matrix, dofs, dofs, constraints.test(), constraints.trial(), system);
+    };
     for (const unsigned int c : surface_cells)
-      add(cells.matrix(c), cells.dofs(c), constraints);
+      add(cells.matrix(c), cells.dofs(c));
     for (const FurtherMatrix &matrix : further)
-      add(matrix.matrix, matrix.dofs, constraints);
+      add(matrix.matrix, matrix.dofs);
     if (diagonal != nullptr)
       {
         FullMatrix<double> one(1, 1);
@@ -210,21 +213,25 @@ namespace Amontons
           if ((*diagonal)(dof) != 0)
             {
               one(0, 0) = (*diagonal)(dof);
-              add(one, {dof}, constraints);
+              add(one, {dof});
             }
       }
     system.compress(VectorOperation::add);
     add_missing_diagonals(constraints.trial());
   }
 
-  // Rows that no cell reaches: carriers and rigid bodies (their DoFs are constrained or moved through
-  // others), and with different constraints for rows and columns all that are eliminated.
+  // Rows that are eliminated, carriers and rigid bodies. Multigrid needs up to ten times the steps where such
+  // a diagonal is not of the size of its neighbours.
   void
   CondensedSystem::add_missing_diagonals(const Constraints &constraints)
   {
+    const double largest = stiffness.linfty_norm();
     for (const auto &line : constraints.get_lines())
       if (locally_owned.is_element(line.index) && system.diag_element(line.index) == 0)
-        system.set(line.index, line.index, diagonal_scale);
+        {
+          const double own = stiffness(line.index);
+          system.set(line.index, line.index, own > 0 ? own : largest > 0 ? largest : 1.);
+        }
     system.compress(VectorOperation::insert);
   }
 } // namespace Amontons

@@ -70,21 +70,49 @@ namespace Amontons
         return parts[begin[column]];
       }
 
-      // Values for one row of the matrix.
+      // Values for one row of the matrix from those of a row of the block.
       void
-      combine(const FullMatrix<double> &block, const unsigned int i, std::vector<double> &values) const
+      combine(const std::vector<double> &row, std::vector<double> &values) const
       {
         values.assign(size(), 0.);
         for (unsigned int column = 0; column < size(); ++column)
           for (unsigned int k = begin[column]; k < begin[column + 1]; ++k)
-            values[column] += parts[k].weight * block(i, parts[k].from);
+            values[column] += parts[k].weight * row[parts[k].from];
       }
     };
+
+    // What goes to a row of the matrix from one of the block.
+    struct RowPart
+    {
+      types::global_dof_index row;
+      unsigned int            from;
+      double                  weight;
+    };
+
+    // Sorted by rows of the matrix; rows of zeros are left out.
+    std::vector<RowPart>
+    row_parts(const FullMatrix<double>                   &block,
+              const std::vector<types::global_dof_index> &dofs,
+              const Constraints                          &constraints)
+    {
+      std::vector<RowPart> parts;
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        if (const double *row = &block(i, 0);
+            std::any_of(row, row + block.n(), [](const double value) { return value != 0; }))
+          {
+            if (!constraints.is_constrained(dofs[i]))
+              parts.push_back({dofs[i], i, 1});
+            else
+              for (const auto &[other, weight] : *constraints.get_constraint_entries(dofs[i]))
+                parts.push_back({other, i, weight});
+          }
+      std::sort(parts.begin(), parts.end(), [](const RowPart &a, const RowPart &b) { return a.row < b.row; });
+      return parts;
+    }
 
     void
     add_to_row(const LA::SparseMatrix    &matrix,
                const int                  row,
-               const double               factor,
                const Columns             &columns,
                const std::vector<double> &values)
     {
@@ -99,7 +127,7 @@ namespace Amontons
           while (place != end && *place < local)
             ++place;
           if (place != end && *place == local)
-            entries[place - places] += factor * values[j];
+            entries[place - places] += values[j];
           else
             AssertThrow(values[j] == 0, ExcMessage("an entry outside of the sparsity pattern"));
         }
@@ -114,24 +142,34 @@ namespace Amontons
                 const Constraints                          &of_columns,
                 LA::SparseMatrix                           &matrix)
   {
-    const Columns       sorted(columns, of_columns, matrix);
-    std::vector<double> values;
-    const auto          add = [&](const types::global_dof_index row, const double factor) {
-      if (const int here = matrix.trilinos_matrix().LRID(int(row)); here >= 0)
-        add_to_row(matrix, here, factor, sorted, values);
-      else // sent to its owner
-        for (unsigned int j = 0; j < sorted.size(); ++j)
-          if (values[j] != 0)
-            matrix.add(row, sorted.first(j).dof, factor * values[j]);
-    };
-    for (unsigned int i = 0; i < rows.size(); ++i)
+    if (columns.empty())
+      return;
+    const Columns                        sorted(columns, of_columns, matrix);
+    std::vector<double>                  row(columns.size()), values, sent_values;
+    std::vector<types::global_dof_index> sent_columns;
+    const auto                           parts = row_parts(block, rows, of_rows);
+    for (auto part = parts.begin(); part != parts.end();)
       {
-        sorted.combine(block, i, values);
-        if (!of_rows.is_constrained(rows[i]))
-          add(rows[i], 1);
-        else
-          for (const auto &[other, weight] : *of_rows.get_constraint_entries(rows[i]))
-            add(other, weight);
+        const auto target = part->row;
+        std::fill(row.begin(), row.end(), 0.);
+        for (; part != parts.end() && part->row == target; ++part)
+          for (unsigned int j = 0; j < row.size(); ++j)
+            row[j] += part->weight * block(part->from, j);
+        sorted.combine(row, values);
+        if (const int here = matrix.trilinos_matrix().LRID(int(target)); here >= 0)
+          add_to_row(matrix, here, sorted, values);
+        else // sent to its owner
+          {
+            sent_columns.clear();
+            sent_values.clear();
+            for (unsigned int j = 0; j < sorted.size(); ++j)
+              if (values[j] != 0)
+                {
+                  sent_columns.push_back(sorted.first(j).dof);
+                  sent_values.push_back(values[j]);
+                }
+            matrix.add(target, sent_columns, sent_values);
+          }
       }
   }
 

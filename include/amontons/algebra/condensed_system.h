@@ -68,9 +68,9 @@ namespace Amontons
 
   private:
     void
-    add(const FullMatrix<double>                   &matrix,
-        const std::vector<types::global_dof_index> &dofs,
-        const ContactConstraints                   &constraints);
+    assemble_bulk(const CellMatrices      &cells,
+                  const Constraints       &supports,
+                  const std::vector<bool> &is_surface);
     void
     add_missing_diagonals(const Constraints &constraints);
     void
@@ -84,6 +84,6 @@ namespace Amontons
     LA::SparseMatrix          system;
     std::vector<int>          saved_rows; // local indices
     std::vector<double>       saved_values;
-    double                    diagonal_scale = 1;
+    LA::Vector                stiffness; // of DoFs without an equation: the sum of the cells' diagonals
   };
 } // namespace Amontons

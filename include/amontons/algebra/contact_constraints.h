@@ -47,11 +47,6 @@ namespace Amontons
     {
       return symmetric ? trial_constraints : test_constraints;
     }
-    bool
-    is_symmetric() const
-    {
-      return symmetric;
-    }
     const std::vector<std::optional<types::global_dof_index>> &
     pivots() const
     {

@@ -121,7 +121,7 @@ namespace Amontons
         recover_contact();
         count_states(step);
         step.residual  = relative_residual();
-        step.n_changes = update_states();
+        step.n_changes = update_states(step.residual);
         report.iterations.push_back(step);
       }
 
@@ -710,8 +710,35 @@ namespace Amontons
         return distance;
       }
 
+      std::vector<ContactState>
+      current_set() const
+      {
+        std::vector<ContactState> set;
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          set.push_back(states[k]);
+        return set;
+      }
+
+      // Far from equilibrium, what would only take back the last change is not believed: near the edge of the
+      // contact a node may pull when closed and penetrate when open, until the others have followed.
+      bool
+      waits_for_equilibrium(const double residual, const double rounding)
+      {
+        if (steps || residual <= 1e-3 || n_waits == 6 || previous_set.empty())
+          {
+            n_waits = 0;
+            return false;
+          }
+        NodeStates<dim> next(states);
+        bool            takes_back = next.update(answers, rounding) > 0;
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          takes_back = takes_back && next[k] == previous_set[k];
+        n_waits = takes_back ? n_waits + 1 : 0;
+        return takes_back;
+      }
+
       unsigned int
-      update_states()
+      update_states(const double residual)
       {
         double rounding = 0, c = 0;
         for (const auto &node : contact.nodes())
@@ -720,7 +747,11 @@ namespace Amontons
               rounding = std::max(rounding, node.rounding);
               c        = std::max(c, node.c);
             }
-        const unsigned int n = states.update(answers, rounding + 1e-13 * c * u.linfty_norm());
+        rounding += 1e-13 * c * u.linfty_norm();
+        if (waits_for_equilibrium(residual, rounding))
+          return 0;
+        previous_set         = current_set();
+        const unsigned int n = states.update(answers, rounding);
         report.safeguarded   = report.safeguarded || states.safeguarded();
         report.frozen        = report.frozen || states.frozen();
         return n;
@@ -775,6 +806,8 @@ namespace Amontons
       std::shared_ptr<ContactConstraints> constraints, assembled; // now; of the matrix
       std::vector<unsigned int>           first_equation;
       std::string                         unheld, inversion;
+      std::vector<ContactState>           previous_set; // before the last change of states
+      unsigned int                        n_waits     = 0;
       double                              force_scale = 0;
       Damping                             damping;
       std::unique_ptr<DampedSteps>        steps; // while a motion is followed

@@ -270,7 +270,7 @@ namespace Amontons
     recovery = std::make_unique<StressRecovery<dim>>(*discretization, *elasticity);
     recovery->recover(state.displacement);
     const auto before = error;
-    error = estimate_error(*discretization, *elasticity, *recovery, interfaces, fields, state.displacement);
+    error = estimate_error(*discretization, *recovery, interfaces, fields);
     // What the load history needs is the worst of its increments.
     const auto keep_largest = [](const Vector<float> &old, Vector<float> &now) {
       for (unsigned int c = 0; c < now.size() && old.size() == now.size(); ++c)

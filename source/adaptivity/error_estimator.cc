@@ -45,16 +45,15 @@ namespace Amontons
     public:
       using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-      Estimation(const Discretization<dim>     &discretization,
-                 const ElasticityOperator<dim> &elasticity,
-                 const StressRecovery<dim>     &recovery,
-                 const LA::Vector              &displacement)
-          : discretization(discretization), elasticity(elasticity), recovery(recovery),
-            displacement(displacement), kind(discretization.scene.kind), gauss(discretization.fe.degree + 1),
+      Estimation(const Discretization<dim> &discretization, const StressRecovery<dim> &recovery)
+          : discretization(discretization), recovery(recovery), kind(discretization.scene.kind),
+            gauss(discretization.fe.degree + 1),
             gauss_polynomials(Polynomials::generate_complete_Lagrange_basis(
                 QGauss<1>(discretization.fe.degree + 1).get_points())),
-            on_face(discretization.fe.degree + 2),
-            values(discretization.mapping, discretization.fe, gauss, elasticity.needed_flags()),
+            on_face(discretization.fe.degree + 2), values(discretization.mapping,
+                                                          discretization.fe,
+                                                          gauss,
+                                                          update_quadrature_points | update_JxW_values),
             squares(discretization.geometry.triangulation.n_active_cells()), contact_squares(squares.size())
       {
         prepare_faces();
@@ -70,7 +69,7 @@ namespace Amontons
             {
               values.reinit(cell);
               recovered.reinit(recovery_cell(cell));
-              const auto  sigma    = elasticity.stresses(values, cell, displacement);
+              const auto &sigma    = recovery.unsmoothed(cell->active_cell_index());
               const auto  smooth   = recovery.values_at(recovered);
               const auto &material = discretization.scene.bodies[cell->material_id()].material;
               for (unsigned int q = 0; q < gauss.size(); ++q)
@@ -171,10 +170,9 @@ namespace Amontons
       }
 
       std::vector<Voigt<dim>>
-      stress_on_face(const Cell &cell, const unsigned int f)
+      stress_on_face(const Cell &cell, const unsigned int f) const
       {
-        values.reinit(cell);
-        const auto              inside = elasticity.stresses(values, cell, displacement);
+        const auto             &inside = recovery.unsmoothed(cell->active_cell_index());
         std::vector<Voigt<dim>> result(on_face.size(), Voigt<dim>());
         for (unsigned int q = 0; q < result.size(); ++q)
           for (unsigned int s = 0; s < inside.size(); ++s)
@@ -268,9 +266,7 @@ namespace Amontons
       }
 
       const Discretization<dim>          &discretization;
-      const ElasticityOperator<dim>      &elasticity;
       const StressRecovery<dim>          &recovery;
-      const LA::Vector                   &displacement;
       const Kind                          kind;
       const QGauss<dim>                   gauss;
       const TensorProductPolynomials<dim> gauss_polynomials; // Lagrange polynomials of the Gauss points
@@ -286,13 +282,11 @@ namespace Amontons
   template <int dim>
   ErrorEstimate<dim>
   estimate_error(const Discretization<dim>                &discretization,
-                 const ElasticityOperator<dim>            &elasticity,
                  const StressRecovery<dim>                &recovery,
                  const std::vector<ContactInterface<dim>> &interfaces,
-                 const std::vector<SurfaceFields<dim>>    &fields,
-                 const LA::Vector                         &displacement)
+                 const std::vector<SurfaceFields<dim>>    &fields)
   {
-    Estimation<dim> estimation(discretization, elasticity, recovery, displacement);
+    Estimation<dim> estimation(discretization, recovery);
     estimation.add_bulk();
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       estimation.add_interface(interfaces[i], fields[i]);
@@ -301,16 +295,12 @@ namespace Amontons
 
   template ErrorEstimate<2>
   estimate_error(const Discretization<2> &,
-                 const ElasticityOperator<2> &,
                  const StressRecovery<2> &,
                  const std::vector<ContactInterface<2>> &,
-                 const std::vector<SurfaceFields<2>> &,
-                 const LA::Vector &);
+                 const std::vector<SurfaceFields<2>> &);
   template ErrorEstimate<3>
   estimate_error(const Discretization<3> &,
-                 const ElasticityOperator<3> &,
                  const StressRecovery<3> &,
                  const std::vector<ContactInterface<3>> &,
-                 const std::vector<SurfaceFields<3>> &,
-                 const LA::Vector &);
+                 const std::vector<SurfaceFields<3>> &);
 } // namespace Amontons

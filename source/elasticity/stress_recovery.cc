@@ -1,6 +1,5 @@
 #include <amontons/elasticity/stress_recovery.h>
 
-#include <deal.II/base/polynomial_space.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/tensor_product_polynomials.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -8,6 +7,7 @@
 #include <deal.II/lac/householder.h>
 
 #include <limits>
+#include <optional>
 #include <set>
 
 namespace Amontons
@@ -21,14 +21,31 @@ namespace Amontons
       Voigt<dim> stress;
     };
 
+    // All monomials of total degree <= p at a point; appended to `values`.
+    template <int dim>
+    void
+    append_monomials(const unsigned int degree, const Point<dim> &x, std::vector<double> &values)
+    {
+      double zs = 1;
+      for (unsigned int c = 0; c <= (dim == 3 ? degree : 0); ++c, zs *= x[dim - 1])
+        {
+          double ys = zs;
+          for (unsigned int b = 0; b + c <= degree; ++b, ys *= x[1])
+            {
+              double value = ys;
+              for (unsigned int a = 0; a + b + c <= degree; ++a, value *= x[0])
+                values.push_back(value);
+            }
+        }
+    }
+
     // Least-squares polynomial of total degree p through samples, in coordinates scaled to their bounding
     // box.
     template <int dim>
     class PatchPolynomial
     {
     public:
-      PatchPolynomial(const PolynomialSpace<dim> &space, const std::vector<Sample<dim>> &samples)
-          : space(space)
+      PatchPolynomial(const unsigned int degree, const std::vector<Sample<dim>> &samples) : degree(degree)
       {
         Point<dim> lower = samples.front().X, upper = lower;
         for (const auto &sample : samples)
@@ -43,19 +60,24 @@ namespace Amontons
         fit(samples);
       }
 
+      // monomials: room to work in.
       Voigt<dim>
-      value(const Point<dim> &X) const
+      value(const Point<dim> &X, std::vector<double> &monomials) const
       {
-        const Point<dim> xi = scaled(X);
-        Voigt<dim>       stress;
+        monomials.clear();
+        append_monomials(degree, scaled(X), monomials);
+        Voigt<dim> stress;
         stress.fill(0);
-        for (unsigned int i = 0; i < space.n(); ++i)
-          {
-            const double monomial = space.compute_value(i, xi);
-            for (unsigned int k = 0; k < n_voigt<dim>; ++k)
-              stress[k] += monomial * coefficients[k][i];
-          }
+        for (unsigned int i = 0; i < monomials.size(); ++i)
+          for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+            stress[k] += monomials[i] * coefficients[i][k];
         return stress;
+      }
+
+      static unsigned int
+      n_coefficients(const unsigned int degree)
+      {
+        return dim == 2 ? (degree + 1) * (degree + 2) / 2 : (degree + 1) * (degree + 2) * (degree + 3) / 6;
       }
 
     private:
@@ -71,24 +93,26 @@ namespace Amontons
       void
       fit(const std::vector<Sample<dim>> &samples)
       {
-        FullMatrix<double> monomials(samples.size(), space.n());
-        for (unsigned int s = 0; s < samples.size(); ++s)
-          for (unsigned int i = 0; i < space.n(); ++i)
-            monomials(s, i) = space.compute_value(i, scaled(samples[s].X));
-        const Householder<double> qr(monomials);
-        Vector<double>            stresses(samples.size());
+        const unsigned int  n = n_coefficients(degree);
+        std::vector<double> monomials;
+        for (const auto &sample : samples)
+          append_monomials(degree, scaled(sample.X), monomials);
+        const Householder<double> qr(FullMatrix<double>(samples.size(), n, monomials.data()));
+        Vector<double>            stresses(samples.size()), solution(n);
+        coefficients.resize(n);
         for (unsigned int k = 0; k < n_voigt<dim>; ++k)
           {
             for (unsigned int s = 0; s < samples.size(); ++s)
               stresses[s] = samples[s].stress[k];
-            coefficients[k].reinit(space.n());
-            qr.least_squares(coefficients[k], stresses);
+            qr.least_squares(solution, stresses);
+            for (unsigned int i = 0; i < n; ++i)
+              coefficients[i][k] = solution[i];
           }
       }
 
-      const PolynomialSpace<dim>              &space;
-      Point<dim>                               centre, scale;
-      std::array<Vector<double>, n_voigt<dim>> coefficients;
+      unsigned int            degree;
+      Point<dim>              centre, scale;
+      std::vector<Voigt<dim>> coefficients; // by monomial
     };
 
     // The patch polynomials at all inner vertices of this rank's cells. Ghost cells complete the patches.
@@ -96,18 +120,21 @@ namespace Amontons
     class Patches
     {
     public:
+      using GaussStresses = std::vector<std::vector<Voigt<dim>>>; // by active cell
+
       Patches(const Discretization<dim>     &discretization,
               const ElasticityOperator<dim> &elasticity,
-              const LA::Vector              &displacement)
+              const LA::Vector              &displacement,
+              GaussStresses                 &at_gauss_points)
           : discretization(discretization), degree(discretization.fe.degree),
-            space(Polynomials::Monomial<double>::generate_complete_basis(degree)),
             gauss(Polynomials::generate_complete_Lagrange_basis(QGauss<1>(degree).get_points())),
             nodes(discretization.fe.base_element(0).get_unit_support_points()),
             node_positions(
                 discretization.mapping, discretization.fe, Quadrature<dim>(nodes), update_quadrature_points),
-            samples(discretization.geometry.triangulation.n_active_cells())
+            samples(discretization.geometry.triangulation.n_active_cells()),
+            outer(discretization.geometry.triangulation.n_vertices(), false), polynomials(outer.size())
       {
-        take_samples(elasticity, displacement);
+        take_samples(elasticity, displacement, at_gauss_points);
         find_outer_vertices();
         fit_patches();
       }
@@ -119,6 +146,10 @@ namespace Amontons
       nodal_stresses(const Cell &cell)
       {
         node_positions.reinit(cell);
+        around.clear();
+        for (const unsigned int v : cell->vertex_indices())
+          if (const auto &polynomial = polynomials[cell->vertex_index(v)])
+            around.emplace_back(v, &*polynomial);
         std::vector<Voigt<dim>> result;
         for (unsigned int i = 0; i < nodes.size(); ++i)
           result.push_back(nodal_stress(cell, i));
@@ -135,11 +166,17 @@ namespace Amontons
       // sigma_h at the p^dim Gauss points, as its L2 projection on the unit cell to polynomials of degree p -
       // 1 per direction: these agree at the Gauss points with whatever has degree p.
       void
-      take_samples(const ElasticityOperator<dim> &elasticity, const LA::Vector &displacement)
+      take_samples(const ElasticityOperator<dim> &elasticity,
+                   const LA::Vector              &displacement,
+                   GaussStresses                 &at_gauss_points)
       {
         const QGauss<dim> full(degree + 1), reduced(degree);
         FEValues<dim>     values(discretization.mapping, discretization.fe, full, elasticity.needed_flags());
         FEValues<dim> places(discretization.mapping, discretization.fe, reduced, update_quadrature_points);
+        FullMatrix<double> projection(reduced.size(), full.size());
+        for (unsigned int a = 0; a < reduced.size(); ++a)
+          for (unsigned int q = 0; q < full.size(); ++q)
+            projection(a, q) = full.weight(q) / reduced.weight(a) * gauss.compute_value(a, full.point(q));
         for (const auto &cell : discretization.dof_handler.active_cell_iterators())
           if (has_stress(cell))
             {
@@ -152,9 +189,10 @@ namespace Amontons
                   list.push_back({places.quadrature_point(a), Voigt<dim>()});
                   for (unsigned int q = 0; q < full.size(); ++q)
                     for (unsigned int k = 0; k < n_voigt<dim>; ++k)
-                      list.back().stress[k] += full.weight(q) / reduced.weight(a) *
-                                               gauss.compute_value(a, full.point(q)) * stress[q][k];
+                      list.back().stress[k] += projection(a, q) * stress[q][k];
                 }
+              if (cell->is_locally_owned())
+                at_gauss_points[cell->active_cell_index()] = stress;
             }
       }
 
@@ -176,58 +214,58 @@ namespace Amontons
                   }
                 for (const unsigned int v : cell->face(f)->vertex_indices())
                   if (kept.count(cell->face(f)->vertex_index(v)) == 0)
-                    outer.insert(cell->face(f)->vertex_index(v));
+                    outer[cell->face(f)->vertex_index(v)] = true;
               }
       }
 
       void
       fit_patches()
       {
-        std::map<unsigned int, std::vector<Sample<dim>>> patches;
+        std::vector<bool> wanted(outer.size(), false);
         for (const auto &cell : discretization.dof_handler.active_cell_iterators())
           if (cell->is_locally_owned() && has_stress(cell))
             for (const unsigned int v : cell->vertex_indices())
-              if (outer.count(cell->vertex_index(v)) == 0)
-                patches[cell->vertex_index(v)];
+              wanted[cell->vertex_index(v)] = !outer[cell->vertex_index(v)];
+        std::vector<std::vector<Sample<dim>>> patches(wanted.size());
         for (const auto &cell : discretization.dof_handler.active_cell_iterators())
           if (has_stress(cell))
             for (const unsigned int v : cell->vertex_indices())
-              if (const auto patch = patches.find(cell->vertex_index(v)); patch != patches.end())
-                for (const auto &sample : samples[cell->active_cell_index()])
-                  patch->second.push_back(sample);
-        for (const auto &[vertex, patch] : patches)
-          if (patch.size() >= space.n())
-            polynomials.emplace(vertex, PatchPolynomial<dim>(space, patch));
+              if (wanted[cell->vertex_index(v)])
+                {
+                  auto       &patch = patches[cell->vertex_index(v)];
+                  const auto &more  = samples[cell->active_cell_index()];
+                  patch.insert(patch.end(), more.begin(), more.end());
+                }
+        for (unsigned int v = 0; v < patches.size(); ++v)
+          if (patches[v].size() >= PatchPolynomial<dim>::n_coefficients(degree))
+            polynomials[v].emplace(degree, patches[v]);
       }
 
       // sum_v N_v sigma_v / sum_v N_v over the inner vertices v with hat function N_v; where all these N_v
       // are zero: the plain mean.
       Voigt<dim>
-      nodal_stress(const Cell &cell, const unsigned int i) const
+      nodal_stress(const Cell &cell, const unsigned int i)
       {
         Voigt<dim> weighted, plain;
         weighted.fill(0);
         plain.fill(0);
-        double       weights = 0;
-        unsigned int n       = 0;
-        for (const unsigned int v : cell->vertex_indices())
-          if (const auto p = polynomials.find(cell->vertex_index(v)); p != polynomials.end())
-            {
-              const double     hat    = GeometryInfo<dim>::d_linear_shape_function(nodes[i], v);
-              const Voigt<dim> stress = p->second.value(node_positions.quadrature_point(i));
-              for (unsigned int k = 0; k < n_voigt<dim>; ++k)
-                {
-                  weighted[k] += hat * stress[k];
-                  plain[k] += stress[k];
-                }
-              weights += hat;
-              ++n;
-            }
-        if (n == 0)
+        double weights = 0;
+        for (const auto &[v, polynomial] : around)
+          {
+            const double     hat    = GeometryInfo<dim>::d_linear_shape_function(nodes[i], v);
+            const Voigt<dim> stress = polynomial->value(node_positions.quadrature_point(i), monomials);
+            for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+              {
+                weighted[k] += hat * stress[k];
+                plain[k] += stress[k];
+              }
+            weights += hat;
+          }
+        if (around.empty())
           return extrapolated(cell, i);
         const bool near = weights > 1e-12;
         for (unsigned int k = 0; k < n_voigt<dim>; ++k)
-          weighted[k] = near ? weighted[k] / weights : plain[k] / n;
+          weighted[k] = near ? weighted[k] / weights : plain[k] / around.size();
         return weighted;
       }
 
@@ -243,15 +281,16 @@ namespace Amontons
         return stress;
       }
 
-      const Discretization<dim>                   &discretization;
-      const unsigned int                           degree;
-      const PolynomialSpace<dim>                   space;
-      const TensorProductPolynomials<dim>          gauss; // Lagrange polynomials of the Gauss points
-      const std::vector<Point<dim>>                nodes;
-      FEValues<dim>                                node_positions;
-      std::vector<std::vector<Sample<dim>>>        samples; // by active cell
-      std::set<unsigned int>                       outer;
-      std::map<unsigned int, PatchPolynomial<dim>> polynomials; // by vertex
+      const Discretization<dim>                       &discretization;
+      const unsigned int                               degree;
+      const TensorProductPolynomials<dim>              gauss; // Lagrange polynomials of the Gauss points
+      const std::vector<Point<dim>>                    nodes;
+      FEValues<dim>                                    node_positions;
+      std::vector<std::vector<Sample<dim>>>            samples;                  // by active cell
+      std::vector<bool>                                outer;                    // by vertex
+      std::vector<std::optional<PatchPolynomial<dim>>> polynomials;              // by vertex
+      std::vector<std::pair<unsigned int, const PatchPolynomial<dim> *>> around; // vertices of a cell
+      std::vector<double>                                                monomials;
     };
   } // namespace
 
@@ -285,8 +324,11 @@ namespace Amontons
     for (auto &sum : sums)
       sum.reinit(owned, relevant, comm, true);
 
-    Patches<dim>                         patches(discretization, elasticity, displacement);
+    gauss_stresses.assign(discretization.geometry.triangulation.n_active_cells(), {});
+    Patches<dim>                         patches(discretization, elasticity, displacement, gauss_stresses);
     std::vector<types::global_dof_index> dofs(scalar_dofs.get_fe().n_dofs_per_cell());
+    std::vector<double>                  component(dofs.size());
+    const std::vector<double>            ones(dofs.size(), 1.);
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
         {
@@ -294,12 +336,13 @@ namespace Amontons
           typename DoFHandler<dim>::active_cell_iterator(
               &discretization.geometry.triangulation, cell->level(), cell->index(), &scalar_dofs)
               ->get_dof_indices(dofs);
-          for (unsigned int i = 0; i < dofs.size(); ++i)
+          for (unsigned int k = 0; k < n_voigt<dim>; ++k)
             {
-              for (unsigned int k = 0; k < n_voigt<dim>; ++k)
-                sums[k](dofs[i]) += stresses[i][k];
-              sums.back()(dofs[i]) += 1;
+              for (unsigned int i = 0; i < dofs.size(); ++i)
+                component[i] = stresses[i][k];
+              sums[k].add(dofs, component);
             }
+          sums.back().add(dofs, ones);
         }
     for (auto &sum : sums)
       sum.compress(VectorOperation::add);

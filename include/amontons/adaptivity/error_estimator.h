@@ -25,13 +25,11 @@ namespace Amontons
   // tied ones); added to the slave's cell and, in proportion to the overlaps, to the masters' cells:
   // cell_indicators = sqrt(eta_K^2 + sum eta_F^2). `contact` = sqrt(sum_pairs int (p* - p)^2 / int p^2) over
   // the slave faces, where p* = -n . sigma* . n is the recovered normal stress of the slave body. n is the
-  // normal of the true surface. fields: by interface. Collective.
+  // normal of the true surface. recovery: of the displacement. fields: by interface. Collective.
   template <int dim>
   ErrorEstimate<dim>
   estimate_error(const Discretization<dim>                &discretization,
-                 const ElasticityOperator<dim>            &elasticity,
                  const StressRecovery<dim>                &recovery,
                  const std::vector<ContactInterface<dim>> &interfaces,
-                 const std::vector<SurfaceFields<dim>>    &fields,
-                 const LA::Vector                         &displacement);
+                 const std::vector<SurfaceFields<dim>>    &fields);
 } // namespace Amontons

@@ -41,11 +41,20 @@ namespace Amontons
     std::vector<Voigt<dim>>
     values_at(const FEValuesBase<dim> &values) const;
 
+    // sigma_h at the points of QGauss(p + 1) in an owned cell of a deformable body, by active cell.
+    const std::vector<Voigt<dim>> &
+    unsmoothed(const unsigned int active_cell) const
+    {
+      return gauss_stresses[active_cell];
+    }
+
   private:
     const Discretization<dim>     &discretization;
     const ElasticityOperator<dim> &elasticity;
     DoFHandler<dim>                scalar_dofs;
     Constraints                    hanging;
     std::vector<LA::Vector>        components;
+
+    std::vector<std::vector<Voigt<dim>>> gauss_stresses; // by active cell
   };
 } // namespace Amontons

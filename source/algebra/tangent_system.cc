@@ -3,6 +3,8 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <Epetra_Vector.h>
 
 namespace Amontons
@@ -21,15 +23,20 @@ namespace Amontons
           action(other, weight);
     }
 
-    // All DoFs that the given ones stand for, each once.
+    void
+    sort_once(std::vector<types::global_dof_index> &dofs)
+    {
+      std::sort(dofs.begin(), dofs.end());
+      dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
+    }
+
+    // All DoFs that the given one stands for, each once.
     std::vector<types::global_dof_index>
-    resolved(const std::vector<types::global_dof_index> &dofs, const Constraints &constraints)
+    resolved(const types::global_dof_index dof, const Constraints &constraints)
     {
       std::vector<types::global_dof_index> result;
-      for (const auto dof : dofs)
-        for_each_entry(constraints, dof, [&](const auto other, double) { result.push_back(other); });
-      std::sort(result.begin(), result.end());
-      result.erase(std::unique(result.begin(), result.end()), result.end());
+      for_each_entry(constraints, dof, [&](const auto other, double) { result.push_back(other); });
+      sort_once(result);
       return result;
     }
 
@@ -78,7 +85,8 @@ namespace Amontons
   {
   }
 
-  // New ones are kept, so that surfaces that slide to and fro need no new pattern.
+  // New ones are kept, so that surfaces that slide to and fro need no new pattern. All that a DoF has ever
+  // stood for counts: a block that was linked once is linked whatever the constraints are now.
   bool
   TangentSystem::link(const Constraints                    &supports,
                       const ContactConstraints             &test,
@@ -89,25 +97,50 @@ namespace Amontons
     for (const auto &pivot : test.pivots())
       if (pivot)
         {
-          is_new |= insert(replaced[*pivot], resolved({*pivot}, test.test()));
-          is_new |= insert(replaced[*pivot], resolved({*pivot}, test.trial()));
+          is_new |= insert(replaced[*pivot], resolved(*pivot, test.test()));
+          is_new |= insert(replaced[*pivot], resolved(*pivot, test.trial()));
         }
+    if (is_new)
+      linked_blocks.clear();
     for (const auto &matrix : further)
-      {
-        auto columns = resolved(matrix.columns, supports);
-        insert(columns, resolved(matrix.columns, test.trial()));
-        for (const auto row : resolved(matrix.rows, test.test()))
-          is_new |= insert(coupled[row], columns);
-      }
+      link_block(matrix.rows, matrix.columns, supports, is_new);
+    std::vector<types::global_dof_index> columns;
     for (const auto &row : rows)
       {
-        std::vector<types::global_dof_index> dofs;
+        columns.clear();
         for (const auto &entry : row.equation.coefficients)
-          dofs.push_back(entry.first);
-        is_new |= insert(coupled[row.row], resolved(dofs, supports));
+          columns.push_back(entry.first);
+        link_block({row.row}, columns, supports, is_new);
       }
     pattern_is_old = pattern_is_old || Utilities::MPI::max(int(is_new), communicator) > 0;
     return pattern_is_old;
+  }
+
+  void
+  TangentSystem::link_block(const std::vector<types::global_dof_index> &rows,
+                            const std::vector<types::global_dof_index> &columns,
+                            const Constraints                          &supports,
+                            bool                                       &is_new)
+  {
+    if (!linked_blocks
+             .insert({boost::hash_range(rows.begin(), rows.end()),
+                      boost::hash_range(columns.begin(), columns.end())})
+             .second)
+      return;
+    const auto all_of = [&](const std::vector<types::global_dof_index> &dofs) {
+      std::vector<types::global_dof_index> result;
+      for (const auto dof : dofs)
+        for_each_entry(supports, dof, [&](const auto other, double) {
+          result.push_back(other);
+          if (const auto links = replaced.find(other); links != replaced.end())
+            result.insert(result.end(), links->second.begin(), links->second.end());
+        });
+      sort_once(result);
+      return result;
+    };
+    const auto all_columns = all_of(columns);
+    for (const auto row : all_of(rows))
+      is_new |= insert(coupled[row], all_columns);
   }
 
   void

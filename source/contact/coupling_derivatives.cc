@@ -6,6 +6,7 @@
 #include <boost/serialization/map.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace Amontons
 {
@@ -124,6 +125,28 @@ namespace Amontons
     for (const auto &face : faces)
       matrices.push_back(face.stiffness(tractions_here));
     return matrices;
+  }
+
+  template <int dim>
+  std::vector<std::vector<types::global_dof_index>>
+  CouplingDerivatives<dim>::links() const
+  {
+    std::map<unsigned int, std::set<types::global_dof_index>> opposite; // by row
+    for (const auto &face : faces)
+      for (const unsigned int row : face.rows)
+        {
+          const auto dofs = face.master_dofs();
+          opposite[row].insert(dofs.begin(), dofs.end());
+        }
+    std::vector<std::vector<types::global_dof_index>> groups;
+    for (const auto &face : faces)
+      {
+        std::set<types::global_dof_index> group(face.dofs.begin(), face.dofs.end());
+        for (const unsigned int row : face.rows)
+          group.insert(opposite[row].begin(), opposite[row].end());
+        groups.emplace_back(group.begin(), group.end());
+      }
+    return groups;
   }
 
   template class CouplingDerivatives<2>;

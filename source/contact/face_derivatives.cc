@@ -120,15 +120,37 @@ namespace Amontons
       for (unsigned int c = 0; c < dim; ++c)
         {
           columns.push_back({{place(node[c]), 1.}});
-          master_forces.push_back(columns.back());
         }
+
+    const auto force_on = [&](const types::global_dof_index dof) -> unsigned int {
+      const auto found = std::find(forced_dofs.begin(), forced_dofs.end(), dof);
+      if (found == forced_dofs.end())
+        {
+          forced_dofs.push_back(dof);
+          return forced_dofs.size() - 1;
+        }
+      return found - forced_dofs.begin();
+    };
+    for (const auto &node : moments.master)
+      for (unsigned int c = 0; c < dim; ++c)
+        master_forces.push_back({{force_on(node[c]), 1.}});
     for (const unsigned int i : slave.faces[face].unknowns)
       for (unsigned int c = 0; c < dim; ++c)
         {
           slave_forces.emplace_back();
           for (const auto &[j, weight] : slave.nodes[i].control)
-            slave_forces.back().emplace_back(place(slave.nodes[j].dofs[c]), weight);
+            slave_forces.back().emplace_back(force_on(slave.nodes[j].dofs[c]), weight);
         }
+  }
+
+  template <int dim>
+  std::vector<types::global_dof_index>
+  FaceDerivatives<dim>::master_dofs() const
+  {
+    std::vector<types::global_dof_index> result;
+    for (const auto &node : moments.master)
+      result.insert(result.end(), node.begin(), node.end());
+    return result;
   }
 
   template <int dim>
@@ -209,13 +231,14 @@ namespace Amontons
         G_inverse.mmult(Y, moments.N);
       }
 
-    SurfaceMatrix result{dofs, FullMatrix<double>(dofs.size(), dofs.size())};
-    const auto    add = [&](const std::vector<double> &gradient, const Line &where) {
-      std::vector<double> by_dof(dofs.size(), 0.);
+    SurfaceMatrix       result{forced_dofs, dofs, FullMatrix<double>(forced_dofs.size(), dofs.size())};
+    std::vector<double> by_dof(dofs.size());
+    const auto          add = [&](const std::vector<double> &gradient, const Line &where) {
+      std::fill(by_dof.begin(), by_dof.end(), 0.);
       chain(gradient.data(), by_dof.data());
-      for (const auto &[place, weight] : where)
+      for (const auto &[row, weight] : where)
         for (unsigned int column = 0; column < dofs.size(); ++column)
-          result.matrix(place, column) += weight * by_dof[column];
+          result.matrix(row, column) += weight * by_dof[column];
     };
     for (unsigned int c = 0; c < dim; ++c)
       {

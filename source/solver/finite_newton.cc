@@ -7,6 +7,8 @@
 #include <amontons/solver/stability.h>
 #include <amontons/solver/stored_states.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <sstream>
 
 namespace Amontons
@@ -53,7 +55,8 @@ namespace Amontons
             floating(discretization, supports, interfaces, &state.displacement),
             states(contact.nodes(), interfaces, floating, state.t),
             system(discretization.locally_owned, discretization.relevant, dim, communicator),
-            solver(solver_parameters, dim, false), answers(contact.nodes().size())
+            solver(solver_parameters, dim, false), answers(contact.nodes().size()),
+            smallest_cell(GridTools::minimal_cell_diameter(discretization.geometry.triangulation))
       {
         u.reinit(discretization.locally_owned, communicator);
         du.reinit(discretization.locally_owned, communicator);
@@ -355,7 +358,7 @@ namespace Amontons
       }
 
       ContactConstraints
-      constraints_of_closed_nodes()
+      constraints_of(const NodeStates<dim> &states)
       {
         std::vector<ContactEquation> equations;
         first_equation.assign(answers.size(), numbers::invalid_unsigned_int);
@@ -394,26 +397,14 @@ namespace Amontons
         laws.clear();
         for (unsigned int k = 0; k < answers.size(); ++k)
           laws.push_back(states.law(k));
-        constraints = std::make_shared<ContactConstraints>(constraints_of_closed_nodes());
+        constraints = std::make_shared<ContactConstraints>(constraints_of(states));
         unheld      = states.describe(states.unheld());
-        {
-          TimerOutput::Scope scope(timer, "differentiate contact");
-          contact.differentiate(states);
-          further = contact.stiffness(states, answers, state.displacement);
-          rows.clear();
-          for (unsigned int k = 0; k < answers.size(); ++k)
-            if (states[k] != ContactState::open)
-              {
-                const auto                                          e      = first_equation[k];
-                std::vector<std::optional<types::global_dof_index>> pivots = {constraints->pivots()[e]};
-                for (unsigned int c = 1; states[k] == ContactState::stick && c < dim; ++c)
-                  pivots.push_back(constraints->pivots()[e + c]);
-                for (auto &row : contact.written_rows(k, states[k], pivots, state.displacement))
-                  rows.push_back(row);
-              }
-        }
-        for (auto &matrix : follower_loads.stiffness(state.displacement))
-          further.push_back(std::move(matrix));
+        if (tangent_serves_again())
+          {
+            update_rows();
+            return;
+          }
+        differentiate();
         TimerOutput::Scope scope(timer, "assemble condensed system");
         if (system.link(supports, *constraints, further, rows))
           solver.matrix_changed(LinearSolver::all_rows); // lets go of the matrix
@@ -430,7 +421,85 @@ namespace Amontons
             added = &sum;
           }
         system.assemble(cells(), supports, *constraints, further, added, rows, is_iterative());
-        assembled = constraints;
+        assembled       = constraints;
+        place_of_system = u;
+        damped_system   = steps != nullptr;
+      }
+
+      // Of the contact and of loads, with rows. The pattern of the system knows from the beginning what nodes
+      // beside closed ones link: they may close soon.
+      void
+      differentiate()
+      {
+        TimerOutput::Scope scope(timer, "differentiate contact");
+        const bool         is_first = report.iterations.empty();
+        NodeStates<dim>    more(states);
+        for (const unsigned int k : contact.neighbours(states))
+          if (is_first)
+            more.close(k);
+        contact.differentiate(more);
+        further = contact.stiffness(more, answers, state.displacement);
+        for (auto &matrix : follower_loads.stiffness(state.displacement))
+          further.push_back(std::move(matrix));
+        if (is_first)
+          {
+            const auto constraints_of_more = constraints_of(more);
+            write_rows(more, constraints_of_more);
+            system.link(supports, constraints_of_more, contact.links(), {});
+            system.link(supports, constraints_of_more, further, rows);
+          }
+        constraints = std::make_shared<ContactConstraints>(constraints_of(states));
+        write_rows(states, *constraints);
+      }
+
+      void
+      write_rows(const NodeStates<dim> &states, const ContactConstraints &constraints)
+      {
+        rows.clear();
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          if (states[k] != ContactState::open)
+            for (auto &row :
+                 contact.written_rows(k, states[k], pivots_of(k, states, constraints), state.displacement))
+              rows.push_back(row);
+      }
+
+      std::vector<std::optional<types::global_dof_index>>
+      pivots_of(const unsigned int        k,
+                const NodeStates<dim>    &states,
+                const ContactConstraints &constraints) const
+      {
+        const auto first = constraints.pivots().begin() + first_equation[k];
+        return {first, first + (states[k] == ContactState::stick ? dim : 1)};
+      }
+
+      // With a tangent of another place, residuals get smaller by the strain between the two (Newton's by
+      // that of the step itself): is that enough for the tolerance?
+      bool
+      tangent_serves_again() const
+      {
+        if (report.iterations.empty() || report.iterations.back().n_changes > 0 || steps || damped_system ||
+            !unheld.empty() || constraints->pivots() != assembled->pivots())
+          return false;
+        LA::Vector way(u);
+        way -= place_of_system;
+        return way.linfty_norm() / smallest_cell * report.iterations.back().residual <
+               0.2 * parameters.tolerance;
+      }
+
+      // Their values alone, for the matrix as it is.
+      void
+      update_rows()
+      {
+        auto row = rows.begin();
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          if (states[k] != ContactState::open)
+            {
+              const auto pivots = pivots_of(k, states, *constraints);
+              const auto values = contact.row_values(k, states[k], state.displacement);
+              for (unsigned int c = 0; c < pivots.size(); ++c)
+                if (pivots[c])
+                  (row++)->equation.value = values[c];
+            }
       }
 
       const LA::Vector *
@@ -512,9 +581,10 @@ namespace Amontons
       linear_tolerance(const LA::Vector &rhs) const
       {
         if (report.iterations.empty())
-          return 1e-6 * rhs.l2_norm();
-        const double r = report.iterations.back().residual;
-        return 0.1 * std::max(std::min(1e-3, r) * r, parameters.tolerance) * force_scale;
+          return 1e-5 * rhs.l2_norm();
+        const auto  &last = report.iterations.back();
+        const double r = last.residual, factor = last.n_changes > 0 ? 0.1 : std::min(1e-3, r);
+        return 0.1 * std::max(factor * r, parameters.tolerance) * force_scale;
       }
 
       bool
@@ -622,7 +692,7 @@ namespace Amontons
       void
       recover_contact()
       {
-        constraints = std::make_shared<ContactConstraints>(constraints_of_closed_nodes());
+        constraints = std::make_shared<ContactConstraints>(constraints_of(states));
         balance     = raw;
         balance -= known_shear_forces();
         damped_balance = balance;
@@ -804,11 +874,14 @@ namespace Amontons
       std::vector<RectangularMatrix>      further;
       std::vector<WrittenRow>             rows;
       std::shared_ptr<ContactConstraints> constraints, assembled; // now; of the matrix
-      std::vector<unsigned int>           first_equation;
+      LA::Vector                          place_of_system;        // u when it was assembled
+      bool                                damped_system = false;
+      std::vector<unsigned int>           first_equation; // by node, in the constraints made last
       std::string                         unheld, inversion;
       std::vector<ContactState>           previous_set; // before the last change of states
       unsigned int                        n_waits     = 0;
       double                              force_scale = 0;
+      const double                        smallest_cell;
       Damping                             damping;
       std::unique_ptr<DampedSteps>        steps; // while a motion is followed
       LA::Vector                          damping_force, damped_balance, first_push;

@@ -1,5 +1,7 @@
 #include <amontons/solver/moving_contact.h>
 
+#include <set>
+
 namespace Amontons
 {
   namespace
@@ -217,6 +219,25 @@ namespace Amontons
   }
 
   template <int dim>
+  std::vector<unsigned int>
+  MovingContact<dim>::neighbours(const NodeStates<dim> &states) const
+  {
+    std::set<unsigned int> result;
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      for (const auto &face : interfaces[i].slave->faces)
+        {
+          const auto is_closed = [&](const unsigned int node) {
+            return states[node_of[i][node]] != ContactState::open;
+          };
+          if (std::any_of(face.unknowns.begin(), face.unknowns.end(), is_closed))
+            for (const unsigned int node : face.unknowns)
+              if (!is_closed(node) && is_opposite(node_of[i][node]))
+                result.insert(node_of[i][node]);
+        }
+    return {result.begin(), result.end()};
+  }
+
+  template <int dim>
   void
   MovingContact<dim>::differentiate(const NodeStates<dim> &states)
   {
@@ -289,43 +310,46 @@ namespace Amontons
   }
 
   template <int dim>
+  Tensor<1, dim>
+  MovingContact<dim>::row_values(const unsigned int k, const ContactState state, const LA::Vector &u) const
+  {
+    const CandidateNode<dim> &node = all[k];
+    if (node.tied)
+      return -node.jump(u);
+    Tensor<1, dim> values;
+    if (state == ContactState::slip)
+      values[0] = node.gap;
+    else
+      values = node.gap / node.normal.norm_square() * node.normal - slip(k, u);
+    return values;
+  }
+
+  template <int dim>
   std::vector<WrittenRow>
   MovingContact<dim>::written_rows(const unsigned int                                         k,
                                    const ContactState                                         state,
                                    const std::vector<std::optional<types::global_dof_index>> &pivots,
                                    const LA::Vector                                          &u) const
   {
-    std::vector<WrittenRow>   rows;
-    const CandidateNode<dim> &node = all[k];
-    if (state == ContactState::slip)
-      {
-        if (pivots[0])
-          {
-            rows.push_back({*pivots[0], {}});
-            add(rows[0].equation.coefficients, -1, gradient(k).gap);
-            rows[0].equation.value = node.gap;
-          }
-        return rows;
-      }
-    std::array<LinearEquation, dim> equations;
+    const CandidateNode<dim> &node   = all[k];
+    const auto                values = row_values(k, state, u);
+    Rows                      left;
     if (node.tied)
       for (unsigned int c = 0; c < dim; ++c)
-        equations[c] = {node.components[c].equation.coefficients, -node.jump(u)[c]};
+        left[c] = node.components[c].equation.coefficients;
+    else if (state == ContactState::slip)
+      add(left[0], -1, gradient(k).gap);
     else
       {
-        const double         length = node.normal.norm();
-        const Tensor<1, dim> n = node.normal / length, E = slip(k, u) - node.gap / length * n;
-        const Rows           dv = slip_gradient(k, u);
+        left = slip_gradient(k, u);
         for (unsigned int c = 0; c < dim; ++c)
-          {
-            equations[c] = {dv[c], -E[c]};
-            add(equations[c].coefficients, -n[c] / length, gradient(k).gap);
-          }
+          add(left[c], -node.normal[c] / node.normal.norm_square(), gradient(k).gap);
       }
     // Components whose test functions the supports own have no row: the others stand for them.
-    for (unsigned int c = 0; c < dim; ++c)
+    std::vector<WrittenRow> rows;
+    for (unsigned int c = 0; c < pivots.size(); ++c)
       if (pivots[c])
-        rows.push_back({*pivots[c], equations[c]});
+        rows.push_back({*pivots[c], {left[c], values[c]}});
     return rows;
   }
 
@@ -382,6 +406,18 @@ namespace Amontons
 
   template <int dim>
   std::vector<RectangularMatrix>
+  MovingContact<dim>::links() const
+  {
+    std::vector<RectangularMatrix> result;
+    for (const auto &part : derivatives)
+      if (part)
+        for (const auto &dofs : part->links())
+          result.push_back({dofs, dofs, FullMatrix<double>()});
+    return result;
+  }
+
+  template <int dim>
+  std::vector<RectangularMatrix>
   MovingContact<dim>::stiffness(const NodeStates<dim>              &states,
                                 const std::vector<NodeAnswer<dim>> &answers,
                                 const LA::Vector                   &u) const
@@ -400,7 +436,7 @@ namespace Amontons
                                     : answers[k].pressure * all[k].normal + answers[k].shear);
           }
         for (auto &part : derivatives[i]->stiffness(tractions))
-          result.push_back({part.dofs, part.dofs, part.matrix});
+          result.push_back({part.rows, part.columns, std::move(part.matrix)});
       }
     for (unsigned int k = 0; k < all.size(); ++k)
       if (!all[k].tied && states[k] == ContactState::slip && is_opposite(k) &&

@@ -142,10 +142,10 @@ check_derivatives(Moved<dim>        &moved,
       *moved.problem.discretization, interface, std::vector<bool>(coupling.rows.size(), true));
   std::map<types::global_dof_index, Gradient> mine, stiffness; // by DoF of the force
   for (const auto &part : derivatives.stiffness(tractions))
-    for (unsigned int i = 0; i < part.dofs.size(); ++i)
-      for (unsigned int j = 0; j < part.dofs.size(); ++j)
+    for (unsigned int i = 0; i < part.rows.size(); ++i)
+      for (unsigned int j = 0; j < part.columns.size(); ++j)
         if (part.matrix(i, j) != 0)
-          mine[part.dofs[i]][part.dofs[j]] += part.matrix(i, j);
+          mine[part.rows[i]][part.columns[j]] += part.matrix(i, j);
   for (const auto &part : Utilities::MPI::all_gather(MPI_COMM_WORLD, mine))
     for (const auto &[dof, row] : part)
       for (const auto &[column, value] : row)

@@ -71,6 +71,11 @@ namespace Amontons
     // Which DoFs stand in for others: all that the pattern has to know beside the cells.
     using Links = std::map<types::global_dof_index, std::vector<types::global_dof_index>>; // sorted
     void
+    link_block(const std::vector<types::global_dof_index> &rows,
+               const std::vector<types::global_dof_index> &columns,
+               const Constraints                          &supports,
+               bool                                       &is_new);
+    void
     make_pattern(const CellMatrices &cells, const Constraints &supports, const bool with_eliminated_form);
     void
     add_surface(const CellMatrices                   &cells,
@@ -91,14 +96,15 @@ namespace Amontons
     const MPI_Comm                       communicator;
     LA::SparseMatrix                     system, eliminated;
     const ContactConstraints            *constraints = nullptr;
-    std::vector<types::global_dof_index> written;          // rows, owned
-    Links                                replaced;         // test functions: by DoF that is or was eliminated
-    Links                                coupled;          // further matrices and rows: columns by row
-    std::vector<unsigned int>            surface;          // cells with DoFs that others replace
-    std::vector<unsigned int>            constrained_bulk; // other cells, but for those of
-    DirectScatter                        scatter;
-    LA::Vector                           stiffness; // diagonal, on the DoFs of `surface`
-    bool                                 pattern_is_old = true;
-    double                               diagonal_scale = 1;
+    std::vector<types::global_dof_index> written;  // rows, owned
+    Links                                replaced; // test functions: by DoF that is or was eliminated
+    Links                                coupled;  // further matrices and rows: columns by row
+    std::set<std::pair<std::size_t, std::size_t>> linked_blocks;    // rows and columns, as hash values
+    std::vector<unsigned int>                     surface;          // cells with DoFs that others replace
+    std::vector<unsigned int>                     constrained_bulk; // other cells, but for those of
+    DirectScatter                                 scatter;
+    LA::Vector                                    stiffness; // diagonal, on the DoFs of `surface`
+    bool                                          pattern_is_old = true;
+    double                                        diagonal_scale = 1;
   };
 } // namespace Amontons

@@ -26,8 +26,8 @@ namespace Amontons
 
   struct SurfaceMatrix
   {
-    std::vector<types::global_dof_index> dofs;
-    FullMatrix<double>                   matrix; // rows: of the force, columns: of the displacement
+    std::vector<types::global_dof_index> rows, columns; // of the force and of the displacement
+    FullMatrix<double>                   matrix;
   };
 
   template <int dim>
@@ -60,6 +60,11 @@ namespace Amontons
     // wanted count as zero). This rank's part; the sum over ranks is the whole.
     std::vector<SurfaceMatrix>
     stiffness(const std::vector<Tensor<1, dim>> &tractions) const;
+
+    // Groups of DoFs that may depend on each other here or after a little sliding: those of each slave face,
+    // with what is opposite of the faces beside it. This rank's part.
+    std::vector<std::vector<types::global_dof_index>>
+    links() const;
 
   private:
     const std::vector<bool>           wanted;

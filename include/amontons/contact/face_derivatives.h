@@ -38,6 +38,9 @@ namespace Amontons
     SurfaceMatrix
     stiffness(const std::vector<Tensor<1, dim>> &tractions) const;
 
+    std::vector<types::global_dof_index>
+    master_dofs() const;
+
     // Moments that only rows need.
     void
     forget_rows();
@@ -59,6 +62,8 @@ namespace Amontons
     FullMatrix<double> Q, G_inverse, W, S, C;
     std::vector<Line>  columns; // by variable: places in `dofs` that it depends on
     std::vector<Line>  slave_forces,
-        master_forces; // by (unknown or master node) dim + component: where it acts
+        master_forces; // by (unknown or master node) dim + component: where it acts, as places in
+                       // `forced_dofs`
+    std::vector<types::global_dof_index> forced_dofs;
   };
 } // namespace Amontons

@@ -37,6 +37,10 @@ namespace Amontons
     void
     differentiate(const NodeStates<dim> &states);
 
+    // Open nodes with something opposite on faces that have closed ones.
+    std::vector<unsigned int>
+    neighbours(const NodeStates<dim> &states) const;
+
     const std::vector<CandidateNode<dim>> &
     nodes() const
     {
@@ -72,11 +76,20 @@ namespace Amontons
                  const std::vector<std::optional<types::global_dof_index>> &pivots,
                  const LA::Vector                                          &u) const;
 
+    // Their values alone, by component (slip: the first).
+    Tensor<1, dim>
+    row_values(const unsigned int k, const ContactState state, const LA::Vector &u) const;
+
     // Derivatives of the contact forces at fixed multipliers. This rank's part.
     std::vector<RectangularMatrix>
     stiffness(const NodeStates<dim>              &states,
               const std::vector<NodeAnswer<dim>> &answers,
               const LA::Vector                   &u) const;
+
+    // Blocks that stiffness() and rows may have now or after a little sliding; without values. This rank's
+    // part.
+    std::vector<RectangularMatrix>
+    links() const;
 
   private:
     struct OldRow

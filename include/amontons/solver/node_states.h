@@ -48,6 +48,13 @@ namespace Amontons
       states[k] = ContactState::open;
     }
 
+    // As it would close, by whatever law.
+    void
+    close(const unsigned int k)
+    {
+      states[k] = nodes[k].frictional ? ContactState::stick : ContactState::slip;
+    }
+
     // After its normal has turned, the direction of slip lies in the surface again.
     void
     turn(const unsigned int k)

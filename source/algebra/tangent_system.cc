@@ -169,7 +169,7 @@ namespace Amontons
         for (const auto dof : dofs)
           more.erase(dof);
         dofs.insert(dofs.end(), more.begin(), more.end());
-        supports.add_entries_local_to_global(dofs, dsp, true);
+        supports.add_entries_local_to_global(dofs, dsp, false);
         (is_surface ? surface : bulk).push_back(c);
       }
     for (const auto &[row, columns] : coupled)
@@ -208,7 +208,7 @@ namespace Amontons
     add_surface(cells, test.test(), supports, further, diagonal, system);
     system.compress(VectorOperation::add);
     diagonal_scale = largest_diagonal(system);
-    measure_stiffness(cells);
+    measure_stiffness(cells, supports);
     write_rows(rows, supports);
     fill_empty_rows(system, supports);
     if (with_eliminated_form)
@@ -241,17 +241,25 @@ namespace Amontons
         }
   }
 
-  // Written rows get the size of the stiffness there, so that their residuals compare with forces.
+  // Written rows get the size of the stiffness there, so that their residuals compare with forces; diagonals
+  // of rows that have no equation, so that multigrid takes them as what is beside them.
   void
-  TangentSystem::measure_stiffness(const CellMatrices &cells)
+  TangentSystem::measure_stiffness(const CellMatrices &cells, const Constraints &supports)
   {
     stiffness.reinit(locally_owned, relevant, communicator, true);
+    std::vector<bool> on_surface(cells.n, false);
     for (const unsigned int c : surface)
+      on_surface[c] = true;
+    for (unsigned int c = 0; c < cells.n; ++c)
       {
-        const auto  matrix = cells.matrix(c);
         const auto &dofs   = cells.dofs(c);
+        const auto  counts = [&](const auto dof) { return on_surface[c] || supports.is_constrained(dof); };
+        if (std::none_of(dofs.begin(), dofs.end(), counts))
+          continue;
+        const auto matrix = cells.matrix(c);
         for (unsigned int i = 0; i < dofs.size(); ++i)
-          stiffness(dofs[i]) += std::abs(matrix(i, i));
+          if (counts(dofs[i]))
+            stiffness(dofs[i]) += std::abs(matrix(i, i));
       }
     stiffness.compress(VectorOperation::add);
   }
@@ -285,7 +293,7 @@ namespace Amontons
   {
     for (const auto &line : owners.get_lines())
       if (locally_owned.is_element(line.index) && matrix.diag_element(line.index) == 0)
-        matrix.set(line.index, line.index, diagonal_scale);
+        matrix.set(line.index, line.index, row_scale(line.index));
     matrix.compress(VectorOperation::insert);
   }
 

@@ -85,7 +85,7 @@ namespace Amontons
                 const LA::Vector                     *diagonal,
                 LA::SparseMatrix                     &matrix) const;
     void
-    measure_stiffness(const CellMatrices &cells);
+    measure_stiffness(const CellMatrices &cells, const Constraints &supports);
     void
     write_rows(const std::vector<WrittenRow> &rows, const Constraints &supports);
     void
@@ -103,7 +103,7 @@ namespace Amontons
     std::vector<unsigned int>                     surface;          // cells with DoFs that others replace
     std::vector<unsigned int>                     constrained_bulk; // other cells, but for those of
     DirectScatter                                 scatter;
-    LA::Vector                                    stiffness; // diagonal, on the DoFs of `surface`
+    LA::Vector                                    stiffness; // diagonal, of DoFs on `surface` or constrained
     bool                                          pattern_is_old = true;
     double                                        diagonal_scale = 1;
   };

@@ -36,6 +36,23 @@ namespace Amontons
     vector.compress(VectorOperation::insert);
   }
 
+  void
+  distribute(const Constraints &constraints, LA::Vector &owned, LA::Vector &readable)
+  {
+    readable            = owned;
+    const IndexSet mine = owned.locally_owned_elements();
+    for (const auto &line : constraints.get_lines())
+      if (mine.is_element(line.index))
+        {
+          double value = line.inhomogeneity;
+          for (const auto &[other, weight] : line.entries)
+            value += weight * readable(other);
+          owned(line.index) = value;
+        }
+    owned.compress(VectorOperation::insert);
+    readable = owned;
+  }
+
   CondensedSystem::CondensedSystem(const IndexSet &locally_owned,
                                    const IndexSet &relevant,
                                    MPI_Comm        communicator)

@@ -128,8 +128,7 @@ namespace Amontons
         floating.choose_pins(all);
 
         u = state.displacement;
-        supports.distribute(u);
-        state.displacement = u;
+        distribute(supports, u, state.displacement);
         if (state.committed.size() == state.displacement.size())
           for (unsigned int k = 0; k < nodes.size(); ++k)
             if (nodes[k].frictional)
@@ -245,8 +244,7 @@ namespace Amontons
       bool
       solve_increment(NewtonReport::Iteration &step)
       {
-        constraints->trial().distribute(u);
-        state.displacement  = u;
+        distribute(constraints->trial(), u, state.displacement);
         LA::Vector residual = loads;
         residual -= elasticity.internal_forces(state.displacement);
         if (any_friction)
@@ -271,8 +269,7 @@ namespace Amontons
             report.start_residual           = rhs.l2_norm();
           }
         u += du;
-        constraints->trial().distribute(u);
-        state.displacement = u;
+        distribute(constraints->trial(), u, state.displacement);
         return true;
       }
 

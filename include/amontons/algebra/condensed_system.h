@@ -20,6 +20,11 @@ namespace Amontons
   void
   zero_constrained(const Constraints &constraints, const IndexSet &owned, LA::Vector &vector);
 
+  // constraints.distribute(owned), and a copy that is readable at relevant DoFs. Their vectors are there
+  // already; AffineConstraints would find out each time which DoFs of other ranks it needs.
+  void
+  distribute(const Constraints &constraints, LA::Vector &owned, LA::Vector &readable);
+
   // Cell matrices as the system sees them: dofs and matrix of cell c in [0, n).
   struct CellMatrices
   {

@@ -227,12 +227,20 @@ namespace Amontons
           matrix,
           parameters.direct_package == "automatic" ? "Amesos_Mumps" : parameters.direct_package,
           symmetric);
-    if (factorisation_is_old)
+    const bool is_new = factorisation_is_old;
+    if (is_new)
       direct->factorise();
     factorisation_is_old = false;
     all_values_are_new   = false;
     n_changed            = 0;
     direct->vmult(x, rhs);
+    if (is_new) // one step of iterative refinement costs little beside the factorisation
+      {
+        LA::Vector rest(rhs), correction(rhs);
+        matrix.residual(rest, x, rhs);
+        direct->vmult(correction, rest);
+        x += correction;
+      }
     ++report.iterations;
     report.success = !direct->failed && std::isfinite(x.l2_norm());
     return report;

@@ -45,7 +45,7 @@ namespace Amontons
   {
     Polygon<Number>    result;
     const auto         side = [&](const Components<2, Number> &p) { return cross(b - a, p - a); };
-    const double       none = 1e-11 * value_of(dot(b - a, b - a));
+    const double       none = 1e-12 * value_of(dot(b - a, b - a));
     const unsigned int n    = polygon.size();
     for (unsigned int i = 0; i < n; ++i)
       {

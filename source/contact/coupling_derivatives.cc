@@ -64,12 +64,15 @@ namespace Amontons
       std::vector<RowGradient<dim>> sums(n_rows);
       for (auto &part : gather_on_all(communicator, std::move(mine)))
         for (auto &[row, gradient] : part)
-          {
-            add_to(sums[row].gap, gradient.gap);
-            for (unsigned int c = 0; c < dim; ++c)
-              add_to(sums[row].normal[c], gradient.normal[c]);
-            add_to(sums[row].area, gradient.area);
-          }
+          if (sums[row].area.empty())
+            sums[row] = std::move(gradient);
+          else
+            {
+              add_to(sums[row].gap, gradient.gap);
+              for (unsigned int c = 0; c < dim; ++c)
+                add_to(sums[row].normal[c], gradient.normal[c]);
+              add_to(sums[row].area, gradient.area);
+            }
       return sums;
     }
   } // namespace

@@ -365,13 +365,15 @@ namespace Amontons
   {
     const CandidateNode<dim> &node = all[k];
     const Tensor<1, dim>      n    = node.normal / node.normal.norm();
-    const Rows                dn   = unit_normal_gradient(k);
     Rows                      dt;
     for (unsigned int c = 0; c < dim; ++c)
+      add(dt[c], answer.pressure, gradient(k).normal[c]);
+    if (node.frictional)
       {
-        add(dt[c], answer.pressure, gradient(k).normal[c]);
-        for (unsigned int d = 0; node.frictional && d < dim; ++d)
-          add(dt[c], -n[c] * answer.shear[d], dn[d]);
+        const Rows dn = unit_normal_gradient(k);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            add(dt[c], -n[c] * answer.shear[d], dn[d]);
       }
     if (law.stiffness > 0)
       {
@@ -384,23 +386,28 @@ namespace Amontons
                 dv[d]);
       }
 
-    RectangularMatrix                               result;
-    std::map<types::global_dof_index, unsigned int> column;
+    RectangularMatrix result;
+    auto             &columns = result.columns;
     for (const auto &component : dt)
       for (const auto &entry : component)
-        if (column.emplace(entry.first, result.columns.size()).second)
-          result.columns.push_back(entry.first);
+        columns.push_back(entry.first);
+    std::sort(columns.begin(), columns.end());
+    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+    FullMatrix<double> of_traction(dim, columns.size());
+    for (unsigned int c = 0; c < dim; ++c)
+      for (const auto &[dof, value] : dt[c])
+        of_traction(c, std::lower_bound(columns.begin(), columns.end(), dof) - columns.begin()) = value;
     std::vector<std::pair<unsigned int, double>> row_terms;
     for (unsigned int c = 0; c < dim; ++c)
       for (const auto &[dof, weight] : node.components[c].equation.coefficients)
         {
           result.rows.push_back(dof);
-          row_terms.emplace_back(c, weight);
+          row_terms.emplace_back(c, node.area * weight);
         }
-    result.matrix.reinit(result.rows.size(), result.columns.size());
+    result.matrix.reinit(result.rows.size(), columns.size());
     for (unsigned int i = 0; i < row_terms.size(); ++i)
-      for (const auto &[dof, value] : dt[row_terms[i].first])
-        result.matrix(i, column.at(dof)) = node.area * row_terms[i].second * value;
+      for (unsigned int j = 0; j < columns.size(); ++j)
+        result.matrix(i, j) = row_terms[i].second * of_traction(row_terms[i].first, j);
     return result;
   }
 

@@ -442,33 +442,25 @@ namespace Amontons
         for (auto &matrix : follower_loads.stiffness(state.displacement))
           further.push_back(std::move(matrix));
         if (is_first)
-          {
-            const auto constraints_of_more = constraints_of(more);
-            write_rows(more, constraints_of_more);
-            system.link(supports, constraints_of_more, contact.links(), {});
-            system.link(supports, constraints_of_more, further, rows);
-          }
+          system.link(supports, constraints_of(more), contact.links(), {});
         constraints = std::make_shared<ContactConstraints>(constraints_of(states));
-        write_rows(states, *constraints);
+        write_rows();
       }
 
       void
-      write_rows(const NodeStates<dim> &states, const ContactConstraints &constraints)
+      write_rows()
       {
         rows.clear();
         for (unsigned int k = 0; k < answers.size(); ++k)
           if (states[k] != ContactState::open)
-            for (auto &row :
-                 contact.written_rows(k, states[k], pivots_of(k, states, constraints), state.displacement))
+            for (auto &row : contact.written_rows(k, states[k], pivots_of(k), state.displacement))
               rows.push_back(row);
       }
 
       std::vector<std::optional<types::global_dof_index>>
-      pivots_of(const unsigned int        k,
-                const NodeStates<dim>    &states,
-                const ContactConstraints &constraints) const
+      pivots_of(const unsigned int k) const
       {
-        const auto first = constraints.pivots().begin() + first_equation[k];
+        const auto first = constraints->pivots().begin() + first_equation[k];
         return {first, first + (states[k] == ContactState::stick ? dim : 1)};
       }
 
@@ -494,7 +486,7 @@ namespace Amontons
         for (unsigned int k = 0; k < answers.size(); ++k)
           if (states[k] != ContactState::open)
             {
-              const auto pivots = pivots_of(k, states, *constraints);
+              const auto pivots = pivots_of(k);
               const auto values = contact.row_values(k, states[k], state.displacement);
               for (unsigned int c = 0; c < pivots.size(); ++c)
                 if (pivots[c])

@@ -1,8 +1,10 @@
 // Overlaps in space: the common part of random quadrilaterals, the part of a face that lies opposite of an
-// obstacle, and the gaps there, against areas and integrals by hand.
+// obstacle, and the gaps there, against areas and integrals by hand; polygons whose edges meet but for
+// rounding.
 #include "contact/contact_scene.h"
 
 #include <amontons/contact/face_overlap.h>
+#include <amontons/contact/polygon_clipping.h>
 
 std::mt19937 generator(1);
 
@@ -248,6 +250,30 @@ check_obstacles()
       }
 }
 
+// An edge of the polygon on one of the window's, but for rounding: the cut polygon and the vertex that its
+// triangles have in common stay the same.
+void
+check_rounding()
+{
+  const std::vector<Point<2>> window = {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                              exact  = {{0.21, 0}, {0.93, 0}, {0.72, 0.66}, {0.3, 0.58}};
+  for (unsigned int trial = 0; trial < 100; ++trial)
+    {
+      Polygon<double> polygon;
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          const Point<2> &p = exact[(i + trial) % 4];
+          polygon.emplace_back(p[1] == 0 ? Point<2>(p[0], random_number(-1e-15, 1e-15)) : p);
+        }
+      for (unsigned int i = 0; i < 4; ++i)
+        polygon = cut(polygon, Components<2, double>(window[i]), Components<2, double>(window[(i + 1) % 4]));
+      const std::string what = "rounding at an edge, trial " + std::to_string(trial);
+      check::is_true(polygon.size() == 4, what + ": vertices");
+      check::is_true(value_of(polygon[foremost_vertex(polygon)]).distance(exact[2]) < 1e-14,
+                     what + ": the first vertex");
+    }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -255,5 +281,6 @@ main(int argc, char **argv)
   for (const unsigned int degree : {1, 2})
     check_quadrilaterals(degree);
   check_obstacles();
+  check_rounding();
   return check::result();
 }

@@ -234,7 +234,7 @@ namespace Amontons
     all_values_are_new   = false;
     n_changed            = 0;
     direct->vmult(x, rhs);
-    if (is_new) // one step of iterative refinement costs little beside the factorisation
+    if (is_new && symmetric) // one step of iterative refinement: partly covered faces magnify rounding
       {
         LA::Vector rest(rhs), correction(rhs);
         matrix.residual(rest, x, rhs);

@@ -434,16 +434,18 @@ namespace Amontons
         TimerOutput::Scope scope(timer, "differentiate contact");
         const bool         is_first = report.iterations.empty();
         NodeStates<dim>    more(states);
-        for (const unsigned int k : contact.neighbours(states))
-          if (is_first)
+        if (is_first)
+          for (const unsigned int k : contact.neighbours(states))
             more.close(k);
         contact.differentiate(more);
         further = contact.stiffness(more, answers, state.displacement);
         for (auto &matrix : follower_loads.stiffness(state.displacement))
           further.push_back(std::move(matrix));
         if (is_first)
-          system.link(supports, constraints_of(more), contact.links(), {});
-        constraints = std::make_shared<ContactConstraints>(constraints_of(states));
+          {
+            system.link(supports, constraints_of(more), contact.links(), {});
+            constraints = std::make_shared<ContactConstraints>(constraints_of(states));
+          }
         write_rows();
       }
 
@@ -772,15 +774,6 @@ namespace Amontons
         return distance;
       }
 
-      std::vector<ContactState>
-      current_set() const
-      {
-        std::vector<ContactState> set;
-        for (unsigned int k = 0; k < answers.size(); ++k)
-          set.push_back(states[k]);
-        return set;
-      }
-
       // Far from equilibrium, what would only take back the last change is not believed: near the edge of the
       // contact a node may pull when closed and penetrate when open, until the others have followed.
       bool
@@ -792,10 +785,8 @@ namespace Amontons
             return false;
           }
         NodeStates<dim> next(states);
-        bool            takes_back = next.update(answers, rounding) > 0;
-        for (unsigned int k = 0; k < answers.size(); ++k)
-          takes_back = takes_back && next[k] == previous_set[k];
-        n_waits = takes_back ? n_waits + 1 : 0;
+        const bool      takes_back = next.update(answers, rounding) > 0 && next.all() == previous_set;
+        n_waits                    = takes_back ? n_waits + 1 : 0;
         return takes_back;
       }
 
@@ -812,7 +803,7 @@ namespace Amontons
         rounding += 1e-13 * c * u.linfty_norm();
         if (waits_for_equilibrium(residual, rounding))
           return 0;
-        previous_set         = current_set();
+        previous_set         = states.all();
         const unsigned int n = states.update(answers, rounding);
         report.safeguarded   = report.safeguarded || states.safeguarded();
         report.frozen        = report.frozen || states.frozen();

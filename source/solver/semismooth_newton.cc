@@ -341,7 +341,7 @@ namespace Amontons
               c        = std::max(c, node.c);
             }
         rounding += 1e-13 * c * u.linfty_norm();
-        const auto before = present_states();
+        const auto before = states.all();
         step.n_changes    = states.update(answers, rounding);
         if (step.n_changes > 0 && looks_ahead())
           {
@@ -351,15 +351,6 @@ namespace Amontons
         report.safeguarded = report.safeguarded || states.safeguarded();
         report.frozen      = report.frozen || states.frozen();
         return step.n_changes > 0 || states.frozen();
-      }
-
-      std::vector<ContactState>
-      present_states() const
-      {
-        std::vector<ContactState> result;
-        for (unsigned int k = 0; k < nodes.size(); ++k)
-          result.push_back(states[k]);
-        return result;
       }
 
       std::vector<bool>

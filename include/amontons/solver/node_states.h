@@ -101,6 +101,11 @@ namespace Amontons
     {
       return states[k];
     }
+    const std::vector<ContactState> &
+    all() const
+    {
+      return states;
+    }
     const SlipLaw<dim> &
     law(const unsigned int k) const
     {

@@ -95,7 +95,7 @@ namespace Amontons
     recovery.reset();
   }
 
-  // Where they are undeformed.
+  // Where they are undeformed; with finite strain on refined meshes move_surfaces() follows instead.
   template <int dim>
   void
   ContactProblem<dim>::couple_surfaces()
@@ -109,7 +109,8 @@ namespace Amontons
         if (surface != nullptr)
           discretization->add_relevant(surface->dofs());
     supports = discretization->make_supports(state.t);
-    integrate_couplings(*discretization, supports, interfaces);
+    if (!finite_strain || state.displacement.size() == 0)
+      integrate_couplings(*discretization, supports, interfaces);
   }
 
   template <int dim>
@@ -270,7 +271,7 @@ namespace Amontons
     recovery = std::make_unique<StressRecovery<dim>>(*discretization, *elasticity);
     recovery->recover(state.displacement);
     const auto before = error;
-    error = estimate_error(*discretization, *recovery, interfaces, fields);
+    error             = estimate_error(*discretization, *recovery, interfaces, fields);
     // What the load history needs is the worst of its increments.
     const auto keep_largest = [](const Vector<float> &old, Vector<float> &now) {
       for (unsigned int c = 0; c < now.size() && old.size() == now.size(); ++c)

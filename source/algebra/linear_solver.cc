@@ -5,8 +5,11 @@
 #include <deal.II/lac/solver_gmres.h>
 
 #include <Amesos.h>
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_Import.h>
 #include <Epetra_LinearProblem.h>
 #include <Epetra_MultiVector.h>
+#include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
 
 namespace Amontons
@@ -89,6 +92,63 @@ namespace Amontons
             .solve(matrix, x, rhs, preconditioner);
     }
 
+    using CrsMatrix = std::unique_ptr<Epetra_CrsMatrix>;
+
+    // The columns of A where `kept` is not zero.
+    CrsMatrix
+    columns_of(const Epetra_CrsMatrix &A, const LA::Vector &kept)
+    {
+      Epetra_Vector is_kept(A.ColMap());
+      if (A.Importer() != nullptr)
+        is_kept.Import(kept.trilinos_vector(), *A.Importer(), Insert);
+      else
+        is_kept.Update(1., kept.trilinos_vector(), 0.);
+      auto                result = std::make_unique<Epetra_CrsMatrix>(Copy, A.RowMap(), A.ColMap(), 0);
+      std::vector<double> values;
+      std::vector<int>    columns;
+      for (int row = 0; row < A.NumMyRows(); ++row)
+        {
+          double *value;
+          int     n, *column;
+          A.ExtractMyRowView(row, n, value, column);
+          values.clear();
+          columns.clear();
+          for (int k = 0; k < n; ++k)
+            if (is_kept[column[k]] != 0 && value[k] != 0)
+              {
+                values.push_back(value[k]);
+                columns.push_back(column[k]);
+              }
+          if (!columns.empty())
+            result->InsertMyValues(row, columns.size(), values.data(), columns.data());
+        }
+      result->FillComplete(A.DomainMap(), A.RangeMap());
+      return result;
+    }
+
+    // What displacements mean for the eliminated DoFs of the written rows, zero in all other rows.
+    CrsMatrix
+    distribution(const Epetra_CrsMatrix &A, const EliminatedForm &form)
+    {
+      auto                result = std::make_unique<Epetra_CrsMatrix>(Copy, A.RowMap(), 0);
+      std::vector<double> values;
+      std::vector<int>    columns;
+      for (const auto &entry : form.written)
+        if (const auto *line = form.constraints->get_constraint_entries(entry.first))
+          {
+            values.clear();
+            columns.clear();
+            for (const auto &[dof, weight] : *line)
+              {
+                values.push_back(weight);
+                columns.push_back(dof);
+              }
+            result->InsertGlobalValues(entry.first, columns.size(), values.data(), columns.data());
+          }
+      result->FillComplete(A.DomainMap(), A.RangeMap());
+      return result;
+    }
+
     class EliminatingPreconditioner
     {
     public:
@@ -96,36 +156,42 @@ namespace Amontons
                                 const EliminatedForm                    &form,
                                 const TrilinosWrappers::PreconditionAMG &multigrid,
                                 const LA::Vector                        &like)
-          : A(A), form(form), multigrid(multigrid)
+          : multigrid(multigrid)
       {
-        for (LA::Vector *vector : {&w, &rest})
+        for (LA::Vector *vector : {&inverse_diagonal, &others, &w, &rest})
           vector->reinit(like, true);
+        inverse_diagonal = 0;
+        others           = 1;
+        for (const auto &[dof, diagonal] : form.written)
+          {
+            inverse_diagonal(dof) = 1 / diagonal;
+            others(dof)           = 0;
+          }
+        inverse_diagonal.compress(VectorOperation::insert);
+        others.compress(VectorOperation::insert);
+        written_columns = columns_of(A.trilinos_matrix(), inverse_diagonal);
+        eliminated_rows = distribution(A.trilinos_matrix(), form);
       }
 
       void
       vmult(LA::Vector &z, const LA::Vector &r) const
       {
-        w = 0;
-        for (const auto &[dof, diagonal] : form.written)
-          w(dof) = r(dof) / diagonal;
-        w.compress(VectorOperation::insert);
-        A.vmult(rest, w);
+        w = r;
+        w.scale(inverse_diagonal);
+        written_columns->Multiply(false, w.trilinos_vector(), rest.trilinos_vector());
         rest.sadd(-1, 1, r);
-        for (const auto &entry : form.written)
-          rest(entry.first) = 0;
-        rest.compress(VectorOperation::insert);
+        rest.scale(others);
         multigrid.vmult(z, rest);
-        rest = z;
-        form.constraints->distribute(rest);
-        for (const auto &entry : form.written)
-          z(entry.first) = rest(entry.first) + w(entry.first);
-        z.compress(VectorOperation::insert);
+        z.scale(others);
+        eliminated_rows->Multiply(false, z.trilinos_vector(), rest.trilinos_vector());
+        z += rest;
+        z += w;
       }
 
     private:
-      const LA::SparseMatrix                  &A;
-      const EliminatedForm                    &form;
       const TrilinosWrappers::PreconditionAMG &multigrid;
+      LA::Vector                               inverse_diagonal, others; // others: 1 where it is 0
+      CrsMatrix                                written_columns, eliminated_rows;
       mutable LA::Vector                       w, rest;
     };
   } // namespace

@@ -87,7 +87,10 @@ namespace Amontons
         for (unsigned int c = 0; c < dim; ++c)
           x.back()[c] += u(node.dofs[c]);
       }
+    if (x == (turned_to.empty() ? X : turned_to))
+      return;
     turned                    = true;
+    turned_to                 = x;
     const auto normals_before = element_normals(X), normals_after = element_normals(x);
     const auto points = lattice<dim - 1>(geometry_degree);
     for (unsigned int f = 0; f < faces.size(); ++f)

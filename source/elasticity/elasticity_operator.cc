@@ -56,9 +56,18 @@ namespace Amontons
     is_clear = false;
     find_cells();
     if (is_finite)
-      return assemble_finite(u, dilatations.empty() ? nullptr : dilatations.data());
+      return assemble_finite(u, dilatations, true);
     assemble_small();
     return {};
+  }
+
+  template <int dim>
+  std::optional<InvertedCell<dim>>
+  ElasticityOperator<dim>::update_forces(const LA::Vector &u, const std::vector<double> &dilatations)
+  {
+    cell_dilatations.clear();
+    excesses.clear();
+    return assemble_finite(u, dilatations, false);
   }
 
   template <int dim>
@@ -143,25 +152,37 @@ namespace Amontons
 
   template <int dim>
   std::optional<InvertedCell<dim>>
-  ElasticityOperator<dim>::assemble_finite(const LA::Vector &u, const double *dilatations)
+  ElasticityOperator<dim>::assemble_finite(const LA::Vector          &u,
+                                           const std::vector<double> &dilatations,
+                                           const bool                 with_tangent)
   {
     assembled_forces           = discretization.make_owned_vector();
     assembled_forces_of_excess = discretization.make_owned_vector();
     InvertedCell<dim>  worst   = {{}, 0, std::numeric_limits<double>::max()};
     FullMatrix<double> K(discretization.fe.n_dofs_per_cell(), discretization.fe.n_dofs_per_cell());
     for_each_deformed_cell(
-        u, dilatations, [&](const auto &cell, const auto &dofs, auto &state, const double smallest) {
+        u,
+        dilatations.empty() ? nullptr : dilatations.data(),
+        [&](const auto &cell, const auto &dofs, auto &state, const double smallest) {
           if (!(smallest >= worst.smallest_jacobian))
             worst = {cell->center(), cell->material_id(), std::isnan(smallest) ? -infinity : smallest};
           if (worst.smallest_jacobian > 0)
             {
-              state.make_tangent(K);
-              pack(K);
               assembled_forces.add(dofs, state.forces());
               if (n_dilatations > 0)
                 {
                   assembled_forces_of_excess.add(dofs, state.forces_of_excess());
-                  keep_dilatation(state);
+                  for (unsigned int k = 0; k < n_dilatations; ++k)
+                    {
+                      cell_dilatations.push_back(state.dilatation()[k]);
+                      excesses.push_back(state.excess()[k]);
+                    }
+                }
+              if (with_tangent)
+                {
+                  state.make_tangent(K);
+                  pack(K);
+                  keep_change_of_volume(state);
                 }
             }
         });
@@ -170,21 +191,21 @@ namespace Amontons
     worst = worst_of_all(worst, discretization.geometry.communicator);
     if (worst.smallest_jacobian > 0)
       return {};
-    clear();
+    if (with_tangent)
+      clear();
     return worst;
   }
 
   template <int dim>
   void
-  ElasticityOperator<dim>::keep_dilatation(const FiniteStrainCell<dim> &cell)
+  ElasticityOperator<dim>::keep_change_of_volume(const FiniteStrainCell<dim> &cell)
   {
-    const auto &changes = cell.change_of_volume();
-    for (unsigned int k = 0; k < n_dilatations; ++k)
+    if (n_dilatations > 0)
       {
-        cell_dilatations.push_back(cell.dilatation()[k]);
-        excesses.push_back(cell.excess()[k]);
-        for (unsigned int i = 0; i < changes.n(); ++i)
-          changes_of_volume.push_back(changes(k, i));
+        const auto &changes = cell.change_of_volume();
+        for (unsigned int k = 0; k < n_dilatations; ++k)
+          for (unsigned int i = 0; i < changes.n(); ++i)
+            changes_of_volume.push_back(changes(k, i));
       }
   }
 

@@ -335,13 +335,15 @@ namespace Amontons
         return first_guess_of_closed_nodes(contact.nodes(), interfaces, floating, rest);
       }
 
-      // Forces and stiffness at state.displacement, where the surfaces are; dilatations: empty for those of
+      // Forces at state.displacement, where the surfaces are, and stiffness; dilatations: empty for those of
       // the displacement.
       bool
-      evaluate(const std::vector<double> &dilatations = {})
+      evaluate(const std::vector<double> &dilatations = {}, const bool with_stiffness = true)
       {
         TimerOutput::Scope scope(timer, "assemble stiffness");
-        if (const auto inverted = elasticity.assemble(state.displacement, dilatations))
+        stiffness_is_here = with_stiffness;
+        if (const auto inverted = with_stiffness ? elasticity.assemble(state.displacement, dilatations)
+                                                 : elasticity.update_forces(state.displacement, dilatations))
           {
             std::ostringstream text;
             text << "a cell of body '" << discretization.scene.bodies[inverted->body].name << "' near ("
@@ -399,12 +401,17 @@ namespace Amontons
           laws.push_back(states.law(k));
         constraints = std::make_shared<ContactConstraints>(constraints_of(states));
         unheld      = states.describe(states.unheld());
-        if (tangent_serves_again())
+        if (system_serves_again())
           {
             update_rows();
             return;
           }
-        differentiate();
+        if (!tangent_serves_again())
+          differentiate();
+        further = contact.stiffness(states, answers, state.displacement);
+        for (auto &matrix : follower_loads.stiffness(state.displacement))
+          further.push_back(std::move(matrix));
+        write_rows();
         TimerOutput::Scope scope(timer, "assemble condensed system");
         if (system.link(supports, *constraints, further, rows))
           solver.matrix_changed(LinearSolver::all_rows); // lets go of the matrix
@@ -421,16 +428,18 @@ namespace Amontons
             added = &sum;
           }
         system.assemble(cells(), supports, *constraints, further, added, rows, is_iterative());
-        assembled       = constraints;
-        place_of_system = u;
-        damped_system   = steps != nullptr;
+        assembled     = constraints;
+        damped_system = steps != nullptr;
       }
 
-      // Of the contact and of loads, with rows. The pattern of the system knows from the beginning what nodes
-      // beside closed ones link: they may close soon.
+      // Bodies and contact. The pattern of the system knows from the beginning what nodes beside closed ones
+      // link: they may close soon.
       void
       differentiate()
       {
+        if (!stiffness_is_here)
+          evaluate(std::vector<double>(elasticity.dilatations()));
+        place_of_tangent = u;
         TimerOutput::Scope scope(timer, "differentiate contact");
         const bool         is_first = report.iterations.empty();
         NodeStates<dim>    more(states);
@@ -438,15 +447,11 @@ namespace Amontons
           for (const unsigned int k : contact.neighbours(states))
             more.close(k);
         contact.differentiate(more);
-        further = contact.stiffness(more, answers, state.displacement);
-        for (auto &matrix : follower_loads.stiffness(state.displacement))
-          further.push_back(std::move(matrix));
         if (is_first)
           {
             system.link(supports, constraints_of(more), contact.links(), {});
             constraints = std::make_shared<ContactConstraints>(constraints_of(states));
           }
-        write_rows();
       }
 
       void
@@ -467,17 +472,30 @@ namespace Amontons
       }
 
       // With a tangent of another place, residuals get smaller by the strain between the two (Newton's by
-      // that of the step itself): is that enough for the tolerance?
+      // that of the step itself).
+      double
+      strain_since_tangent() const
+      {
+        LA::Vector way(u);
+        way -= place_of_tangent;
+        return way.linfty_norm() / smallest_cell;
+      }
+
+      // Where this is enough for the tolerance, the system stays as it is.
+      bool
+      system_serves_again() const
+      {
+        return !report.iterations.empty() && report.iterations.back().n_changes == 0 && !steps &&
+               !damped_system && unheld.empty() && constraints->pivots() == assembled->pivots() &&
+               strain_since_tangent() * report.iterations.back().residual < 0.2 * parameters.tolerance;
+      }
+
+      // Where the set moves, residuals do not fall by more than 1e-3 anyway.
       bool
       tangent_serves_again() const
       {
-        if (report.iterations.empty() || report.iterations.back().n_changes > 0 || steps || damped_system ||
-            !unheld.empty() || constraints->pivots() != assembled->pivots())
-          return false;
-        LA::Vector way(u);
-        way -= place_of_system;
-        return way.linfty_norm() / smallest_cell * report.iterations.back().residual <
-               0.2 * parameters.tolerance;
+        return !report.iterations.empty() && report.iterations.back().n_changes > 0 && !steps &&
+               contact.is_differentiated(states) && strain_since_tangent() < 1e-3;
       }
 
       // Their values alone, for the matrix as it is.
@@ -656,13 +674,14 @@ namespace Amontons
         LA::Vector       relevant    = discretization.make_relevant_vector();
         relevant                     = step;
         const auto change            = elasticity.change_of_dilatations(relevant);
+        const bool with_stiffness    = steps || step.linfty_norm() > 1e-3 * smallest_cell;
         double     factor            = 1;
         for (unsigned int n = 0; n < n_tries; ++n, factor /= 2)
           {
             u = start;
             u.add(factor, step);
             state.displacement = u;
-            if (evaluate(moved(dilatations, factor, change)))
+            if (evaluate(moved(dilatations, factor, change), with_stiffness))
               {
                 TimerOutput::Scope scope(timer, "contact surfaces");
                 contact.move(state.displacement);
@@ -857,8 +876,9 @@ namespace Amontons
       std::vector<RectangularMatrix>      further;
       std::vector<WrittenRow>             rows;
       std::shared_ptr<ContactConstraints> constraints, assembled; // now; of the matrix
-      LA::Vector                          place_of_system;        // u when it was assembled
-      bool                                damped_system = false;
+      LA::Vector                          place_of_tangent; // u when cells and contact were differentiated
+      bool                                stiffness_is_here = false; // in the last evaluate()
+      bool                                damped_system     = false;
       std::vector<unsigned int>           first_equation; // by node, in the constraints made last
       std::string                         unheld, inversion;
       std::vector<ContactState>           previous_set; // before the last change of states

@@ -241,16 +241,33 @@ namespace Amontons
   void
   MovingContact<dim>::differentiate(const NodeStates<dim> &states)
   {
+    differentiated.assign(all.size(), numbers::invalid_unsigned_int);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         if (interfaces[i].pair->tied)
           continue;
         const auto       &rows = interfaces[i].coupling.rows;
         std::vector<bool> wanted;
-        for (const auto &row : rows)
-          wanted.push_back(states[node_of[i][row.node]] != ContactState::open);
+        for (unsigned int r = 0; r < rows.size(); ++r)
+          {
+            const unsigned int k = node_of[i][rows[r].node];
+            wanted.push_back(states[k] != ContactState::open);
+            if (wanted.back())
+              differentiated[k] = r;
+          }
         derivatives[i] = std::make_unique<CouplingDerivatives<dim>>(discretization, interfaces[i], wanted);
       }
+  }
+
+  template <int dim>
+  bool
+  MovingContact<dim>::is_differentiated(const NodeStates<dim> &states) const
+  {
+    for (unsigned int k = 0; k < all.size(); ++k)
+      if (!all[k].tied && states[k] != ContactState::open &&
+          (k >= differentiated.size() || differentiated[k] == numbers::invalid_unsigned_int))
+        return false;
+    return true;
   }
 
   // d n = (1 - n n^T)/|normal| d normal
@@ -434,14 +451,10 @@ namespace Amontons
       {
         if (interfaces[i].pair->tied)
           continue;
-        std::vector<Tensor<1, dim>> tractions;
-        for (const auto &row : interfaces[i].coupling.rows)
-          {
-            const unsigned int k = node_of[i][row.node];
-            tractions.push_back(states[k] == ContactState::open
-                                    ? Tensor<1, dim>()
-                                    : answers[k].pressure * all[k].normal + answers[k].shear);
-          }
+        std::vector<Tensor<1, dim>> tractions(derivatives[i]->rows().size());
+        for (const unsigned int k : node_of[i])
+          if (states[k] != ContactState::open && differentiated[k] < tractions.size())
+            tractions[differentiated[k]] = answers[k].pressure * all[k].normal + answers[k].shear;
         for (auto &part : derivatives[i]->stiffness(tractions))
           result.push_back({part.rows, part.columns, std::move(part.matrix)});
       }

@@ -155,6 +155,7 @@ namespace Amontons
 
     const IndexSet::size_type            n_dofs;
     bool                                 turned = false;     // since the last move
+    std::vector<Point<dim>>              turned_to;          // where the nodes were in the last turn()
     std::vector<std::vector<Point<dim>>> reference_geometry; // by face
     std::vector<std::vector<Tensor<1, dim>>>
         deviations; // likewise, of the lattice from the finite elements' face

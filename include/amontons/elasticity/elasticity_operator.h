@@ -38,9 +38,14 @@ namespace Amontons
     std::optional<InvertedCell<dim>>
     assemble(const LA::Vector &u, const std::vector<double> &dilatations = {});
 
-    // Of the last assemble() with finite strain, unless it found an inverted cell: forces, what the excess
-    // adds to them in the next step, dilatations (less 1), and how Newton's step (readable at relevant DoFs)
-    // changes them.
+    // Finite strain: forces, excess and dilatations as assemble() makes them, while the derivative stays what
+    // the last assemble() on this mesh has made.
+    std::optional<InvertedCell<dim>>
+    update_forces(const LA::Vector &u, const std::vector<double> &dilatations);
+
+    // Of the last assemble() or update_forces() with finite strain, unless it found an inverted cell: forces,
+    // what the excess adds to them in the next step, dilatations (less 1), and how Newton's step (readable at
+    // relevant DoFs) changes them.
     const LA::Vector &
     forces() const
     {
@@ -141,14 +146,14 @@ namespace Amontons
     void
     assemble_small();
     std::optional<InvertedCell<dim>>
-    assemble_finite(const LA::Vector &u, const double *dilatations);
+    assemble_finite(const LA::Vector &u, const std::vector<double> &dilatations, const bool with_tangent);
     bool
     is_nearly_incompressible(const types::material_id body) const
     {
       return n_dilatations > 0 && discretization.scene.bodies[body].material.poisson > 0.45;
     }
     void
-    keep_dilatation(const FiniteStrainCell<dim> &cell);
+    keep_change_of_volume(const FiniteStrainCell<dim> &cell);
 
     // action(cell, its degrees of freedom, its FiniteStrainCell, reinit() of that), for owned deformable
     // cells; dilatations: null for those of u.

@@ -36,6 +36,8 @@ namespace Amontons
     // Derivatives for the nodes that are not open, at the last move(). Collective.
     void
     differentiate(const NodeStates<dim> &states);
+    bool
+    is_differentiated(const NodeStates<dim> &states) const;
 
     // Open nodes with something opposite on faces that have closed ones.
     std::vector<unsigned int>
@@ -116,7 +118,7 @@ namespace Amontons
     const RowGradient<dim> &
     gradient(const unsigned int k) const
     {
-      return derivatives[all[k].interface]->rows()[all[k].row];
+      return derivatives[all[k].interface]->rows()[differentiated[k]];
     }
     RectangularMatrix
     turning_traction(const unsigned int     k,
@@ -135,5 +137,6 @@ namespace Amontons
     LA::Vector                                             committed;
     std::map<types::global_dof_index, double>              reference_coordinate;
     std::vector<std::unique_ptr<CouplingDerivatives<dim>>> derivatives; // by interface
+    std::vector<unsigned int> differentiated;                           // by node: its row there, or invalid
   };
 } // namespace Amontons

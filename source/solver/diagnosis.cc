@@ -73,6 +73,16 @@ namespace Amontons
 
     template <int dim>
     std::string
+    friction_too_weak(const NodeStates<dim> &states)
+    {
+      const std::string motion = states.beyond_friction();
+      return motion.empty() ? ""
+                            : "friction cannot hold the rigid " + motion +
+                                  ": no contact forces within its bounds balance the loads" + what_to_change;
+    }
+
+    template <int dim>
+    std::string
     friction_exceeded(const NodeStates<dim> &states)
     {
       return "friction cannot hold the rigid " + states.held_motion() +
@@ -84,13 +94,12 @@ namespace Amontons
     std::string
     no_states_found(const NewtonReport &report, const NodeStates<dim> &states, const bool any_friction)
     {
-      if (states.held_too_much() > 0)
-        return friction_exceeded(states);
-      // In 3D bodies without equilibrium turn about ever other centres.
-      const std::string sliding = any_friction ? states.describe(states.unheld(true)) : "";
-      if (!sliding.empty())
-        return "friction cannot hold the rigid " + sliding +
-               ": all nodes that could hold it slip, and no states in equilibrium were found" +
+      if (const std::string text = friction_too_weak(states); !text.empty())
+        return text;
+      if (const std::string motion = states.often_sliding(); !motion.empty())
+        return "friction probably cannot hold the rigid " + motion +
+               ": all nodes that could hold it slipped time and again, and no states in equilibrium were "
+               "found" +
                what_to_change;
 
       const auto        &last = report.iterations.back();
@@ -106,6 +115,10 @@ namespace Amontons
       return text.str();
     }
 
+    template std::string
+    friction_too_weak(const NodeStates<2> &);
+    template std::string
+    friction_too_weak(const NodeStates<3> &);
     template std::string
     friction_exceeded(const NodeStates<2> &);
     template std::string

@@ -337,16 +337,23 @@ namespace Amontons
   }
 
   template <int dim>
-  bool
-  FloatingBodies<dim>::is_driven(const std::vector<double> &q) const
+  double
+  FloatingBodies<dim>::relative_work(const std::vector<double> &q) const
   {
     double work = 0, scale = 0;
     for (unsigned int i = 0; i < n_modes; ++i)
       {
         work += force[i] * q[i];
-        scale = std::max(scale, magnitude[i]); // q is a unit vector
+        scale = std::max(scale, magnitude[i]);
       }
-    return std::abs(work) > 1e-6 * scale;
+    return scale > 0 ? work / scale : 0;
+  }
+
+  template <int dim>
+  bool
+  FloatingBodies<dim>::is_driven(const std::vector<double> &q) const
+  {
+    return std::abs(relative_work(q)) > 1e-6;
   }
 
   template <int dim>

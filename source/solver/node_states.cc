@@ -1,3 +1,4 @@
+#include <amontons/friction/limit_load.h>
 #include <amontons/solver/node_states.h>
 
 #include <sstream>
@@ -180,6 +181,59 @@ namespace Amontons
     return text;
   }
 
+  template <int dim>
+  std::string
+  NodeStates<dim>::beyond_friction() const
+  {
+    if (!any_friction || !floating.any())
+      return "";
+    std::vector<const LinearEquation *> tied;
+    for (const auto &node : nodes)
+      if (node.tied)
+        for (const auto *e : node.holding())
+          tied.push_back(&e->equation);
+    const auto          motions = floating.unheld_motions(tied);
+    std::vector<double> load;
+    for (const auto &motion : motions)
+      load.push_back(floating.relative_work(motion));
+
+    std::vector<RigidContact> contacts;
+    for (const auto &node : nodes)
+      if (!node.tied)
+        {
+          RigidContact contact;
+          for (const auto &motion : motions)
+            contact.closing.push_back(floating.evaluate_on(node.closing.equation, motion));
+          if (node.frictional)
+            {
+              const auto &friction = interfaces[node.interface].pair->friction;
+              if (!friction || !friction->is_constant())
+                return "";
+              contact.friction = friction->value(node.X, t);
+              contact.sliding.assign(dim, {});
+              for (const auto &motion : motions)
+                {
+                  Tensor<1, dim> jump;
+                  for (unsigned int d = 0; d < dim; ++d)
+                    jump[d] = floating.evaluate_on(node.components[d].equation, motion);
+                  jump = node.tangential(jump);
+                  for (unsigned int d = 0; d < dim; ++d)
+                    contact.sliding[d].push_back(jump[d]);
+                }
+            }
+          contacts.push_back(contact);
+        }
+    const auto          v = motion_beyond_friction(load, contacts, 1e-5);
+    std::vector<double> q;
+    for (unsigned int j = 0; j < v.size(); ++j)
+      {
+        q.resize(motions[j].size());
+        for (unsigned int i = 0; i < q.size(); ++i)
+          q[i] += v[j] * motions[j][i];
+      }
+    return q.empty() ? "" : floating.describe(q);
+  }
+
   // Of the nodes that slip, by (slip v . m/|m|^2, trial/bound), where m is the jump of the motion. The number
   // of nodes if none moves with it.
   template <int dim>
@@ -218,8 +272,14 @@ namespace Amontons
     held.clear();
     if (!any_friction || !floating.any())
       return;
-    auto motions = unheld();
-    motion       = describe(motions);
+    ++n_updates;
+    const auto sliding = unheld(true);
+    if (sliding.empty())
+      return;
+    ++n_sliding;
+    sliding_motion = describe(sliding);
+    auto motions   = unheld();
+    motion         = describe(motions);
     while (!motions.empty())
       {
         const unsigned int k = least_slip_along(motions[0], answers, tolerance);

@@ -112,6 +112,8 @@ namespace Amontons
           report.message = Diagnosis::friction_exceeded(states);
         else if (!set_changed && moves_apart())
           report.message = Diagnosis::moves_apart(unheld);
+        if (report.iterations.size() == 1 && !report.converged && report.message.empty())
+          report.message = Diagnosis::friction_too_weak(states);
       }
 
       // Motions without supports, the first guess of the closed nodes, the pattern and the bulk of the

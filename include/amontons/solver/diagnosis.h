@@ -29,6 +29,11 @@ namespace Amontons
     std::string
     still_moving(const unsigned int n, const double residual);
 
+    // "" if friction might hold the bodies
+    template <int dim>
+    std::string
+    friction_too_weak(const NodeStates<dim> &states);
+
     template <int dim>
     std::string
     friction_exceeded(const NodeStates<dim> &states);

@@ -55,6 +55,9 @@ namespace Amontons
     // motions, in the direction that loads drive.
     std::vector<std::vector<double>>
     unheld_motions(const std::vector<const LinearEquation *> &equations) const;
+    // Of the loads on a motion of unit length, relative to the largest sum of their magnitudes on any.
+    double
+    relative_work(const std::vector<double> &motion) const;
     std::string
     describe(const std::vector<double> &motion) const;
     // sum coefficient u for the displacements u of a motion.

@@ -85,6 +85,11 @@ namespace Amontons
     std::string
     describe(const std::vector<std::vector<double>> &motions) const;
 
+    // A rigid motion that friction cannot hold in whatever states, "" if there is none or Coulomb's
+    // coefficients are no constants: see motion_beyond_friction in friction/limit_load.h.
+    std::string
+    beyond_friction() const;
+
     // How far shears are from the law of friction: sqrt sum (area |shear - shear of the law|)^2 (a force).
     double
     law_error(const std::vector<NodeAnswer<dim>> &answers) const;
@@ -138,6 +143,13 @@ namespace Amontons
     {
       return motion;
     }
+    // The last motion that no sticking node held, "" if that was in less than a tenth of all updates: in 3D
+    // bodies without equilibrium turn about ever other centres, and some nodes stick now and then.
+    std::string
+    often_sliding() const
+    {
+      return 10 * n_sliding >= n_updates ? sliding_motion : "";
+    }
 
   private:
     void
@@ -175,6 +187,7 @@ namespace Amontons
     double                                    last_change = 0;     // of the bounds
     std::set<std::string>                     met;
     std::vector<unsigned int>                 held, changed; // in the last update
-    std::string                               motion;
+    std::string                               motion, sliding_motion;
+    unsigned int                              n_updates = 0, n_sliding = 0;
   };
 } // namespace Amontons

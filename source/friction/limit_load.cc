@@ -27,15 +27,15 @@ namespace Amontons
       ray.pressure = Vector(contact.closing.begin(), contact.closing.end());
       ray.shear.reinit(v.size());
       std::vector<Vector> sliding;
-      Vector              slip(contact.sliding.size());
-      for (unsigned int c = 0; c < slip.size(); ++c)
+      double              length = 0;
+      for (const auto &component : contact.sliding)
         {
-          sliding.emplace_back(contact.sliding[c].begin(), contact.sliding[c].end());
-          slip(c) = sliding[c] * v;
+          sliding.emplace_back(component.begin(), component.end());
+          length = std::hypot(length, sliding.back() * v);
         }
-      const double length = slip.l2_norm();
-      for (unsigned int c = 0; length > 0 && c < slip.size(); ++c)
-        ray.shear.add(contact.friction * slip(c) / length, sliding[c]);
+      for (const auto &component : sliding)
+        if (length > 0)
+          ray.shear.add(contact.friction * (component * v) / length, component);
       ray.direction = ray.pressure;
       ray.direction += ray.shear;
       if (const double norm = ray.direction.l2_norm(); norm > 1e-10)
@@ -120,6 +120,8 @@ namespace Amontons
                          const std::vector<RigidContact> &contacts,
                          const double                     margin)
   {
+    if (load.empty())
+      return {};
     const Vector     f(load.begin(), load.end());
     Vector           v = f;
     std::vector<Ray> rays;

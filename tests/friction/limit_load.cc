@@ -72,6 +72,11 @@ main()
   expect(true, "nothing", {0, 0, 0}, two_feet);
   expect(true, "what is lifted (by friction or not)", {0, 1, 0}, two_feet);
   expect(true, "what tips over", {0.1, -1, -1.5}, two_feet);
+  expect(true, "what has no free motion", {}, {{{}, {}, 0}});
+  // One foot without friction, one with, half the weight on each.
+  const std::vector<RigidContact> one_slides = {{{0, -1, 1}, {}, 0}, {{0, -1, -1}, {{1, 0, 0}}, 0.5}};
+  expect(true, "a push on one foot", {0.24, -1, 0}, one_slides);
+  expect(false, "a push on one foot", {0.26, -1, 0}, one_slides);
   expect(true, "a wedge", {0, 1}, {{{1, 0}, {{0, 1}}, 0.1}, {{-1, 0}, {{0, 1}}, 0.1}});
 
   for (const unsigned int n : {1, 2, 7})

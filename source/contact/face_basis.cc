@@ -23,15 +23,16 @@ namespace Amontons
     std::vector<double>
     tensor_product(const unsigned int n, const std::array<Factors, fdim> &f)
     {
-      std::vector<double> result(f[0].begin(), f[0].begin() + n);
-      if constexpr (fdim == 2)
+      if constexpr (fdim == 1)
+        return {f[0].begin(), f[0].begin() + n};
+      else
         {
-          result.resize(n * n);
-          for (unsigned int j = n; j-- > 0;)
+          std::vector<double> result(n * n);
+          for (unsigned int j = 0; j < n; ++j)
             for (unsigned int i = 0; i < n; ++i)
               result[i + n * j] = f[0][i] * f[1][j];
+          return result;
         }
-      return result;
     }
   } // namespace
 

@@ -94,15 +94,16 @@ namespace Amontons
         return false;
       constexpr unsigned int g      = ContactSurface<3>::geometry_degree;
       double                 height = 0;
-      Polygon<double>        theirs, ours;
-      for (const unsigned int k : {0u, g, g * (g + 1), (g + 1) * (g + 1) - 1})
+
+      const std::array<unsigned int, 4> corner_points = {{0, g, g * (g + 1), (g + 1) * (g + 1) - 1}};
+      std::array<Point<2>, 4>           theirs, ours;
+      for (unsigned int v = 0; v < 4; ++v)
         {
-          const Tensor<1, 3> y = master.geometry[k] - value_of(origin);
+          const Tensor<1, 3> y = master.geometry[corner_points[v]] - value_of(origin);
           height               = std::max(height, std::abs(normal * y));
-          theirs.emplace_back(Point<2>(value_of(axes[0]) * y, value_of(axes[1]) * y));
+          theirs[v]            = Point<2>(value_of(axes[0]) * y, value_of(axes[1]) * y);
+          ours[v]              = value_of(corners[v]);
         }
-      for (const auto &corner : corners)
-        ours.emplace_back(value_of(corner));
       for (unsigned int d = 0; d < 2; ++d)
         {
           const auto lower    = [d](const auto &p, const auto &q) { return p[d] < q[d]; };

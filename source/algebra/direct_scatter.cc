@@ -110,6 +110,20 @@ namespace Amontons
       return parts;
     }
 
+    // The first of the sorted numbers in [begin, end) that is not below a value. Rows at the contact have
+    // hundreds of entries, and the next one is mostly close.
+    const int *
+    find_from(const int *begin, const int *end, const int value)
+    {
+      std::ptrdiff_t step = 1;
+      while (step < end - begin && begin[step] < value)
+        {
+          begin += step;
+          step *= 2;
+        }
+      return std::lower_bound(begin, begin + std::min(step + 1, end - begin), value);
+    }
+
     void
     add_to_row(const LA::SparseMatrix    &matrix,
                const int                  row,
@@ -124,8 +138,7 @@ namespace Amontons
       for (unsigned int j = 0; j < columns.size(); ++j)
         {
           const int local = columns.first(j).local;
-          while (place != end && *place < local)
-            ++place;
+          place           = find_from(place, end, local);
           if (place != end && *place == local)
             entries[place - places] += values[j];
           else

@@ -116,7 +116,7 @@ namespace Amontons
     else
       for (unsigned int c = 0; c < dim; ++c)
         missing.emplace_back(first_equation[node] + c, jump[c]);
-    std::map<types::global_dof_index, double> moved;
+    Coefficients moved;
     for (unsigned int n = 0; n < 1000 && !missing.empty(); ++n)
       {
         const auto [e, value] = missing.front();

@@ -79,7 +79,7 @@ namespace Amontons
     for (const auto &support : supports.get_lines())
       if (discretization.locally_owned.is_element(support.index))
         {
-          std::map<types::global_dof_index, double> line = {{support.index, 1.}};
+          Coefficients line = {{support.index, 1.}};
           for (const auto &[other, weight] : support.entries)
             line[other] -= weight;
           const auto e = violation(line);
@@ -147,7 +147,7 @@ namespace Amontons
 
   template <int dim>
   std::vector<double>
-  FloatingBodies<dim>::violation(const std::map<types::global_dof_index, double> &coefficients) const
+  FloatingBodies<dim>::violation(const Coefficients &coefficients) const
   {
     std::vector<double> e(n_modes, 0.);
     for (const auto &[dof, weight] : coefficients)

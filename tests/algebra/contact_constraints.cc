@@ -24,9 +24,7 @@ random_number()
 }
 
 ContactEquation
-make(const std::map<types::global_dof_index, double> &coefficients,
-     const double                                     value,
-     const Dofs                                      &candidates)
+make(const Coefficients &coefficients, const double value, const Dofs &candidates)
 {
   return {{coefficients, value}, candidates};
 }
@@ -235,7 +233,7 @@ check_cases()
 
 // A slipping node: test functions obey (n + mu d) . Delta = 0.
 ContactEquation
-slipping(ContactEquation equation, const std::map<types::global_dof_index, double> &along, const double mu)
+slipping(ContactEquation equation, const Coefficients &along, const double mu)
 {
   equation.test = equation.equation.coefficients;
   for (const auto &[dof, weight] : along)
@@ -247,9 +245,9 @@ slipping(ContactEquation equation, const std::map<types::global_dof_index, doubl
 void
 check_friction()
 {
-  const double                                    s      = std::sqrt(0.5);
-  const auto                                      simple = make({{1, -1.}, {3, 0.4}, {5, 0.6}}, 0.1, {0, 1});
-  const std::map<types::global_dof_index, double> along  = {{0, 1.}, {2, -0.4}, {4, -0.6}};
+  const double       s      = std::sqrt(0.5);
+  const auto         simple = make({{1, -1.}, {3, 0.4}, {5, 0.6}}, 0.1, {0, 1});
+  const Coefficients along  = {{0, 1.}, {2, -0.4}, {4, -0.6}};
   for (const double mu : {0.1, 1., -3.})
     {
       const std::string what = "slip, mu = " + std::to_string(mu) + ": ";

@@ -111,7 +111,7 @@ struct Deviation
 };
 
 inline double
-along(const Gradient &gradient, const std::map<types::global_dof_index, double> &direction)
+along(const Gradient &gradient, const Coefficients &direction)
 {
   double sum = 0;
   for (const auto &[dof, value] : direction)
@@ -163,7 +163,7 @@ check_derivatives(Moved<dim>        &moved,
   std::shuffle(singles.begin(), singles.end(), generator);
   if (n_single > 0)
     singles.resize(std::min<std::size_t>(n_single, singles.size()));
-  std::vector<std::map<types::global_dof_index, double>> directions;
+  std::vector<Coefficients> directions;
   for (const auto dof : singles)
     directions.push_back({{dof, 1.}});
   for (unsigned int i = 0; i < 3; ++i)

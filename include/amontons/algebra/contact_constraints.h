@@ -13,11 +13,11 @@ namespace Amontons
   // Friction: test functions v obey sum_d test_d v_d = 0 instead, and the force on DoF d is -test_d mu.
   struct ContactEquation
   {
-    LinearEquation                            equation;
-    std::vector<types::global_dof_index>      candidates;
-    std::map<types::global_dof_index, double> test = {}; // empty: the coefficients of the equation
+    LinearEquation                       equation;
+    std::vector<types::global_dof_index> candidates;
+    Coefficients                         test = {}; // empty: the coefficients of the equation
 
-    const std::map<types::global_dof_index, double> &
+    const Coefficients &
     force_coefficients() const
     {
       return test.empty() ? equation.coefficients : test;

@@ -5,6 +5,8 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <boost/container/flat_map.hpp>
+
 namespace Amontons
 {
   using namespace dealii;
@@ -16,4 +18,7 @@ namespace Amontons
   } // namespace LA
 
   using Constraints = AffineConstraints<double>;
+
+  // By degree of freedom, sorted: of equations, gradients and forces that know few of them.
+  using Coefficients = boost::container::flat_map<types::global_dof_index, double>;
 } // namespace Amontons

@@ -6,7 +6,7 @@
 
 namespace Amontons
 {
-  using Gradient = std::map<types::global_dof_index, double>; // df/du
+  using Gradient = Coefficients; // df/du
 
   // Of CouplingRow::gap, normal and area.
   template <int dim>

@@ -3,7 +3,6 @@
 
 #include <amontons/base/linear_algebra.h>
 
-#include <map>
 #include <optional>
 
 namespace Amontons
@@ -11,8 +10,8 @@ namespace Amontons
   // sum_d coefficient_d u_d = value
   struct LinearEquation
   {
-    std::map<types::global_dof_index, double> coefficients;
-    double                                    value = 0;
+    Coefficients coefficients;
+    double       value = 0;
   };
 
   // Replaces every DoF of the equation that `constraints` already eliminates (directly or through others) by

@@ -75,7 +75,7 @@ namespace Amontons
 
   private:
     std::vector<double>
-    violation(const std::map<types::global_dof_index, double> &coefficients) const;
+    violation(const Coefficients &coefficients) const;
     void
     add_modes_of(const types::global_dof_index dof, const double weight, std::vector<double> &e) const;
     FullMatrix<double>

@@ -1,8 +1,5 @@
 #include <amontons/algebra/tangent_system.h>
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparsity_tools.h>
-
 #include <boost/functional/hash.hpp>
 
 #include <Epetra_Vector.h>
@@ -11,42 +8,13 @@ namespace Amontons
 {
   namespace
   {
-    // What a DoF stands for under constraints.
-    template <typename Action>
-    void
-    for_each_entry(const Constraints &constraints, const types::global_dof_index dof, const Action &action)
-    {
-      if (!constraints.is_constrained(dof))
-        action(dof, 1.);
-      else
-        for (const auto &[other, weight] : *constraints.get_constraint_entries(dof))
-          action(other, weight);
-    }
-
-    void
-    sort_once(std::vector<types::global_dof_index> &dofs)
-    {
-      std::sort(dofs.begin(), dofs.end());
-      dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
-    }
-
-    // All DoFs that the given one stands for, each once.
-    std::vector<types::global_dof_index>
-    resolved(const types::global_dof_index dof, const Constraints &constraints)
-    {
-      std::vector<types::global_dof_index> result;
-      for_each_entry(constraints, dof, [&](const auto other, double) { result.push_back(other); });
-      sort_once(result);
-      return result;
-    }
-
-    // Adds sorted DoFs to sorted ones; whether any is new.
+    // Adds sorted numbers to sorted ones; whether any is new.
     bool
-    insert(std::vector<types::global_dof_index> &known, const std::vector<types::global_dof_index> &more)
+    insert(Nodes &known, const Nodes &more)
     {
       if (std::includes(known.begin(), known.end(), more.begin(), more.end()))
         return false;
-      std::vector<types::global_dof_index> all;
+      Nodes all;
       std::set_union(known.begin(), known.end(), more.begin(), more.end(), std::back_inserter(all));
       known.swap(all);
       return true;
@@ -97,8 +65,8 @@ namespace Amontons
     for (const auto &pivot : test.pivots())
       if (pivot)
         {
-          is_new |= insert(replaced[*pivot], resolved(*pivot, test.test()));
-          is_new |= insert(replaced[*pivot], resolved(*pivot, test.trial()));
+          is_new |= insert(replaced[*pivot], nodes_of({*pivot}, test.test()));
+          is_new |= insert(replaced[*pivot], nodes_of({*pivot}, test.trial()));
         }
     if (is_new)
       linked_blocks.clear();
@@ -116,6 +84,39 @@ namespace Amontons
     return pattern_is_old;
   }
 
+  Nodes
+  TangentSystem::nodes_of(const std::vector<types::global_dof_index> &dofs,
+                          const Constraints                          &constraints) const
+  {
+    Nodes nodes;
+    for (const auto dof : dofs)
+      for_each_entry(
+          constraints, dof, [&](const auto other, double) { nodes.push_back(other / n_components); });
+    sort_once(nodes);
+    return nodes;
+  }
+
+  // With what test functions of closed nodes are replaced by.
+  bool
+  TangentSystem::gather_nodes(const std::vector<types::global_dof_index> &dofs,
+                              const Constraints                          &supports,
+                              Nodes                                      &nodes) const
+  {
+    bool any = false;
+    nodes.clear();
+    for (const auto dof : dofs)
+      for_each_entry(supports, dof, [&](const auto other, double) {
+        nodes.push_back(other / n_components);
+        if (const auto links = replaced.find(other); links != replaced.end())
+          {
+            any = true;
+            nodes.insert(nodes.end(), links->second.begin(), links->second.end());
+          }
+      });
+    sort_once(nodes);
+    return any;
+  }
+
   void
   TangentSystem::link_block(const std::vector<types::global_dof_index> &rows,
                             const std::vector<types::global_dof_index> &columns,
@@ -127,20 +128,11 @@ namespace Amontons
                       boost::hash_range(columns.begin(), columns.end())})
              .second)
       return;
-    const auto all_of = [&](const std::vector<types::global_dof_index> &dofs) {
-      std::vector<types::global_dof_index> result;
-      for (const auto dof : dofs)
-        for_each_entry(supports, dof, [&](const auto other, double) {
-          result.push_back(other);
-          if (const auto links = replaced.find(other); links != replaced.end())
-            result.insert(result.end(), links->second.begin(), links->second.end());
-        });
-      sort_once(result);
-      return result;
-    };
-    const auto all_columns = all_of(columns);
-    for (const auto row : all_of(rows))
-      is_new |= insert(coupled[row], all_columns);
+    Nodes of_rows, of_columns;
+    gather_nodes(rows, supports, of_rows);
+    gather_nodes(columns, supports, of_columns);
+    for (const auto row : of_rows)
+      is_new |= insert(coupled[row], of_columns);
   }
 
   void
@@ -148,36 +140,18 @@ namespace Amontons
                               const Constraints  &supports,
                               const bool          with_eliminated_form)
   {
-    DynamicSparsityPattern               dsp(relevant);
-    std::vector<types::global_dof_index> dofs;
-    std::set<types::global_dof_index>    more;
-    std::vector<unsigned int>            bulk;
+    NodePattern               pattern(locally_owned, relevant, n_components);
+    Nodes                     nodes;
+    std::vector<unsigned int> bulk;
     surface.clear();
     for (unsigned int c = 0; c < cells.n; ++c)
       {
-        dofs = cells.dofs(c);
-        more.clear();
-        bool is_surface = false;
-        for (const auto dof : cells.dofs(c))
-          for_each_entry(supports, dof, [&](const auto i, double) {
-            if (const auto links = replaced.find(i); links != replaced.end())
-              {
-                is_surface = true;
-                more.insert(links->second.begin(), links->second.end());
-              }
-          });
-        for (const auto dof : dofs)
-          more.erase(dof);
-        dofs.insert(dofs.end(), more.begin(), more.end());
-        supports.add_entries_local_to_global(dofs, dsp, false);
-        (is_surface ? surface : bulk).push_back(c);
+        (gather_nodes(cells.dofs(c), supports, nodes) ? surface : bulk).push_back(c);
+        pattern.add(nodes);
       }
     for (const auto &[row, columns] : coupled)
-      dsp.add_entries(row, columns.begin(), columns.end(), true);
-    for (const auto dof : locally_owned)
-      dsp.add(dof, dof);
-    SparsityTools::distribute_sparsity_pattern(dsp, locally_owned, communicator, relevant);
-    system.reinit(locally_owned, locally_owned, dsp, communicator);
+      pattern.add(row, columns);
+    pattern.make_matrix(supports, communicator, system);
     if (with_eliminated_form)
       eliminated.reinit(system);
     constrained_bulk = scatter.setup(system, cells, bulk, supports, n_components);

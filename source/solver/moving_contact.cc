@@ -408,8 +408,7 @@ namespace Amontons
     for (const auto &component : dt)
       for (const auto &entry : component)
         columns.push_back(entry.first);
-    std::sort(columns.begin(), columns.end());
-    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+    sort_once(columns);
     FullMatrix<double> of_traction(dim, columns.size());
     for (unsigned int c = 0; c < dim; ++c)
       for (const auto &[dof, value] : dt[c])

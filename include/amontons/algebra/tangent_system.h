@@ -5,6 +5,7 @@
 #include <amontons/algebra/condensed_system.h>
 #include <amontons/algebra/direct_scatter.h>
 #include <amontons/algebra/linear_solver.h>
+#include <amontons/algebra/node_pattern.h>
 
 namespace Amontons
 {
@@ -68,8 +69,13 @@ namespace Amontons
     row_scale(const types::global_dof_index row) const;
 
   private:
-    // Which DoFs stand in for others: all that the pattern has to know beside the cells.
-    using Links = std::map<types::global_dof_index, std::vector<types::global_dof_index>>; // sorted
+    using Links = std::map<types::global_dof_index, Nodes>;
+    Nodes
+    nodes_of(const std::vector<types::global_dof_index> &dofs, const Constraints &constraints) const;
+    bool
+    gather_nodes(const std::vector<types::global_dof_index> &dofs,
+                 const Constraints                          &supports,
+                 Nodes                                      &nodes) const;
     void
     link_block(const std::vector<types::global_dof_index> &rows,
                const std::vector<types::global_dof_index> &columns,
@@ -96,9 +102,10 @@ namespace Amontons
     const MPI_Comm                       communicator;
     LA::SparseMatrix                     system, eliminated;
     const ContactConstraints            *constraints = nullptr;
-    std::vector<types::global_dof_index> written;  // rows, owned
-    Links                                replaced; // test functions: by DoF that is or was eliminated
-    Links                                coupled;  // further matrices and rows: columns by row
+    std::vector<types::global_dof_index> written; // rows, owned
+    // All that the pattern has to know beside the cells.
+    Links replaced; // test functions: by DoF that is or was eliminated
+    Links coupled;  // further matrices and rows: by node of the row
     std::set<std::pair<std::size_t, std::size_t>> linked_blocks;    // rows and columns, as hash values
     std::vector<unsigned int>                     surface;          // cells with DoFs that others replace
     std::vector<unsigned int>                     constrained_bulk; // other cells, but for those of

@@ -203,6 +203,14 @@ namespace
 int
 main(int argc, char **argv)
 {
+#ifdef __AVX2__
+  if (!__builtin_cpu_supports("avx2"))
+    {
+      std::cerr << "amontons was built for processors with AVX2, which this one has not: build it here, or "
+                   "with 'cmake -DAMONTONS_AVX2=OFF'\n";
+      return 1;
+    }
+#endif
   // Half of the start of a single process is Open MPI starting a daemon for it.
   if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMI_SIZE") == nullptr &&
       std::getenv("PMIX_RANK") == nullptr)

@@ -33,6 +33,37 @@ namespace Amontons
           std::copy(source, source + n, target);
         }
     }
+
+    // Of one row.
+    struct Entries
+    {
+      std::vector<types::global_dof_index> columns;
+      FullMatrix<double>                   values;
+    };
+
+    // Takes those in wanted (local) columns out of the matrix.
+    template <typename Wanted>
+    void
+    take_entries(const LA::SparseMatrix &matrix, const int row, const Wanted &wanted, Entries &entries)
+    {
+      const auto         &storage = matrix.trilinos_matrix();
+      double             *values;
+      int                 n, *columns;
+      std::vector<double> taken;
+      storage.ExtractMyRowView(row, n, values, columns);
+      entries.columns.clear();
+      for (int k = 0; k < n; ++k)
+        if (values[k] != 0 && wanted(columns[k]))
+          {
+            entries.columns.push_back(storage.GCID(columns[k]));
+            taken.push_back(values[k]);
+            values[k] = 0;
+          }
+      entries.values.reinit(taken.empty() ? 0 : 1, taken.size());
+      for (unsigned int k = 0; k < taken.size(); ++k)
+        entries.values(0, k) = taken[k];
+    }
+
     double
     largest_diagonal(const LA::SparseMatrix &matrix)
     {
@@ -142,11 +173,13 @@ namespace Amontons
   {
     NodePattern               pattern(locally_owned, relevant, n_components);
     Nodes                     nodes;
-    std::vector<unsigned int> bulk;
+    std::vector<unsigned int> all;
     surface.clear();
     for (unsigned int c = 0; c < cells.n; ++c)
       {
-        (gather_nodes(cells.dofs(c), supports, nodes) ? surface : bulk).push_back(c);
+        if (gather_nodes(cells.dofs(c), supports, nodes))
+          surface.push_back(c);
+        all.push_back(c);
         pattern.add(nodes);
       }
     for (const auto &[row, columns] : coupled)
@@ -154,8 +187,8 @@ namespace Amontons
     pattern.make_matrix(supports, communicator, system);
     if (with_eliminated_form)
       eliminated.reinit(system);
-    constrained_bulk = scatter.setup(system, cells, bulk, supports, n_components);
-    pattern_is_old   = false;
+    constrained    = scatter.setup(system, cells, all, supports, n_components);
+    pattern_is_old = false;
   }
 
   void
@@ -173,46 +206,81 @@ namespace Amontons
 
     system = 0;
     scatter.add(cells, system);
-    for (const unsigned int c : constrained_bulk)
+    for (const unsigned int c : constrained)
       add_condensed(cells.matrix(c), cells.dofs(c), cells.dofs(c), supports, supports, system);
+    add_diagonal(diagonal, supports, system);
     system.compress(VectorOperation::add);
-    if (with_eliminated_form)
-      copy_values(system, eliminated);
+    if (with_eliminated_form) // what matters of it
+      {
+        copy_values(system, eliminated);
+        condense_rows(test, eliminated);
+        condense_columns(test, eliminated);
+      }
 
-    add_surface(cells, test.test(), supports, further, diagonal, system);
+    for (const auto &part : further)
+      add_condensed(part.matrix, part.rows, part.columns, supports, supports, system);
     system.compress(VectorOperation::add);
+    condense_rows(test, system);
     diagonal_scale = largest_diagonal(system);
     measure_stiffness(cells, supports);
     write_rows(rows, supports);
     fill_empty_rows(system, supports);
     if (with_eliminated_form)
-      {
-        add_surface(cells, test.test(), test.trial(), {}, diagonal, eliminated); // what matters of it
-        eliminated.compress(VectorOperation::add);
-        fill_empty_rows(eliminated, test.trial());
-      }
+      fill_empty_rows(eliminated, test.trial());
   }
 
-  // All that test functions of closed nodes reach.
   void
-  TangentSystem::add_surface(const CellMatrices                   &cells,
-                             const Constraints                    &of_rows,
-                             const Constraints                    &of_columns,
-                             const std::vector<RectangularMatrix> &further,
-                             const LA::Vector                     *diagonal,
-                             LA::SparseMatrix                     &matrix) const
+  TangentSystem::add_diagonal(const LA::Vector  *diagonal,
+                              const Constraints &supports,
+                              LA::SparseMatrix  &matrix) const
   {
-    for (const unsigned int c : surface)
-      add_condensed(cells.matrix(c), cells.dofs(c), cells.dofs(c), of_rows, of_columns, matrix);
-    for (const auto &part : further)
-      add_condensed(part.matrix, part.rows, part.columns, of_rows, of_columns, matrix);
     FullMatrix<double> one(1, 1);
     for (const auto dof : locally_owned)
       if (diagonal != nullptr && (*diagonal)(dof) != 0)
         {
           one(0, 0) = (*diagonal)(dof);
-          add_condensed(one, {dof}, {dof}, of_rows, of_columns, matrix);
+          add_condensed(one, {dof}, {dof}, supports, supports, matrix);
         }
+  }
+
+  // Once all is added, C_test^T times it: what was added to a row once goes to many others.
+  void
+  TangentSystem::condense_rows(const ContactConstraints &test, LA::SparseMatrix &matrix) const
+  {
+    Entries entries;
+    for (const auto &pivot : test.pivots())
+      if (pivot && locally_owned.is_element(*pivot))
+        {
+          take_entries(
+              matrix, matrix.trilinos_matrix().LRID(int(*pivot)), [](const int) { return true; }, entries);
+          add_condensed(entries.values, {*pivot}, entries.columns, test.test(), Constraints(), matrix);
+        }
+    matrix.compress(VectorOperation::add);
+  }
+
+  // Times C_trial.
+  void
+  TangentSystem::condense_columns(const ContactConstraints &test, LA::SparseMatrix &matrix) const
+  {
+    const auto       &storage = matrix.trilinos_matrix();
+    std::vector<bool> is_pivot(storage.NumMyCols(), false);
+    for (const auto &pivot : test.pivots())
+      if (pivot && storage.LCID(int(*pivot)) >= 0)
+        is_pivot[storage.LCID(int(*pivot))] = true;
+    Entries entries;
+    for (int row = 0; row < storage.NumMyRows(); ++row)
+      {
+        take_entries(
+            matrix, row, [&](const int column) { return is_pivot[column]; }, entries);
+        if (!entries.columns.empty())
+          add_condensed(entries.values,
+                        {types::global_dof_index(storage.GRID(row))},
+                        entries.columns,
+                        Constraints(),
+                        test.trial(),
+                        matrix);
+      }
+    matrix.compress(VectorOperation::add);
   }
 
   // Written rows get the size of the stiffness there, so that their residuals compare with forces; diagonals

@@ -5,28 +5,8 @@
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/map.hpp>
 
-#include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
-
 #include <algorithm>
 #include <set>
-
-namespace boost
-{
-  namespace serialization
-  {
-    template <class Archive>
-    void
-    serialize(Archive &archive, Amontons::Gradient &gradient, const unsigned int)
-    {
-      auto                                                              entries = gradient.extract_sequence();
-      std::vector<std::pair<Amontons::types::global_dof_index, double>> sorted(entries.begin(),
-                                                                               entries.end());
-      archive                                                          &sorted;
-      gradient.adopt_sequence(container::ordered_unique_range, {sorted.begin(), sorted.end()});
-    }
-  } // namespace serialization
-} // namespace boost
 
 namespace Amontons
 {

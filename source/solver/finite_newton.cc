@@ -153,7 +153,8 @@ namespace Amontons
         report.moved                          = true;
         damping                               = lumped_damping(discretization);
         steps                                 = std::make_unique<DampedSteps>(first_step);
-        double residual                       = 0;
+        double            residual            = 0;
+        const std::string no_balance_here     = Diagnosis::friction_too_weak(states);
         while (!report.converged && report.message.empty())
           {
             if (report.iterations.size() > first + max_iterations)
@@ -169,6 +170,8 @@ namespace Amontons
               go_back(start);
           }
         steps.reset();
+        if (!report.converged && !no_balance_here.empty()) // it may move to where there is one
+          report.message = no_balance_here;
       }
 
       // One step of implicit Euler,  D (u - start)/dtau + internal - contact forces = loads, with the states

@@ -84,12 +84,11 @@ namespace Amontons
     void
     make_pattern(const CellMatrices &cells, const Constraints &supports, const bool with_eliminated_form);
     void
-    add_surface(const CellMatrices                   &cells,
-                const Constraints                    &of_rows,
-                const Constraints                    &of_columns,
-                const std::vector<RectangularMatrix> &further,
-                const LA::Vector                     *diagonal,
-                LA::SparseMatrix                     &matrix) const;
+    add_diagonal(const LA::Vector *diagonal, const Constraints &supports, LA::SparseMatrix &matrix) const;
+    void
+    condense_rows(const ContactConstraints &test, LA::SparseMatrix &matrix) const;
+    void
+    condense_columns(const ContactConstraints &test, LA::SparseMatrix &matrix) const;
     void
     measure_stiffness(const CellMatrices &cells, const Constraints &supports);
     void
@@ -106,9 +105,9 @@ namespace Amontons
     // All that the pattern has to know beside the cells.
     Links replaced; // test functions: by DoF that is or was eliminated
     Links coupled;  // further matrices and rows: by node of the row
-    std::set<std::pair<std::size_t, std::size_t>> linked_blocks;    // rows and columns, as hash values
-    std::vector<unsigned int>                     surface;          // cells with DoFs that others replace
-    std::vector<unsigned int>                     constrained_bulk; // other cells, but for those of
+    std::set<std::pair<std::size_t, std::size_t>> linked_blocks; // rows and columns, as hash values
+    std::vector<unsigned int>                     surface;       // cells with DoFs that others replace
+    std::vector<unsigned int>                     constrained;   // cells, but for those of
     DirectScatter                                 scatter;
     LA::Vector                                    stiffness; // diagonal, of DoFs on `surface` or constrained
     bool                                          pattern_is_old = true;

@@ -4,10 +4,33 @@
 
 #include <amontons/contact/contact_interface.h>
 
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
 namespace Amontons
 {
   using Gradient = Coefficients; // df/du
+}
 
+namespace boost
+{
+  namespace serialization
+  {
+    template <class Archive>
+    void
+    serialize(Archive &archive, Amontons::Gradient &gradient, const unsigned int)
+    {
+      auto                                                              entries = gradient.extract_sequence();
+      std::vector<std::pair<Amontons::types::global_dof_index, double>> sorted(entries.begin(),
+                                                                               entries.end());
+      archive                                                          &sorted;
+      gradient.adopt_sequence(container::ordered_unique_range, {sorted.begin(), sorted.end()});
+    }
+  } // namespace serialization
+} // namespace boost
+
+namespace Amontons
+{
   // Of CouplingRow::gap, normal and area.
   template <int dim>
   struct RowGradient

@@ -187,17 +187,16 @@ namespace Amontons
   }
 
   std::vector<unsigned int>
-  DirectScatter::setup(const LA::SparseMatrix          &matrix,
-                       const CellMatrices              &cells,
-                       const std::vector<unsigned int> &among,
-                       const Constraints               &constraints,
-                       const unsigned int               components)
+  DirectScatter::setup(const LA::SparseMatrix &matrix,
+                       const CellMatrices     &cells,
+                       const Constraints      &constraints,
+                       const unsigned int      components)
   {
     n_components = components;
     served.clear();
     places.clear();
     std::vector<unsigned int> others, found;
-    for (const unsigned int c : among)
+    for (unsigned int c = 0; c < cells.n; ++c)
       {
         const auto &dofs = cells.dofs(c);
         if (std::none_of(

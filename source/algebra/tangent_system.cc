@@ -171,15 +171,13 @@ namespace Amontons
                               const Constraints  &supports,
                               const bool          with_eliminated_form)
   {
-    NodePattern               pattern(locally_owned, relevant, n_components);
-    Nodes                     nodes;
-    std::vector<unsigned int> all;
+    NodePattern pattern(locally_owned, relevant, n_components);
+    Nodes       nodes;
     surface.clear();
     for (unsigned int c = 0; c < cells.n; ++c)
       {
         if (gather_nodes(cells.dofs(c), supports, nodes))
           surface.push_back(c);
-        all.push_back(c);
         pattern.add(nodes);
       }
     for (const auto &[row, columns] : coupled)
@@ -187,7 +185,7 @@ namespace Amontons
     pattern.make_matrix(supports, communicator, system);
     if (with_eliminated_form)
       eliminated.reinit(system);
-    constrained    = scatter.setup(system, cells, all, supports, n_components);
+    constrained    = scatter.setup(system, cells, supports, n_components);
     pattern_is_old = false;
   }
 

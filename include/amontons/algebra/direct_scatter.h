@@ -21,13 +21,12 @@ namespace Amontons
   class DirectScatter
   {
   public:
-    // `among`: the cells to look at. Returns those that it cannot serve.
+    // Returns the cells that it cannot serve.
     std::vector<unsigned int>
-    setup(const LA::SparseMatrix          &matrix,
-          const CellMatrices              &cells,
-          const std::vector<unsigned int> &among,
-          const Constraints               &constraints,
-          const unsigned int               n_components);
+    setup(const LA::SparseMatrix &matrix,
+          const CellMatrices     &cells,
+          const Constraints      &constraints,
+          const unsigned int      n_components);
 
     void
     add(const CellMatrices &cells, LA::SparseMatrix &matrix) const;

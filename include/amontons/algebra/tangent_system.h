@@ -107,8 +107,8 @@ namespace Amontons
     Links coupled;  // further matrices and rows: by node of the row
     std::set<std::pair<std::size_t, std::size_t>> linked_blocks; // rows and columns, as hash values
     std::vector<unsigned int>                     surface;       // cells with DoFs that others replace
-    std::vector<unsigned int>                     constrained;   // cells, but for those of
     DirectScatter                                 scatter;
+    std::vector<unsigned int>                     constrained; // cells that it does not serve
     LA::Vector                                    stiffness; // diagonal, of DoFs on `surface` or constrained
     bool                                          pattern_is_old = true;
     double                                        diagonal_scale = 1;

@@ -13,10 +13,12 @@ namespace Amontons
                       "How often the mesh is refined after the first solution, from which the computation is "
                       "then repeated.",
                       Patterns::Integer(0));
-    prm.add_parameter("Maximum DoFs",
-                      max_dofs,
-                      "Refinement stops before the mesh gets more than about this many degrees of freedom.",
-                      Patterns::Integer(1));
+    prm.add_parameter(
+        "Maximum DoFs",
+        max_dofs,
+        "Refinement stops before the mesh gets more than about this many degrees of freedom, or "
+        "once it could only grow by less than a tenth.",
+        Patterns::Integer(1));
     prm.add_parameter(
         "Target error",
         target_error,
@@ -119,14 +121,17 @@ namespace Amontons
       std::vector<double> squares;
     };
 
-    // How many cells can be refined within max_dofs.
+    // How many cells can be refined within max_dofs; none if the mesh would not be much finer.
     template <int dim>
     double
     affordable_cells(const Discretization<dim> &discretization, const unsigned int max_dofs)
     {
-      const double n_dofs       = discretization.dof_handler.n_dofs();
-      const double dofs_by_cell = n_dofs / discretization.geometry.triangulation.n_global_active_cells();
-      return (max_dofs - n_dofs) / (dofs_by_cell * (GeometryInfo<dim>::max_children_per_cell - 1));
+      constexpr double worth_a_solution = 0.1;
+      const double     n_dofs           = discretization.dof_handler.n_dofs();
+      const double     n_cells          = discretization.geometry.triangulation.n_global_active_cells();
+      const double     growth           = max_dofs / n_dofs - 1;
+      return growth < worth_a_solution ? 0
+                                       : growth * n_cells / (GeometryInfo<dim>::max_children_per_cell - 1);
     }
 
     // Doerfler marking: the largest squared error from which on the cells make up the fraction, or the

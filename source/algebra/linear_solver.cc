@@ -246,7 +246,8 @@ namespace Amontons
     list.set("ML output", 0);
     list.set("max levels", 10);
     list.set("aggregation: type", "Uncoupled");
-    list.set("aggregation: threshold", 0.02);
+    list.set("aggregation: threshold", 0.01);
+    list.set("eigen-analysis: type", "cg"); // ML's power method ends too early on large matrices
     list.set("smoother: type", "Chebyshev");
     list.set("smoother: sweeps", 2);
     list.set("coarse: max size", 2000);

@@ -34,35 +34,66 @@ namespace Amontons
         }
     }
 
-    // Of one row.
-    struct Entries
-    {
-      std::vector<types::global_dof_index> columns;
-      FullMatrix<double>                   values;
-    };
-
-    // Takes those in wanted (local) columns out of the matrix.
-    template <typename Wanted>
+    // Leaves zeros in the row of an owned DoF; columns: local.
     void
-    take_entries(const LA::SparseMatrix &matrix, const int row, const Wanted &wanted, Entries &entries)
+    take_row(const LA::SparseMatrix       &matrix,
+             const types::global_dof_index dof,
+             std::vector<int>             &columns,
+             std::vector<double>          &entries)
     {
-      const auto         &storage = matrix.trilinos_matrix();
-      double             *values;
-      int                 n, *columns;
-      std::vector<double> taken;
-      storage.ExtractMyRowView(row, n, values, columns);
-      entries.columns.clear();
+      double *values;
+      int     n, *places;
+      matrix.trilinos_matrix().ExtractMyRowView(matrix.trilinos_matrix().LRID(int(dof)), n, values, places);
+      columns.clear();
+      entries.clear();
       for (int k = 0; k < n; ++k)
-        if (values[k] != 0 && wanted(columns[k]))
+        if (values[k] != 0)
           {
-            entries.columns.push_back(storage.GCID(columns[k]));
-            taken.push_back(values[k]);
-            values[k] = 0;
+            columns.push_back(places[k]);
+            entries.push_back(std::exchange(values[k], 0.));
           }
-      entries.values.reinit(taken.empty() ? 0 : 1, taken.size());
-      for (unsigned int k = 0; k < taken.size(); ++k)
-        entries.values(0, k) = taken[k];
     }
+
+    // The entries of a row of this rank, and where a local column is among them.
+    class RowView
+    {
+    public:
+      explicit RowView(const LA::SparseMatrix &matrix)
+          : storage(matrix.trilinos_matrix()), places(storage.NumMyCols(), none)
+      {
+      }
+
+      void
+      look_at(const int row)
+      {
+        leave();
+        storage.ExtractMyRowView(row, n, values, columns);
+        for (int k = 0; k < n; ++k)
+          places[columns[k]] = k;
+      }
+
+      void
+      add(const int column, const double value)
+      {
+        AssertThrow(column >= 0 && places[column] != none,
+                    ExcMessage("an entry outside of the sparsity pattern"));
+        values[places[column]] += value;
+      }
+
+    private:
+      void
+      leave()
+      {
+        for (int k = 0; k < n; ++k)
+          places[columns[k]] = none;
+      }
+
+      static constexpr int    none = -1;
+      const Epetra_CrsMatrix &storage;
+      std::vector<int>        places;
+      int                     n = 0, *columns = nullptr;
+      double                 *values = nullptr;
+    };
 
     double
     largest_diagonal(const LA::SparseMatrix &matrix)
@@ -245,40 +276,64 @@ namespace Amontons
   void
   TangentSystem::condense_rows(const ContactConstraints &test, LA::SparseMatrix &matrix) const
   {
-    Entries entries;
+    const auto         &storage = matrix.trilinos_matrix();
+    RowView             target(matrix);
+    std::vector<int>    columns;
+    std::vector<double> entries;
     for (const auto &pivot : test.pivots())
       if (pivot && locally_owned.is_element(*pivot))
         {
-          take_entries(
-              matrix, matrix.trilinos_matrix().LRID(int(*pivot)), [](const int) { return true; }, entries);
-          add_condensed(entries.values, {*pivot}, entries.columns, test.test(), Constraints(), matrix);
+          take_row(matrix, *pivot, columns, entries);
+          for (const auto &[dof, weight] : *test.test().get_constraint_entries(*pivot))
+            if (const int row = storage.LRID(int(dof)); row >= 0)
+              {
+                target.look_at(row);
+                for (unsigned int k = 0; k < columns.size(); ++k)
+                  target.add(columns[k], weight * entries[k]);
+              }
+            else // sent to its owner
+              for (unsigned int k = 0; k < columns.size(); ++k)
+                matrix.add(dof, storage.GCID(columns[k]), weight * entries[k]);
         }
     matrix.compress(VectorOperation::add);
   }
 
-  // Times C_trial.
+  // Times C_trial: what a row has in a pivot's column goes to the columns that the pivot stands for.
   void
   TangentSystem::condense_columns(const ContactConstraints &test, LA::SparseMatrix &matrix) const
   {
-    const auto       &storage = matrix.trilinos_matrix();
-    std::vector<bool> is_pivot(storage.NumMyCols(), false);
+    const auto &storage = matrix.trilinos_matrix();
+    using Shares        = std::vector<std::pair<int, double>>; // local columns
+    std::vector<Shares>                      shares;
+    std::vector<std::optional<unsigned int>> shares_of(storage.NumMyCols());
     for (const auto &pivot : test.pivots())
-      if (pivot && storage.LCID(int(*pivot)) >= 0)
-        is_pivot[storage.LCID(int(*pivot))] = true;
-    Entries entries;
+      if (const int column = pivot ? storage.LCID(int(*pivot)) : -1; column >= 0)
+        {
+          shares_of[column] = shares.size();
+          shares.emplace_back();
+          for (const auto &[dof, weight] : *test.trial().get_constraint_entries(*pivot))
+            shares.back().emplace_back(storage.LCID(int(dof)), weight);
+        }
+    RowView view(matrix);
     for (int row = 0; row < storage.NumMyRows(); ++row)
       {
-        take_entries(
-            matrix, row, [&](const int column) { return is_pivot[column]; }, entries);
-        if (!entries.columns.empty())
-          add_condensed(entries.values,
-                        {types::global_dof_index(storage.GRID(row))},
-                        entries.columns,
-                        Constraints(),
-                        test.trial(),
-                        matrix);
+        double *values;
+        int     n, *columns;
+        storage.ExtractMyRowView(row, n, values, columns);
+        const auto is_condensed = [&](const int k) { return values[k] != 0 && shares_of[columns[k]]; };
+        int        k            = 0;
+        while (k < n && !is_condensed(k))
+          ++k;
+        if (k < n)
+          view.look_at(row);
+        for (; k < n; ++k)
+          if (is_condensed(k))
+            {
+              const double value = std::exchange(values[k], 0.);
+              for (const auto &[column, weight] : shares[*shares_of[columns[k]]])
+                view.add(column, value * weight);
+            }
       }
-    matrix.compress(VectorOperation::add);
   }
 
   // Written rows get the size of the stiffness there, so that their residuals compare with forces; diagonals

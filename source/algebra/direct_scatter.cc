@@ -1,4 +1,5 @@
 #include <amontons/algebra/direct_scatter.h>
+#include <amontons/algebra/node_pattern.h>
 
 #include <algorithm>
 #include <tuple>
@@ -39,16 +40,10 @@ namespace Amontons
               const Constraints                          &constraints,
               const LA::SparseMatrix                     &matrix)
       {
-        const auto append =
-            [&](const types::global_dof_index dof, const unsigned int j, const double weight) {
-              parts.push_back({matrix.trilinos_matrix().LCID(int(dof)), dof, j, weight});
-            };
         for (unsigned int j = 0; j < dofs.size(); ++j)
-          if (!constraints.is_constrained(dofs[j]))
-            append(dofs[j], j, 1);
-          else
-            for (const auto &[other, weight] : *constraints.get_constraint_entries(dofs[j]))
-              append(other, j, weight);
+          for_each_entry(constraints, dofs[j], [&](const auto dof, const double weight) {
+            parts.push_back({matrix.trilinos_matrix().LCID(int(dof)), dof, j, weight});
+          });
         std::sort(parts.begin(), parts.end(), [](const Part &a, const Part &b) {
           return std::tie(a.local, a.dof) < std::tie(b.local, b.dof);
         });
@@ -99,13 +94,9 @@ namespace Amontons
       for (unsigned int i = 0; i < dofs.size(); ++i)
         if (const double *row = &block(i, 0);
             std::any_of(row, row + block.n(), [](const double value) { return value != 0; }))
-          {
-            if (!constraints.is_constrained(dofs[i]))
-              parts.push_back({dofs[i], i, 1});
-            else
-              for (const auto &[other, weight] : *constraints.get_constraint_entries(dofs[i]))
-                parts.push_back({other, i, weight});
-          }
+          for_each_entry(constraints, dofs[i], [&](const auto dof, const double weight) {
+            parts.push_back({dof, i, weight});
+          });
       std::sort(parts.begin(), parts.end(), [](const RowPart &a, const RowPart &b) { return a.row < b.row; });
       return parts;
     }
@@ -189,23 +180,18 @@ namespace Amontons
   std::vector<unsigned int>
   DirectScatter::setup(const LA::SparseMatrix &matrix,
                        const CellMatrices     &cells,
-                       const Constraints      &constraints,
-                       const unsigned int      components)
+                       const Constraints      &constraints)
   {
-    n_components = components;
-    served.clear();
+    targets.clear();
     places.clear();
-    std::vector<unsigned int> others, found;
+    std::vector<unsigned int> others;
     for (unsigned int c = 0; c < cells.n; ++c)
       {
-        const auto &dofs = cells.dofs(c);
-        if (std::none_of(
-                dofs.begin(), dofs.end(), [&](const auto i) { return constraints.is_constrained(i); }) &&
-            find_places(matrix, dofs, found))
-          {
-            served.push_back(c);
-            places.insert(places.end(), found.begin(), found.end());
-          }
+        Target target;
+        target.cell = c;
+        if (const auto dofs = distribute_shares(cells.dofs(c), constraints, target.shares);
+            find_places(matrix, dofs, target))
+          targets.push_back(target);
         else
           others.push_back(c);
       }
@@ -213,39 +199,65 @@ namespace Amontons
     return others;
   }
 
+  // Returns the DoFs that those of the cell stand for.
+  std::vector<types::global_dof_index>
+  DirectScatter::distribute_shares(const std::vector<types::global_dof_index> &dofs,
+                                   const Constraints                          &constraints,
+                                   std::vector<Share>                         &shares) const
+  {
+    if (std::none_of(dofs.begin(), dofs.end(), [&](const auto i) { return constraints.is_constrained(i); }))
+      return dofs;
+    std::vector<types::global_dof_index> targets;
+    for (const auto dof : dofs)
+      for_each_entry(constraints, dof, [&](const auto other, double) { targets.push_back(other); });
+    sort_once(targets);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      for_each_entry(constraints, dofs[i], [&](const auto other, const double weight) {
+        const auto place = std::lower_bound(targets.begin(), targets.end(), other);
+        shares.push_back({i, static_cast<unsigned int>(place - targets.begin()), weight});
+      });
+    return targets;
+  }
+
   bool
   DirectScatter::find_places(const LA::SparseMatrix                     &matrix,
                              const std::vector<types::global_dof_index> &dofs,
-                             std::vector<unsigned int>                  &found) const
+                             Target                                     &target)
   {
     const Rows  rows(matrix);
     const auto &storage = matrix.trilinos_matrix();
     if (rows.begin == nullptr)
       return false;
-    std::vector<int> columns;
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-      {
-        columns.push_back(storage.LCID(int(dofs[i])));
-        if (i % n_components != 0 && columns[i] != columns[i - 1] + 1)
-          return false;
-      }
-    found.clear();
+    std::vector<int> first_columns;
+    for (unsigned int j = 0; j < dofs.size(); ++j)
+      if (const int column = storage.LCID(int(dofs[j]));
+          j > 0 && column == first_columns.back() + int(target.runs.back()))
+        ++target.runs.back();
+      else
+        {
+          first_columns.push_back(column);
+          target.runs.push_back(1);
+        }
+    target.n_rows              = dofs.size();
+    const std::size_t n_places = places.size();
     for (const auto dof : dofs)
       {
         const int row = storage.LRID(int(dof));
-        if (row < 0)
-          return false;
-        const int *begin = rows.columns + rows.begin[row], *end = rows.columns + rows.begin[row + 1];
-        for (unsigned int j = 0; j < dofs.size(); j += n_components)
+        for (unsigned int r = 0; row >= 0 && r < target.runs.size(); ++r)
           {
-            const int *place = std::lower_bound(begin, end, columns[j]);
-            for (unsigned int d = 0; d < n_components; ++d)
-              if (place + d >= end || place[d] != columns[j + d])
-                return false;
-            found.push_back(place - rows.columns);
+            const int *begin = rows.columns + rows.begin[row], *end = rows.columns + rows.begin[row + 1];
+            const int *place  = std::lower_bound(begin, end, first_columns[r]);
+            const int  length = target.runs[r];
+            if (end - place < length || place[0] != first_columns[r] ||
+                place[length - 1] != first_columns[r] + length - 1)
+              break;
+            places.push_back(place - rows.columns);
           }
       }
-    return true;
+    if (places.size() == n_places + dofs.size() * target.runs.size())
+      return true;
+    places.resize(n_places);
+    return false;
   }
 
   void
@@ -253,13 +265,33 @@ namespace Amontons
   {
     const Rows          rows(matrix);
     const unsigned int *place = places.data();
-    for (const unsigned int c : served)
+    FullMatrix<double>  half, condensed;
+    for (const auto &target : targets)
       {
-        const FullMatrix<double> cell = cells.matrix(c);
-        for (unsigned int i = 0; i < cell.m(); ++i)
-          for (unsigned int j = 0; j < cell.n(); j += n_components, ++place)
-            for (unsigned int d = 0; d < n_components; ++d)
-              rows.values[*place + d] += cell(i, j + d);
+        const FullMatrix<double>  cell  = cells.matrix(target.cell);
+        const FullMatrix<double> *block = &cell;
+        if (!target.shares.empty())
+          {
+            half.reinit(target.n_rows, cell.n());
+            condensed.reinit(target.n_rows, target.n_rows);
+            for (const auto &[from, to, weight] : target.shares)
+              for (unsigned int j = 0; j < cell.n(); ++j)
+                half(to, j) += weight * cell(from, j);
+            for (unsigned int i = 0; i < target.n_rows; ++i)
+              for (const auto &[from, to, weight] : target.shares)
+                condensed(i, to) += weight * half(i, from);
+            block = &condensed;
+          }
+        for (unsigned int i = 0; i < target.n_rows; ++i)
+          {
+            const double *value = &(*block)(i, 0);
+            for (const unsigned int n : target.runs)
+              {
+                double *entry = rows.values + *place++;
+                for (unsigned int d = 0; d < n; ++d)
+                  entry[d] += *value++;
+              }
+          }
       }
   }
 } // namespace Amontons

@@ -216,7 +216,7 @@ namespace Amontons
     pattern.make_matrix(supports, communicator, system);
     if (with_eliminated_form)
       eliminated.reinit(system);
-    constrained    = scatter.setup(system, cells, supports, n_components);
+    constrained    = scatter.setup(system, cells, supports);
     pattern_is_old = false;
   }
 

@@ -15,30 +15,44 @@ namespace Amontons
                 const Constraints                          &of_columns,
                 LA::SparseMatrix                           &matrix);
 
-  // The pattern of a Newton iteration stays while its values change. Places of the entries among the values
-  // of the matrix are found once, for cells without constraints of which this rank owns all rows: one for
-  // each row and node, whose components follow one another.
+  // The pattern and the supports of a Newton iteration stay while its values change. Places of the entries
+  // among the values of the matrix are found once, for cells of which this rank owns all rows, one for each
+  // row and run of columns that follow one another (components of a node).
   class DirectScatter
   {
   public:
     // Returns the cells that it cannot serve.
     std::vector<unsigned int>
-    setup(const LA::SparseMatrix &matrix,
-          const CellMatrices     &cells,
-          const Constraints      &constraints,
-          const unsigned int      n_components);
+    setup(const LA::SparseMatrix &matrix, const CellMatrices &cells, const Constraints &constraints);
 
+    // C^T K C of these cells.
     void
     add(const CellMatrices &cells, LA::SparseMatrix &matrix) const;
 
   private:
+    // What DoF `from` of the cell gives to DoF `to` of those that it stands for.
+    struct Share
+    {
+      unsigned int from, to;
+      double       weight;
+    };
+    struct Target
+    {
+      unsigned int              cell, n_rows;
+      std::vector<unsigned int> runs;   // lengths
+      std::vector<Share>        shares; // none: the cell has no constraints
+    };
+
+    std::vector<types::global_dof_index>
+    distribute_shares(const std::vector<types::global_dof_index> &dofs,
+                      const Constraints                          &constraints,
+                      std::vector<Share>                         &shares) const;
     bool
     find_places(const LA::SparseMatrix                     &matrix,
                 const std::vector<types::global_dof_index> &dofs,
-                std::vector<unsigned int>                  &found) const;
+                Target                                     &target);
 
-    unsigned int              n_components = 1;
-    std::vector<unsigned int> served;
-    std::vector<unsigned int> places; // by cell served, row and node
+    std::vector<Target>       targets;
+    std::vector<unsigned int> places; // by target, row and run
   };
 } // namespace Amontons

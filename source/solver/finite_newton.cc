@@ -614,7 +614,7 @@ namespace Amontons
       linear_tolerance(const LA::Vector &rhs) const
       {
         if (report.iterations.empty())
-          return 1e-5 * rhs.l2_norm();
+          return 1e-4 * rhs.l2_norm();
         const auto  &last = report.iterations.back();
         const double r = last.residual, factor = last.n_changes > 0 ? 1e-2 : std::min(1e-3, r);
         return 0.1 * std::max(factor * r, parameters.tolerance) * force_scale;

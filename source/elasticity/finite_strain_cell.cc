@@ -188,14 +188,22 @@ namespace Amontons
   {
     kinematics.project(dilatations);
     for (unsigned int q = 0; q < kinematics.n_points(); ++q)
-      for (unsigned int i = 0; i < dilatations.n(); ++i)
-        {
-          const double divergence =
-              strains(q * n_rows, i) + strains(q * n_rows + 1, i) + strains(q * n_rows + 2, i);
-          for (unsigned int k = 0; k < 3; ++k)
-            strains(q * n_rows + k, i) += (dilatations(q, i) / kinematics.dilatation(q) - divergence) / 3;
-          strains(q * n_rows + n_voigt<dim>, i) = divergence;
-        }
+      {
+        const double  inverse  = 1 / kinematics.dilatation(q);
+        const double *mean     = &dilatations(q, 0);
+        double       *strain[] = {&strains(q * n_rows, 0),
+                                  &strains(q * n_rows + 1, 0),
+                                  &strains(q * n_rows + 2, 0),
+                                  &strains(q * n_rows + n_voigt<dim>, 0)};
+        for (unsigned int i = 0; i < dilatations.n(); ++i)
+          {
+            const double divergence = strain[0][i] + strain[1][i] + strain[2][i],
+                         change     = (inverse * mean[i] - divergence) * (1. / 3);
+            for (unsigned int k = 0; k < 3; ++k)
+              strain[k][i] += change;
+            strain[3][i] = divergence;
+          }
+      }
   }
 
   // All but the terms of B tau A^T and B A, as a form in (e_bar, tr B): with a(B) = (tr e_bar(B) - tr B)/3,

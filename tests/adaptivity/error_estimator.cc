@@ -252,6 +252,16 @@ test_marking()
   parameters.max_dofs = problem.discretization->dof_handler.n_dofs() + 5;
   check::is_true(!mark_cells(*problem.discretization, geometry, parameters, indicators), "no DoFs left");
   check::is_close(n_flags(), 0, 0, "marked without DoFs left", 1);
+  for (const auto &cell : geometry.triangulation.active_cell_iterators()) // one that could be afforded
+    if (cell->is_locally_owned() && cell->id() == CellId("0_1:0"))
+      indicators[cell->active_cell_index()] = 100;
+  parameters.max_dofs = 1.09 * problem.discretization->dof_handler.n_dofs();
+  check::is_true(!mark_cells(*problem.discretization, geometry, parameters, indicators),
+                 "less than a tenth left");
+  parameters.max_dofs = 1.12 * problem.discretization->dof_handler.n_dofs();
+  check::is_true(mark_cells(*problem.discretization, geometry, parameters, indicators), "a tenth left");
+  check::is_close(n_flags(), 1, 0, "marked with a tenth left");
+  parameters.max_dofs = problem.discretization->dof_handler.n_dofs() + 5;
   parameters.strategy = "uniform";
   check::is_true(!mark_cells(*problem.discretization, geometry, parameters, indicators),
                  "uniform: no DoFs left");

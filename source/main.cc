@@ -1,4 +1,5 @@
 #include <amontons/base/blas_threads.h>
+#include <amontons/base/version.h>
 #include <amontons/contact_problem.h>
 #include <amontons/output/files.h>
 #include <amontons/scene/scene_reader.h>
@@ -23,13 +24,14 @@ namespace
     std::string              scene;
     std::vector<std::string> overrides;
     std::string              output;
-    bool                     parameters = false, quiet = false, help = false, is_study = false;
+    bool parameters = false, quiet = false, help = false, version = false, is_study = false;
   };
 
   const char *usage =
       "usage: amontons SCENE.prm [--set \"Section/Name = value\"]... [--output DIR] [--quiet]\n"
       "       amontons study STUDY.prm\n"
       "       amontons --parameters\n"
+      "       amontons --version\n"
       "       mpirun -np 4 amontons SCENE.prm\n";
 
   CommandLine
@@ -56,12 +58,15 @@ namespace
           line.is_study = true;
         else if (argument == "--help" || argument == "-h")
           line.help = true;
+        else if (argument == "--version")
+          line.version = true;
         else if (argument[0] == '-' || !line.scene.empty())
           throw InputError(
               {"command line", 0, argument},
               argument[0] == '-'
                   ? "unknown argument" +
-                        suggestion(argument, {"--set", "--output", "--quiet", "--parameters", "--help"})
+                        suggestion(argument,
+                                   {"--set", "--output", "--quiet", "--parameters", "--version", "--help"})
                   : "a second file",
               "see 'amontons --help'");
         else
@@ -132,6 +137,12 @@ namespace
     const bool        is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     const CommandLine line    = parse(argc, argv);
     Parameters        parameters;
+    if (line.version)
+      {
+        if (is_root)
+          std::cout << "amontons " << version << (*commit == '\0' ? "" : " " + std::string(commit)) << "\n";
+        return 0;
+      }
     if (line.help || (line.scene.empty() && !line.parameters))
       {
         if (is_root)

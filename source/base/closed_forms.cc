@@ -9,11 +9,6 @@ namespace Amontons
 {
   namespace ClosedForms
   {
-    namespace
-    {
-      const double pi = 3.14159265358979323846;
-    }
-
     double
     contact_modulus(const double E1, const double nu1, const double E2, const double nu2)
     {

@@ -11,8 +11,6 @@ namespace Amontons
   {
     namespace
     {
-      const double pi = 3.14159265358979323846;
-
       // x sqrt(x^2-c^2) - c^2 arccosh(x/c) for |x| > c, else 0
       double
       slip_function(const double x, const double c)

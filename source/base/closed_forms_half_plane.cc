@@ -10,8 +10,6 @@ namespace Amontons
   {
     namespace
     {
-      const double pi = 3.14159265358979323846;
-
       // I(zeta) = int p(t) ln(zeta-t) dt over the ellipse of resultant F, its derivative d = int p/(zeta-t)
       // dt, and z I''. With s = sqrt(zeta-a) sqrt(zeta+a) and zeta - s = a^2/(zeta+s):
       //   I = F [zeta/(zeta+s) + ln((zeta+s)/2) - 1/2],  I' = 2F/(zeta+s),  I'' = -2F/(s (zeta+s)),  Im zeta

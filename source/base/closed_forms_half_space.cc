@@ -11,8 +11,6 @@ namespace Amontons
   {
     namespace
     {
-      const double pi = 3.14159265358979323846;
-
       // u >= 0 and v in [0, a] with u + i v = sqrt(r^2 + (z + i a)^2): oblate spheroidal coordinates,
       //   u v = a z,  u^2 - v^2 = r^2 + z^2 - a^2,  a^2 - v^2 = a^2 r^2 / (u^2 + a^2).
       // The larger of the two by the root, the other by the product, so that none suffers from cancellation.

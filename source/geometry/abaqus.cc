@@ -7,10 +7,10 @@ namespace Amontons
 {
   namespace
   {
-    class Parser
+    class AbaqusParser
     {
     public:
-      Parser(MeshText &text, const unsigned int dim) : text(text), dim(dim) {}
+      AbaqusParser(MeshText &text, const unsigned int dim) : text(text), dim(dim) {}
 
       FileMesh
       parse()
@@ -308,6 +308,6 @@ namespace Amontons
   FileMesh
   parse_abaqus(MeshText &text, const unsigned int dim)
   {
-    return Parser(text, dim).parse();
+    return AbaqusParser(text, dim).parse();
   }
 } // namespace Amontons

@@ -13,7 +13,7 @@ namespace Amontons
       const char  *kind; // other than point, line, quadrilateral, hexahedron
     };
 
-    const std::vector<ElementType> element_types = {
+    const std::vector<ElementType> gmsh_elements = {
         {15, 0, 1, 1, nullptr},       {1, 1, 2, 2, nullptr},        {8, 1, 2, 3, nullptr},
         {26, 1, 2, 4, nullptr},       {2, 2, 3, 3, "triangles"},    {9, 2, 3, 6, "triangles"},
         {21, 2, 3, 10, "triangles"},  {3, 2, 4, 4, nullptr},        {10, 2, 4, 9, nullptr},
@@ -23,10 +23,10 @@ namespace Amontons
         {6, 3, 6, 6, "prisms"},       {13, 3, 6, 18, "prisms"},     {18, 3, 6, 15, "prisms"},
         {7, 3, 5, 5, "pyramids"},     {14, 3, 5, 14, "pyramids"},   {19, 3, 5, 13, "pyramids"}};
 
-    class Parser
+    class GmshParser
     {
     public:
-      Parser(MeshText &text, const unsigned int dim) : text(text), dim(dim) {}
+      GmshParser(MeshText &text, const unsigned int dim) : text(text), dim(dim) {}
 
       FileMesh
       parse()
@@ -185,7 +185,7 @@ namespace Amontons
       const ElementType &
       type(const long number) const
       {
-        for (const ElementType &t : element_types)
+        for (const ElementType &t : gmsh_elements)
           if (t.number == number)
             return t;
         text.fail("elements of gmsh's type " + std::to_string(number),
@@ -278,6 +278,6 @@ namespace Amontons
   FileMesh
   parse_gmsh(MeshText &text, const unsigned int dim)
   {
-    return Parser(text, dim).parse();
+    return GmshParser(text, dim).parse();
   }
 } // namespace Amontons

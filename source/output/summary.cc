@@ -1,3 +1,4 @@
+#include <amontons/base/version.h>
 #include <amontons/output/files.h>
 #include <amontons/output/json.h>
 #include <amontons/output/summary.h>
@@ -153,7 +154,9 @@ namespace Amontons
     void
     add_head(Json &json, const RunSummary &summary)
     {
-      json.add("status", summary.status)
+      json.add("version", version)
+          .add("commit", commit)
+          .add("status", summary.status)
           .add("message", summary.message)
           .add("scene", summary.scene)
           .add("title", summary.title)

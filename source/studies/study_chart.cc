@@ -34,7 +34,7 @@ namespace Amontons
     }
 
     std::string
-    quoted(const std::string &text)
+    in_gnuplot(const std::string &text)
     {
       std::string result = "'";
       for (const char c : text)
@@ -134,7 +134,7 @@ namespace Amontons
               out << "$series_" << s << " using " << column + 1 << ":" << study.columns.size() + q + 1;
             out << " with linespoints lw 1.8 ps 0.7 dt " << q + 1 << " pt " << marks[q % marks.size()]
                 << " lc rgb '" << colours[s % colours.size()] << "' "
-                << (column < 0 ? "title " + quoted(label_of(study, all_series[s], q)) : "notitle");
+                << (column < 0 ? "title " + in_gnuplot(label_of(study, all_series[s], q)) : "notitle");
             separator = ", \\\n     ";
           }
       if (column < 0)
@@ -158,7 +158,7 @@ namespace Amontons
             for (const double error : row.errors)
               y.add(std::abs(error));
           }
-      out << "unset arrow\nunset label\nset xlabel " << quoted(panel.label) << "\n";
+      out << "unset arrow\nunset label\nset xlabel " << in_gnuplot(panel.label) << "\n";
       if (x.is_empty() || y.is_empty())
         {
           out << "set xrange [1:10]\nset yrange [1:10]\nset label 'no data' at graph 0.5, graph 0.5 "
@@ -211,7 +211,7 @@ namespace Amontons
         write_panel(study, all_series, panel, out);
         first = false;
       }
-    out << "\nunset arrow\nunset label\nset label 1 " << quoted(study.title) << " at screen 0.5, screen "
+    out << "\nunset arrow\nunset label\nset label 1 " << in_gnuplot(study.title) << " at screen 0.5, screen "
         << 1 - top / 2 << " center noenhanced font ', 16'\nset size 1, " << legend
         << "\nset origin 0, 0\nunset border\nunset tics\nunset xlabel\nunset ylabel\n"
         << "set lmargin 0\nset rmargin 0\nset tmargin 0\nset bmargin 0\n"

@@ -69,7 +69,7 @@ namespace Amontons
     }
 
     std::string
-    quoted(const std::string &text)
+    in_csv(const std::string &text)
     {
       std::string result = "\"";
       for (const char c : text)
@@ -89,18 +89,18 @@ namespace Amontons
     void
     write_csv(const Study &study, const std::vector<StudySeries> &all_series, std::ostream &out)
     {
-      out << "series," << quoted(varied_name(study));
+      out << "series," << in_csv(varied_name(study));
       for (const SummaryPath &column : study.columns)
-        out << ',' << quoted(column.label);
+        out << ',' << in_csv(column.label);
       for (const SummaryPath &quantity : study.quantities)
-        out << ',' << quoted(quantity.label) << ',' << quoted(quantity.label + " order");
+        out << ',' << in_csv(quantity.label) << ',' << in_csv(quantity.label + " order");
       out << '\n' << std::setprecision(10);
       const unsigned int dofs = dofs_column(study);
       for (const StudySeries &series : all_series)
         for (unsigned int r = 0; r < series.rows.size(); ++r)
           {
             const StudyRow &row = series.rows[r];
-            out << quoted(series.label) << ',' << quoted(row.varied);
+            out << in_csv(series.label) << ',' << in_csv(row.varied);
             for (const double value : row.columns)
               out << ',' << value;
             for (unsigned int q = 0; q < row.errors.size(); ++q)

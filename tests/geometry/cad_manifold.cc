@@ -19,7 +19,7 @@
 using namespace Amontons;
 using namespace dealii;
 
-const std::string scenes = AMONTONS_SOURCE_DIR "/parameters/";
+const std::string scenes = std::string(std::getenv("AMONTONS_SOURCE_DIR")) + "/parameters/";
 std::string       folder;
 
 bool

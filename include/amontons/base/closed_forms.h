@@ -5,6 +5,8 @@
 // closed_forms_friction.h.
 #pragma once
 
+#include <deal.II/base/numbers.h>
+
 #include <functional>
 #include <limits>
 
@@ -12,6 +14,7 @@ namespace Amontons
 {
   namespace ClosedForms
   {
+    constexpr double pi    = dealii::numbers::PI;
     constexpr double rigid = std::numeric_limits<double>::infinity(); // Young's modulus of a rigid body
 
     // 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2; [J] sec. 4.2

@@ -179,6 +179,16 @@ end
     expect_set("Kind = 3D", {"3 numbers"});
     expect(message(good + "subsection Body b\n set Mesh = ring\n set Inner radius = 2\nend\n"),
            {"scene.prm:26: Body b/Inner radius", "less than the outer"});
+    // Radii are those after the shift.
+    const auto shifted = [](const std::string &corners, const std::string &shift) {
+      return message("set Kind = axisymmetric\nsubsection Body b\n set Lower corner = " + corners +
+                     "\n set Shift = " + shift + ", 0\nend\n");
+    };
+    check::is_true(shifted("-1, 0\n set Upper corner = 1, 1", "2").empty(), "shifted to radii from 1 on");
+    check::is_true(shifted("-1, 0\n set Upper corner = 1, 1", "1").empty(), "shifted to the axis");
+    expect(shifted("1, 0\n set Upper corner = 2, 1", "-2"),
+           {"scene.prm:3: Body b/Lower corner", "found '1, 0'", "negative radius", "x >= 0"});
+    expect(shifted("-1, 0\n set Upper corner = 1, 1", "0.5"), {"scene.prm:3", "negative radius"});
   }
 
   void

@@ -36,6 +36,13 @@ check_bounds()
   const auto varying = shear_bound(pair_with("0.1*t*(1 + p/10)", ""), X, 2, 5);
   check::is_close(varying.value, 1.5, 1e-12, "of t and p: bound");
   check::is_close(varying.slope, 0.2 * (1 + 1), 1e-6, "of t and p: slope");
+  // phi = p / (1 + p/50), phi' = 1 / (1 + p/50)^2; from p = 0 on
+  const auto saturating = shear_bound(pair_with("1/(1 + p/50)", ""), X, 0, 100);
+  check::is_close(saturating.value, 100. / 3, 1e-12, "saturating: bound");
+  check::is_close(saturating.slope, 1. / 9, 1e-6, "saturating: slope");
+  check::is_close(
+      shear_bound(pair_with("1/(1 + p/50)", ""), X, 0, 0).slope, 1, 1e-6, "saturating: slope at p = 0");
+  check::is_close(shear_bound(pair_with("-1", ""), X, 0, 5).value, 0, 0, "no negative bound", 1);
   check::is_true(pair_with("", "1").has_friction() && !PairData().has_friction(), "has_friction");
 }
 
@@ -71,10 +78,41 @@ check_derivative(const Tensor<1, dim> &v, const Tensor<1, dim> &dv, const std::s
     }
 }
 
+// A closing node: q = phi(p) v / sqrt(|v|^2 + d^2). The linearised law has its value and its derivatives.
+template <int dim>
+void
+check_closing(const Tensor<1, dim> &v, const Tensor<1, dim> &dv, const std::string &mu)
+{
+  const auto   pair = pair_with(mu, "");
+  const double p = 4, distance = 0.3;
+  const auto   bound = shear_bound(pair, Point<3>(), 0, p);
+  const auto   exact = [&](const Tensor<1, dim> &slip, const double pressure) {
+    return shear_bound(pair, Point<3>(), 0, pressure).value / std::hypot(slip.norm(), distance) * slip;
+  };
+  const auto        law  = linearise_closing(v, p, bound, distance);
+  const std::string what = "closing, " + std::to_string(dim) + "D, mu = " + mu + ": ";
+  check::is_close((law.traction(p, v) - exact(v, p)).norm(), 0, 1e-12, what + "value", bound.value);
+  double last = 0;
+  for (const double step : {1e-2, 1e-3})
+    {
+      const auto   now   = exact(v + step * dv, p * (1 + step));
+      const double error = (law.traction(p * (1 + step), v + step * dv) - now).norm() / bound.value;
+      check::is_true(error < 1e-9 || (last > 0 && error < 0.02 * last) || (last == 0 && error < step),
+                     what + "derivative is of second order");
+      last = error;
+    }
+}
+
 int
 main()
 {
   check_bounds();
+  for (const std::string mu : {"0.3", "0.2 + 0.1*p"})
+    {
+      check_closing<2>(Tensor<1, 2>({0.3, 0.}), Tensor<1, 2>({0.2, 0.}), mu);
+      check_closing<2>(Tensor<1, 2>(), Tensor<1, 2>({0.2, 0.}), mu);
+      check_closing<3>(Tensor<1, 3>({0.3, 0.4, 0.}), Tensor<1, 3>({0.2, -0.3, 0.}), mu);
+    }
   for (const std::string mu : {"0.3", "0.2 + 0.1*p"})
     {
       check_derivative<2>(Tensor<1, 2>({0.3, 0.}), Tensor<1, 2>({0.2, 0.}), mu);

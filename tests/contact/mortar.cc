@@ -50,6 +50,27 @@ check_blocks(const unsigned int degree)
     }
 }
 
+// Faces [k, k + 1] of a slave above a master: those that are covered whole.
+void
+check_whole_faces(const unsigned int degree)
+{
+  for (const auto &[a, b, wanted] : {std::make_tuple(0., 4., std::set<double>{0.5, 1.5, 2.5, 3.5}),
+                                     std::make_tuple(0.4, 3., std::set<double>{1.5, 2.5}),
+                                     std::make_tuple(-1., 2.98, std::set<double>{0.5, 1.5}),
+                                     std::make_tuple(0.05, 0.9, std::set<double>{})})
+    {
+      Scene scene;
+      scene.bodies = {block("lower", {a, 0, 0}, {b, 1, 0}, 3), block("upper", {0, 1, 0}, {4, 2, 0}, 4)};
+      scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+      const Problem<2> problem(scene, degree);
+      std::set<double> whole;
+      for (const unsigned int f : problem.coupling().whole_faces)
+        whole.insert(std::round(2 * problem.slave().faces[f].centre[0]) / 2);
+      check::is_true(whole == wanted,
+                     "whole faces above [" + std::to_string(a) + ", " + std::to_string(b) + "]");
+    }
+}
+
 // A slave whose left side is held: its corner carries nothing, the others carry its share.
 void
 check_held_node(const unsigned int degree)
@@ -243,6 +264,27 @@ check_declared_gaps()
   check::is_true(thrown, "bodies that overlap are an input error");
 }
 
+// A node that is open all around stays open, though psi, which changes its sign, finds a negative gap beside
+// a step of the other side: at x = 2, between gaps of 0.3 and a step to 3 at 2.5, (0.3 - 0.375)/2 = -0.0375.
+// The mean gap weighs with B: (0.3/2 + 0.3 3/8 + 3/8)/1 = 0.6375.
+void
+check_open_beside_a_step()
+{
+  Scene scene;
+  scene.bodies = {block("lower", {0, 0, 0}, {4, 1, 0}, 8), block("upper", {0, 1, 0}, {4, 2, 0}, 4)};
+  scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+  scene.pairs[0].initial_gap = Expression("if(x < 1, 0, if(x < 2.5, 0.3, 3))", {});
+  const Problem<2> problem(scene, 1);
+  const double     gaps[] = {0, 0.15, 0.3, 3.3375, 3}, means[] = {0, 0.15, 0.6375, 2.6625, 3};
+  check::is_close(problem.coupling().rows.size(), 5, 0, "beside a step: rows");
+  for (const auto &row : problem.coupling().rows)
+    {
+      const int x = std::lround(problem.slave().nodes[row.node].X[0]);
+      check::is_close(row.gap, gaps[x], 1e-12, "beside a step: gap at " + std::to_string(x), 1);
+      check::is_close(row.mean_gap, means[x], 1e-12, "beside a step: mean gap at " + std::to_string(x), 1);
+    }
+}
+
 // The slave [a, b] x [c, d] on the master [0, 2] x [0, 1.5]: whole, half covered, beyond edges and corners.
 void
 check_blocks_in_space(const unsigned int degree)
@@ -326,6 +368,7 @@ main(int argc, char **argv)
   for (const unsigned int degree : {1, 2})
     {
       check_blocks(degree);
+      check_whole_faces(degree);
       check_held_node(degree);
       check_circle_over_plane(degree);
       check_disk_over_plane(degree);
@@ -337,5 +380,6 @@ main(int argc, char **argv)
     }
   check_normals_at_symmetry();
   check_declared_gaps();
+  check_open_beside_a_step();
   return check::result();
 }

@@ -362,6 +362,86 @@ test_contact_terms()
   check::is_true(mark_close_cells(*problem.discretization, interfaces, 1e-6) == 2, "cells near contact");
 }
 
+// The same with a pressure and, with friction, a shear that are wrong by a x and b x:
+//   eta_F^2 = h_F/E int (a^2 + b^2) x^2,  contact indicator^2 = int a^2 x^2 + int b^2 x^2 / s^2,
+// where s is the largest shear over the peak pressure. Axisymmetric scenes integrate over the full turn.
+void
+test_varying_contact_terms(const Kind kind, const double a, const double b)
+{
+  Scene scene = block(kind);
+  scene.bodies.push_back(scene.bodies[0]);
+  scene.bodies[1].name  = "upper";
+  scene.bodies[1].lower = {0, 1, 0};
+  scene.bodies[1].upper = {2, 2, 0};
+  scene.bodies[1].cells = {{3, 3, 1}};
+  Problem<2>   problem(scene, 2, 0, false);
+  const double E = scene.bodies[0].material.young, nu = scene.bodies[0].material.poisson, p = 0.2 * E;
+  const bool   axisymmetric = kind == Kind::axisymmetric;
+  const double gamma = axisymmetric ? 0 : 0.1, shear = gamma * E / (2 * (1 + nu));
+  problem.set(Field<2>([&](const Point<2> &X) {
+    return Tensor<1, 2>({0.2 * nu * X[0] + gamma * X[1], -0.2 * X[1]});
+  }));
+
+  const auto surface = [&](const std::string &body, const std::string &boundary) {
+    return std::make_unique<ContactSurface<2>>(*problem.discretization, BoundaryName{body, boundary, {}, {}});
+  };
+  PairData pair;
+  if (b != 0)
+    pair.friction = Expression(0.5);
+  std::vector<ContactInterface<2>> interfaces(1);
+  ContactInterface<2>             &interface = interfaces[0];
+  interface.pair                             = &pair;
+  interface.slave                            = surface("it", "top");
+  interface.master_surface                   = surface("upper", "bottom");
+  interface.master.surface                   = interface.master_surface.get();
+  interface.coupling.points =
+      find_overlaps(pair, *interface.slave, interface.master, 0.1, axisymmetric, MPI_COMM_WORLD);
+  interface.coupling.rows.resize(interface.slave->nodes.size());
+  std::vector<SurfaceFields<2>> fields(1);
+  double                        largest_shear = 0;
+  for (unsigned int i = 0; i < interface.slave->nodes.size(); ++i)
+    {
+      const double x                  = interface.slave->nodes[i].X[0];
+      interface.coupling.rows[i].node = i;
+      fields[0].pressure.push_back(p + a * x);
+      fields[0].traction.push_back(Tensor<1, 2>({shear + b * x, 0}));
+      largest_shear = std::max(largest_shear, shear + b * x);
+    }
+  fields[0].peak_pressure = p + 2 * a;
+  const double scale      = largest_shear / fields[0].peak_pressure;
+
+  // int x^n over [from, to], of the full turn in axisymmetric scenes
+  const auto moment = [&](const double from, const double to, const int n) {
+    const int k = n + 1 + axisymmetric;
+    return (axisymmetric ? 2 * numbers::PI : 1) * (std::pow(to, k) - std::pow(from, k)) / k;
+  };
+  double eta = 0;
+  for (const auto &face : interface.slave->faces)
+    eta += face.size / E * (a * a + b * b) *
+           moment(face.centre[0] - face.size / 2, face.centre[0] + face.size / 2, 2);
+  const double wrong     = a * a * moment(0, 2, 2),
+               square    = p * p * moment(0, 2, 0) + 2 * a * p * moment(0, 2, 1) + wrong;
+  const double indicator = wrong + (b != 0 ? b * b / (scale * scale) * moment(0, 2, 2) : 0);
+
+  const auto estimate = estimate_error<2>(*problem.discretization, *problem.recovery, interfaces, fields);
+  std::array<double, 2> squares = {{0, 0}}, contact = {{0, 0}};
+  for (const auto &cell : problem.discretization->dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        squares[cell->material_id()] += std::pow(estimate.cell_indicators[cell->active_cell_index()], 2);
+        contact[cell->material_id()] += std::pow(estimate.contact_indicators[cell->active_cell_index()], 2);
+      }
+  const std::string what =
+      "kind " + std::to_string(int(kind)) + ", errors " + std::to_string(a) + ", " + std::to_string(b);
+  for (unsigned int body = 0; body < 2; ++body)
+    {
+      check::is_close(Utilities::MPI::sum(squares[body], MPI_COMM_WORLD), eta, 1e-5, what + ": indicators");
+      check::is_close(
+          Utilities::MPI::sum(contact[body], MPI_COMM_WORLD), indicator, 1e-5, what + ": contact indicators");
+    }
+  check::is_close(estimate.contact, std::sqrt(wrong / square), 1e-10, what + ": error of the pressure", 1e-3);
+}
+
 int
 main(int argc, char **argv)
 {
@@ -380,5 +460,9 @@ main(int argc, char **argv)
   test_marking();
   test_transfer();
   test_contact_terms();
+  for (const Kind kind : {Kind::plane_stress, Kind::axisymmetric})
+    test_varying_contact_terms(kind, 0.05, 0);
+  test_varying_contact_terms(Kind::plane_stress, 0.05, 0.03);
+  test_varying_contact_terms(Kind::plane_stress, 0, 0.03);
   return check::result();
 }

@@ -403,6 +403,7 @@ namespace Amontons
       summary.notes.push_back("warning: " + text.str());
     if (transfer_residual > 0)
       {
+        summary.checks["transfer_residual"] = transfer_residual;
         std::ostringstream note;
         note.precision(3);
         note << "states transferred to refined meshes were up to " << transfer_residual

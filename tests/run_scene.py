@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs a scene and checks its summary: run_scene.py AMONTONS OUTPUT RANKS SCENE [--set X]... [--check "path OP value"]... [--fails]
+"""Runs a scene and checks its summary: run_scene.py AMONTONS OUTPUT RANKS SCENE [--set X]... [--check "path OP value"]... [--fails] [--read-back]
 
 path: dots through objects, numbers through arrays ("pairs.0.peak_pressure", "meshes.-1.reference.errors.contact_size"); what follows a slice
 ("newton.1:.iterations") or a choice ("contact.X=1.pressure", "contact.pair=roller,state=slip.tx") holds for every element; peak(path) is the
@@ -7,6 +7,7 @@ largest magnitude, kink(path) the largest second difference over it. "contact" a
 A '|' in X stands for ';', at which CMake splits.
 OP: <= >= == abs<= is (a word) has (words in a text), or ~ with "value relative-tolerance"; the value may be a path, which must be one number.
 --fails: the program must end with exit code 1.
+--read-back: with VTU, report and terminal, all of which are read and compared (read_back.py).
 """
 import csv
 import json
@@ -15,6 +16,8 @@ import os
 import shutil
 import subprocess
 import sys
+
+import read_back
 
 
 def matches(value, wanted):
@@ -109,23 +112,24 @@ def holds(summary, value, operator, numbers):
 
 def main():
     executable, output, ranks, scene = sys.argv[1:5]
-    arguments, expected = sys.argv[5:], 0
-    if "--fails" in arguments:
-        arguments.remove("--fails")
-        expected = 1
+    flags = [a for a in sys.argv[5:] if a in ("--fails", "--read-back")]
+    arguments = [a for a in sys.argv[5:] if a not in flags]
+    expected = 1 if "--fails" in flags else 0
     sets, checks = [], []
     for flag, text in zip(arguments[::2], arguments[1::2]):
         (sets if flag == "--set" else checks).append(text)
     shutil.rmtree(output, ignore_errors=True)
-    command = [executable, scene, "--output", output, "--quiet"]
+    command = [executable, scene, "--output", output]
+    if "--read-back" not in flags:
+        command += ["--quiet", "--set", "Output/VTU=false", "--set", "Output/Report=false"]
     for text in sets:
         command += ["--set", text.replace("|", ";")]
     environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
     if int(ranks) > 1:
         command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", ranks] + command
-    code = subprocess.run(command, env=environment, timeout=1200).returncode
-    if code != expected:
-        sys.exit(f"{' '.join(command)}: exit code {code}")
+    done = subprocess.run(command, env=environment, timeout=1200, stdout=subprocess.PIPE, universal_newlines=True)
+    if done.returncode != expected:
+        sys.exit(f"{done.stdout}\n{' '.join(command)}: exit code {done.returncode}")
     with open(os.path.join(output, "summary.json")) as file:
         summary = json.load(file)
     for table in "contact", "history":
@@ -138,6 +142,9 @@ def main():
         found = find(summary, words[0])
         good = bool(found) and all(holds(summary, v, words[1], words[2:]) for v in found)
         print(f"{'ok    ' if good else 'FAILED'} {check}   found {found if len(found) < 9 else found[:9]}")
+        failed += not good
+    for what, good, detail in read_back.check(output, done.stdout) if "--read-back" in flags else []:
+        print(f"{'ok    ' if good else 'FAILED'} {what}   {'' if good else detail}")
         failed += not good
     sys.exit(1 if failed else 0)
 

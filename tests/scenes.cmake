@@ -792,3 +792,9 @@ endforeach()
 # A node that closes has come from somewhere: the distance counts (closed forms in the scene).
 add_scene_test(NAME oblique_touch SCENE verification/oblique_touch.prm
                CHECK ${KEPT_FINITE} "meshes.0.pairs.0.tangential_force.0 ~ -1.755617 1e-5" "pairs.0.tangential_force.0 ~ -5 1e-5" "meshes.-1.dissipation ~ 1.0133426 1e-4")
+# ---- Objectivity: what turns as a whole is not strained and does not slip
+
+# Platen, obstacle and rigid body by their rotation vectors (all three, node by node: tests/discretization/supports.cc).
+foreach(scene turned_obstacle turned_rigid_body)
+  add_scene_test(NAME ${scene} SCENE verification/${scene}.prm CHECK ${EXACT_FINITE})
+endforeach()

@@ -187,20 +187,18 @@ namespace Amontons
               tie(u[0][c], {}, 0);
             else if (motion.displacement[c])
               tie(u[0][c], {}, motion.displacement[c]->value(motion.reference, t));
-            for (unsigned int k = 1; k <= dim; ++k)
-              if (k == c + 1 || axisymmetric)
-                tie(u[k][c], {{u[0][c], 1.}}, 0);
           }
-        if (axisymmetric)
-          continue;
-        if (scene.kinematics == Kinematics::finite_strain)
+        if (axisymmetric || scene.kinematics == Kinematics::finite_strain)
           {
-            const auto turned = turned_axes<dim>(motion, t);
+            const Tensor<2, 3> turned =
+                axisymmetric ? Tensor<2, 3>(unit_symmetric_tensor<3>()) : turned_axes<dim>(motion, t);
             for (unsigned int k = 0; k < dim; ++k)
               for (unsigned int c = 0; c < dim; ++c)
                 tie(u[k + 1][c], {{u[0][c], 1.}}, s * (turned[c][k] - double(c == k)));
             continue;
           }
+        for (unsigned int c = 0; c < dim; ++c)
+          tie(u[c + 1][c], {{u[0][c], 1.}}, 0);
 
         // theta about `axis`: u[k+1][c] = u[0][c] + sign s theta for (k, c, sign) and its opposite.
         struct Rotation

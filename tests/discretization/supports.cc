@@ -361,6 +361,89 @@ check_rigid_body(const unsigned int degree)
     }
 }
 
+// u = U + (R - 1) (X - reference), R = exp(theta x) by its series
+template <int dim>
+Tensor<1, dim>
+turned(const Tensor<1, 3> &U, const Tensor<1, 3> &theta, const Point<3> &reference, const Point<dim> &X)
+{
+  Tensor<1, 3> term;
+  for (unsigned int d = 0; d < dim; ++d)
+    term[d] = X[d] - reference[d];
+  Tensor<1, 3> v = U;
+  for (unsigned int n = 1; n < 60; ++n)
+    {
+      term = cross_product_3d(theta, term) / n;
+      v += term;
+    }
+  Tensor<1, dim> u;
+  for (unsigned int d = 0; d < dim; ++d)
+    u[d] = v[d];
+  return u;
+}
+
+MotionData
+motion_of(const std::string  &name,
+          const Point<3>     &reference,
+          const Tensor<1, 3> &displacement,
+          const Tensor<1, 3> &rotation)
+{
+  MotionData motion;
+  motion.name      = name;
+  motion.reference = reference;
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      motion.displacement[d] = Expression(displacement[d]);
+      motion.rotation[d]     = Expression(rotation[d]);
+    }
+  return motion;
+}
+
+// A platen, a rigid body and an obstacle, each about another vector.
+template <int dim>
+void
+check_finite_rotations(const unsigned int degree, const std::array<Tensor<1, 3>, 3> &theta)
+{
+  const std::array<Point<3>, 3>     reference = {{{0.7, 1.5, 0.2}, {1, 3, -1}, {-2, 0.4, 0.6}}};
+  const std::array<Tensor<1, 3>, 3> U         = {{Tensor<1, 3>({0.3, -0.1, dim == 2 ? 0. : 0.2}),
+                                                  Tensor<1, 3>({-1, 0.5, dim == 2 ? 0. : 2.}),
+                                                  Tensor<1, 3>()}};
+  Scene                             scene;
+  scene.kind          = dim == 2 ? Kind::plane_strain : Kind::three_dimensional;
+  scene.kinematics    = Kinematics::finite_strain;
+  const double height = dim == 2 ? 0 : 1;
+  scene.bodies        = {block("it", {0, 0, 0}, {2, 1, height}), block("rigid", {0, 2, 0}, {2, 3, height})};
+  scene.conditions    = {condition(ConditionData::Type::platen, {{"it", "top", {}}})};
+  scene.conditions[0].motion = motion_of("platen", reference[0], U[0], theta[0]);
+  scene.bodies[1].rigid      = motion_of("rigid", reference[1], U[1], theta[1]);
+  scene.obstacles.emplace_back();
+  scene.obstacles[0].name   = "plane";
+  scene.obstacles[0].motion = motion_of("plane", reference[2], U[2], theta[2]);
+  const Problem<dim>               problem(scene, degree);
+  const std::array<std::string, 3> names = {{"platen", "rigid", "plane"}};
+  const auto moved = [&](const unsigned int i, const Point<dim> &X, const Tensor<1, dim> &u) {
+    check_zero(u - turned(U[i], theta[i], reference[i], X), "finite rotation: " + names[i]);
+  };
+  problem.for_nodes(
+      0,
+      [](const Point<dim> &X) { return X[dim - 1] > 1 - 1e-10; },
+      [&](const Point<dim> &X, const Tensor<1, dim> &u) { moved(0, X, u); });
+  problem.for_nodes(
+      1,
+      [](const Point<dim> &) { return true; },
+      [&](const Point<dim> &X, const Tensor<1, dim> &u) { moved(1, X, u); });
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      const unsigned int m = problem.geometry.carrier(names[i]);
+      for (unsigned int k = 0; k <= dim; ++k)
+        {
+          Point<dim> X;
+          for (unsigned int d = 0; d < dim; ++d)
+            X[d] = reference[i][d] + (k == d + 1 ? problem.geometry.carriers[m].size : 0.);
+          moved(i, X, problem.corner(m, k));
+        }
+    }
+}
+
 void
 check_axisymmetric(const unsigned int degree)
 {
@@ -408,6 +491,14 @@ main(int argc, char **argv)
       check_platens<3>(Kind::three_dimensional, degree);
       check_rigid_body(degree);
       check_axisymmetric(degree);
+      const auto vector = [](const double x, const double y, const double z) {
+        return Tensor<1, 3>({x, y, z});
+      };
+      check_finite_rotations<2>(degree,
+                                {{vector(0, 0, 0.5 * numbers::PI), vector(0, 0, -4), vector(0, 0, 0)}});
+      check_finite_rotations<3>(degree,
+                                {{vector(0, 0, 0.5 * numbers::PI), vector(0, -1, 0), vector(3, 0, 0)}});
+      check_finite_rotations<3>(degree, {{vector(1, -2, 0.5), vector(0.1, 0, 2), vector(-1, -1, 4)}});
     }
   return check::result();
 }

@@ -44,6 +44,8 @@ end
 
 ONE_BODY = """subsection Body block
 %s
+  set Young modulus = 1
+  set Poisson ratio = 0.3
 end
 subsection Boundary condition floor
   set Boundaries = block/bottom
@@ -55,6 +57,8 @@ OBSTACLE = """subsection Body block
   set Lower corner = 0, -1
   set Upper corner = 1, 0
   set Cells        = 2, 2
+  set Young modulus = 1
+  set Poisson ratio = 0.3
 end
 subsection Boundary condition floor
   set Boundaries = block/bottom
@@ -209,6 +213,19 @@ def scenes():
     change("nu = 0.5", "= 0.3", "= 0.5", r"found 0\.5.*less than 0\.5")
     change("nu = 0.6", "= 0.3", "= 0.6", r"found 0\.6.*less than 0\.5", ranks=2)
     change("nu = -1", "= 0.3", "= -1", "more than -1")
+    for line in "  set Young modulus = 1000\n", "  set Poisson ratio = 0.3\n", "  set Lower corner  = 0, 0\n", "  set Upper corner  = 2, 1\n":
+        name = line.split("=")[0].strip()[4:]
+        change(name + " is missing", line, "", f"Body upper/{name}: this entry is missing.*no default", part="Body upper")
+    change("E is empty", "= 1000", "=", "this entry is missing", part="  set Young modulus =")
+    for name, lines, missing in [("radius of a disk", "  set Mesh = disk", "Radius"), ("radius of a ring", "  set Mesh = ring\n  set Inner radius = 1", "Radius"),
+                                 ("inner radius of a ring", "  set Mesh = ring\n  set Radius = 1", "Inner radius")]:
+        case(name + " is missing", ONE_BODY % lines, rf"^scene\.prm:1: Body block/{missing}: this entry is missing.*for Mesh = ")
+    case("length of a cylinder is missing", "set Kind = 3D\n" + ONE_BODY % "  set Mesh = cylinder\n  set Radius = 1", r"^scene\.prm:2: Body block/Length: this entry is missing")
+    for name, lines, missing in [("radius of a circle", "  set Surface = circle", "Radius"), ("radius of a paraboloid", "  set Surface = paraboloid", "Radius"),
+                                 ("flank of a cone", "  set Surface = cone", "Flank angle")]:
+        case(name + " is missing", OBSTACLE % lines, rf"Obstacle tool/{missing}: this entry is missing.*for Surface = ")
+    case("rigid body without E", BASE.replace("  set Young modulus = 1000\n  set Poisson ratio = 0.3\n", "  set Rigid = true\n  set Displacement = 0; -0.01\n", 1)
+         .replace("subsection Boundary condition load\n  set Boundaries = upper/top\n  set Value      = 0; -0.01\nend\n", ""), None)
     change("E = 0", "= 1000", "= 0", "found 0.*positive", part="set Young modulus = 0")
     change("E < 0", "= 1000", "= -5", "found '?-5")
     change("E = inf", "= 1000", "= inf", "found '?inf")
@@ -235,7 +252,7 @@ def scenes():
          BASE.replace("plane strain", "axisymmetric").replace("= 3, 2", "= 3, 2\n  set Rotate = 90"), "axisymmetric.*x >= 0", ranks=2)
     change("negative radius of a disk", "Kind = plane strain", "Kind = axisymmetric", "axisymmetric.*quarter disk", ranks=2,
            text=BASE.replace("  set Lower corner  = 0, 0\n  set Upper corner  = 2, 1\n  set Cells         = 3, 2\n",
-                             "  set Mesh = half disk\n  set Centre = 0, 1\n"), part="Body upper")
+                             "  set Mesh = half disk\n  set Centre = 0, 1\n  set Radius = 1\n"), part="Body upper")
     change("End time", "set Kind", "set End time = 0\nset Kind", "positive")
     change("Increments", "set Kind", "set Increments = 0\nset Kind", "found '0'.*automatic, or an integer n >= 1")
     for name, entry, words in [("no integer", "Increments = 2.5", r"found '2\.5'.*automatic"), ("minimum increment", "Minimum increment = 2", "found 2.*fraction"),
@@ -313,7 +330,7 @@ def scenes():
     case("include", {"scene.prm": "include parts/a.prm\n", "parts/a.prm": BASE}, None)
     case("probe outside", BASE + "subsection Probe P\n  set Body = upper\n  set Point = 9, 9\nend\n", None)
     case("probe outside, 2 ranks", BASE + "subsection Probe P\n  set Body = upper\n  set Point = 9, 9\nend\n", None, ranks=2)
-    json = ('{"Body upper": {"Lower corner": [0, 0], "Upper corner": [2, 1], "Young modulus": 100}, "Boundary condition a": '
+    json = ('{"Body upper": {"Lower corner": [0, 0], "Upper corner": [2, 1], "Young modulus": 100, "Poisson ratio": 0.3}, "Boundary condition a": '
             '{"Boundaries": "upper/bottom", "Value": [0, 0]}, "Boundary condition b": {"Boundaries": "upper/top", "Value": [0, -0.01]}}')
     case("JSON", {"scene.json": json}, None, arguments=["scene.json"])
     case("JSON with a byte order mark", {"scene.json": b"\xef\xbb\xbf" + json.encode()}, None, arguments=["scene.json"])
@@ -424,10 +441,10 @@ def scenes():
     case("truncated CAD file", {"scene.prm": on_top % "cad(a.step)", "m.msh": dome, "a.step": step[:len(step) // 2]}, r"^scene\.prm:2: .*a\.step")
     case("disk in 3D", solid % "  set Mesh = half disk", r"^scene\.prm:3: .*found 'half disk', a shape of scenes in 2D; .*half sphere.*cylinder")
     case("sphere in 2D", ONE_BODY % "  set Mesh = sphere", r"^scene\.prm:2: .*found 'sphere', a shape of scenes in 3D; .*half disk.*ring")
-    case("length of a sphere", solid % "  set Mesh = sphere\n  set Length = 2", r"^scene\.prm:4: .*no meaning.*sphere")
-    case("zero length", solid % "  set Mesh = cylinder\n  set Length = 0", r"^scene\.prm:4: .*positive")
-    case("thick hollow cylinder", solid % "  set Mesh = hollow cylinder\n  set Inner radius = 2", r"^scene\.prm:4: .*less than the outer radius")
-    case("thin hollow sphere", solid % "  set Mesh = hollow sphere\n  set Inner radius = 0.999999", r"^scene\.prm:2: .*cells")
+    case("length of a sphere", solid % "  set Mesh = sphere\n  set Radius = 1\n  set Length = 2", r"^scene\.prm:5: .*no meaning.*sphere")
+    case("zero length", solid % "  set Mesh = cylinder\n  set Radius = 1\n  set Length = 0", r"^scene\.prm:5: .*positive")
+    case("thick hollow cylinder", solid % "  set Mesh = hollow cylinder\n  set Radius = 1\n  set Inner radius = 2", r"^scene\.prm:5: .*less than the outer radius")
+    case("thin hollow sphere", solid % "  set Mesh = hollow sphere\n  set Radius = 1\n  set Inner radius = 0.999999", r"^scene\.prm:2: .*cells")
     case("curved boundary that is not round", {"scene.prm": ONE_BODY % "  set Mesh = m.msh\n  set Curved boundaries = bottom = square(0, 0)", "m.msh": MSH2},
          r"^scene\.prm:3: .*square")
 

@@ -96,11 +96,15 @@ namespace Amontons
       const auto        is     = [&](const char *word) { return body.shape.find(word) != std::string::npos; };
       const bool        hollow = is("ring") || is("hollow");
       if (body.shape == "block")
-        read_block(section, body);
+        {
+          section.require({"Lower corner", "Upper corner"}, context);
+          read_block(section, body);
+        }
       else
         section.refuse({"Lower corner", "Upper corner", "Cells", "Grading"}, context);
       if (body.shape != "block" && body.shape != "file")
         {
+          section.require({"Radius"}, context);
           body.centre = section.point("Centre");
           body.radius = section.positive_number("Radius");
         }
@@ -108,6 +112,7 @@ namespace Amontons
         section.refuse({"Centre", "Radius"}, context);
       if (hollow)
         {
+          section.require({"Inner radius"}, context);
           body.inner_radius = section.positive_number("Inner radius");
           if (!(body.inner_radius < body.radius))
             section.fail("Inner radius",
@@ -117,7 +122,10 @@ namespace Amontons
       else
         section.refuse({"Inner radius"}, context);
       if (is("cylinder"))
-        body.length = section.positive_number("Length");
+        {
+          section.require({"Length"}, context);
+          body.length = section.positive_number("Length");
+        }
       else
         section.refuse({"Length"}, context);
     }
@@ -194,12 +202,17 @@ namespace Amontons
         }
     }
 
+    // Rigid bodies may have elastic constants (so that a switch of `Rigid` is one line), others must.
     MaterialData
     read_material(const SectionInput &section)
     {
+      if (!section.flag("Rigid"))
+        section.require({"Young modulus", "Poisson ratio"}, "for a deformable body");
       MaterialData material;
-      material.young   = section.positive_number("Young modulus");
-      material.poisson = section.number("Poisson ratio");
+      if (section.is_given("Young modulus"))
+        material.young = section.positive_number("Young modulus");
+      if (section.is_given("Poisson ratio"))
+        material.poisson = section.number("Poisson ratio");
       if (section.text("Law") != "neo-Hookean")
         material.law = Law::st_venant_kirchhoff;
       if (material.poisson >= 0.5)

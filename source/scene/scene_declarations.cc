@@ -6,6 +6,7 @@ namespace Amontons
 
   namespace
   {
+    // Entries without a default are empty here; their readers say what is missing (SectionInput::require).
     const Patterns::Anything anything;
     const Patterns::List     coordinates(Patterns::Double(), 2, 3, ",");
 
@@ -46,8 +47,10 @@ namespace Amontons
           anything,
           "block; in 2D [half | quarter] disk, ring; in 3D [half | quarter | eighth] sphere, hollow sphere, "
           "[half | quarter] cylinder, hollow cylinder; or a file .msh, .geo, .inp beside the scene.");
-      prm.declare_entry("Lower corner", "0, 0, 0", coordinates, "Block: corner of smallest coordinates.");
-      prm.declare_entry("Upper corner", "1, 1, 1", coordinates, "Block: corner of largest coordinates.");
+      prm.declare_entry(
+          "Lower corner", "", anything, "Block: corner of smallest coordinates, 'x, y[, z]'; no default.");
+      prm.declare_entry(
+          "Upper corner", "", anything, "Block: corner of largest coordinates, 'x, y[, z]'; no default.");
       prm.declare_entry("Cells",
                         "1, 1, 1",
                         Patterns::List(Patterns::Integer(1), 2, 3, ","),
@@ -58,9 +61,11 @@ namespace Amontons
                         "Block: size of the last cell over that of the first, per direction.");
       prm.declare_entry(
           "Centre", "0, 0, 0", coordinates, "Round shapes: centre; cylinders: centre of the bottom.");
-      prm.declare_entry("Radius", "1", Patterns::Double(0), "Round shapes: radius, outer radius.");
-      prm.declare_entry("Inner radius", "0.5", Patterns::Double(0), "Rings and hollow shapes: inner radius.");
-      prm.declare_entry("Length", "1", Patterns::Double(0), "Cylinders: length, along z before placement.");
+      prm.declare_entry("Radius", "", anything, "Round shapes: radius, outer radius; no default.");
+      prm.declare_entry(
+          "Inner radius", "", anything, "Rings and hollow shapes: inner radius; no default.");
+      prm.declare_entry(
+          "Length", "", anything, "Cylinders: length, along z before placement; no default.");
       prm.declare_entry(
           "Refinements", "0", Patterns::Integer(0, 20), "Uniform refinements before the first solve.");
       prm.declare_entry(
@@ -80,8 +85,12 @@ namespace Amontons
     declare_body(ParameterHandler &prm)
     {
       declare_mesh(prm);
-      prm.declare_entry("Young modulus", "1", Patterns::Double(0), "Young's modulus, positive.");
-      prm.declare_entry("Poisson ratio", "0.3", Patterns::Double(), "Poisson's ratio, between -1 and 0.5.");
+      prm.declare_entry(
+          "Young modulus", "", anything, "Young's modulus, positive; no default. Rigid bodies need none.");
+      prm.declare_entry("Poisson ratio",
+                        "",
+                        anything,
+                        "Poisson's ratio, between -1 and 0.5; no default. Rigid bodies need none.");
       prm.declare_entry("Law",
                         "neo-Hookean",
                         Patterns::Selection("neo-Hookean|St. Venant-Kirchhoff"),
@@ -112,11 +121,12 @@ namespace Amontons
                         "Plane, paraboloid, cone: normal at the centre, from the obstacle towards the body.");
       prm.declare_entry("Axis", "0, 0, 1", coordinates, "Cylinder: its axis.");
       prm.declare_entry(
-          "Radius", "1", Patterns::Double(0), "Circle, sphere, cylinder; paraboloid: at the apex.");
-      prm.declare_entry("Flank angle",
-                        "5",
-                        Patterns::Double(0, 90),
-                        "Cone: angle in degrees between its surface and the plane normal to its axis.");
+          "Radius", "", anything, "Circle, sphere, cylinder; paraboloid: at the apex. No default.");
+      prm.declare_entry(
+          "Flank angle",
+          "",
+          anything,
+          "Cone: angle in degrees between its surface and the plane normal to its axis; no default.");
       prm.declare_entry(
           "Half width",
           "0",

@@ -73,11 +73,15 @@ namespace Amontons
     return scene;
   }
 
-  // A small valid scene: a block on a plane.
+  // A small valid scene: a block on a plane. Entries without a default have a value here.
   void
   print_parameters(std::ostream &out, const ParameterGroups &groups)
   {
     const std::vector<std::tuple<std::string, std::string, std::string>> values = {
+        {"Body BODY", "Lower corner", "0, 0, 0"},
+        {"Body BODY", "Upper corner", "1, 1, 1"},
+        {"Body BODY", "Young modulus", "1"},
+        {"Body BODY", "Poisson ratio", "0.3"},
         {"Boundary condition TOP", "Boundaries", "BODY/top"},
         {"Boundary condition TOP", "Value", "0; -0.01*t"},
         {"Contact PAIR", "First", "BODY/bottom"},

@@ -71,6 +71,14 @@ namespace Amontons
         fail(entry, "this entry has no meaning " + context, "leave it out");
   }
 
+  void
+  SectionInput::require(const std::vector<std::string> &entries, const std::string &context) const
+  {
+    for (const std::string &entry : entries)
+      if (text(entry).empty())
+        fail(entry, "this entry is missing", "a value: there is no default " + context);
+  }
+
   double
   SectionInput::number(const std::string &entry) const
   {

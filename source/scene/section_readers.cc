@@ -51,11 +51,17 @@ namespace Amontons
     else if (obstacle.type != Type::cylinder)
       section.refuse({"Axis"}, context);
     if (round || obstacle.type == Type::paraboloid)
-      obstacle.radius = section.positive_number("Radius");
+      {
+        section.require({"Radius"}, context);
+        obstacle.radius = section.positive_number("Radius");
+      }
     else
       section.refuse({"Radius"}, context);
     if (obstacle.type == Type::cone)
-      obstacle.flank = section.positive_number("Flank angle");
+      {
+        section.require({"Flank angle"}, context);
+        obstacle.flank = section.positive_number("Flank angle");
+      }
     else
       section.refuse({"Flank angle"}, context);
     if (obstacle.type == Type::cone && obstacle.flank >= 90)

@@ -88,6 +88,8 @@ subsection Body upper
   set Radius      = 3
   set Refinements = 2
   set Rotate      = 10
+  set Young modulus = 1
+  set Poisson ratio = 0.3
 end
 
 subsection Body punch
@@ -164,7 +166,8 @@ end
   "Body lower": {"Mesh": "block", "Lower corner": [-4, -2], "Upper corner": [4, 0], "Cells": [8, 4],
                  "Grading": [1, 0.5], "Young modulus": 210e3, "Poisson ratio": 0.4999,
                  "Body force": ["0", "-9.81*t"]},
-  "Body upper": {"Mesh": "half disk", "Centre": [0, 3], "Radius": 3, "Refinements": 2, "Rotate": 10},
+  "Body upper": {"Mesh": "half disk", "Centre": [0, 3], "Radius": 3, "Refinements": 2, "Rotate": 10,
+                 "Young modulus": 1, "Poisson ratio": 0.3},
   "Body punch": {"Mesh": "plate.msh", "Rigid": true, "Force": "0; -5*t", "Rotation": "free",
                  "Curved boundaries": "arc = circle(1, 2, 9); inner = circle(0, 0)"},
   "Obstacle floor": {"Surface": "plane", "Centre": "0, -2", "Normal": "0, 2"},
@@ -194,7 +197,7 @@ end
     check::is_close(lower.body_force[1].value(Point<3>(), 2), -19.62, 1e-14, file + ": body force");
     check::is_true(!lower.rigid && upper.shape == "half disk" && upper.radius == 3, file + ": half disk");
     check::is_true(upper.centre == Point<3>(0, 3, 0) && upper.refinements == 2, file + ": centre");
-    check::is_true(upper.rotation_angle == 10 && upper.material.poisson == 0.3, file + ": defaults");
+    check::is_true(upper.rotation_angle == 10 && upper.material.law == Law::neo_hookean, file + ": defaults");
     check::is_true(punch.shape == "file" && punch.mesh_file == folder + "/plate.msh", file + ": mesh file");
     check::is_true(punch.true_geometry.at("arc").centre == Point<3>(1, 2, 0), file + ": curved boundary");
     check::is_true(punch.true_geometry.at("inner").type == TrueGeometry::Type::circle, file + ": second one");
@@ -277,6 +280,10 @@ end
     const std::string        file = write("friction.prm", R"(
 set End time = 5
 subsection Body block
+  set Lower corner  = 0, 0
+  set Upper corner  = 1, 1
+  set Young modulus = 1
+  set Poisson ratio = 0.3
 end
 subsection Obstacle floor
 end

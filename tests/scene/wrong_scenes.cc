@@ -19,11 +19,16 @@ namespace
 
   const std::string good = R"(set Kind = plane strain
 subsection Body lower
-  set Radius = 1
+  set Lower corner = 0, 0
+  set Upper corner = 1, 1
+  set Young modulus = 1
+  set Poisson ratio = 0.3
 end
 subsection Body upper
   set Lower corner = 0, 1
   set Upper corner = 1, 2
+  set Young modulus = 1
+  set Poisson ratio = 0.3
 end
 subsection Obstacle floor
 end
@@ -40,7 +45,7 @@ subsection Contact main
   set First = lower/top
   set Second = upper/bottom
 end
-)"; // 23 lines
+)"; // 28 lines
 
   struct Tolerances : ParameterGroup
   {
@@ -99,16 +104,16 @@ end
   void
   check_syntax()
   {
-    expect(message(good + "subsection Probe p\n"), {"scene.prm:24: Probe p", "no 'end'"});
-    expect(message(good + "end\n"), {"scene.prm:24", "no section is open"});
+    expect(message(good + "subsection Probe p\n"), {"scene.prm:29: Probe p", "no 'end'"});
+    expect(message(good + "end\n"), {"scene.prm:29", "no section is open"});
     expect(message(good + "Set a = 1\n"),
-           {"scene.prm:24", "'Set a = 1'", "did you mean 'set'", "include FILE"});
-    expect(message(good + "set End time 1\n"), {"scene.prm:24", "set NAME = VALUE"});
+           {"scene.prm:29", "'Set a = 1'", "did you mean 'set'", "include FILE"});
+    expect(message(good + "set End time 1\n"), {"scene.prm:29", "set NAME = VALUE"});
     expect(message(good + "subsection Body lower\nend\n"),
-           {"scene.prm:24: Body lower", "second time", "line 2"});
-    expect(message(good + "set Kind = 3D\n"), {"scene.prm:24: Kind", "second time", "line 1"});
-    expect(message(good + "include nowhere.prm\n"), {"scene.prm:24", "nowhere.prm' cannot be opened"});
-    expect(message(good + "set Title = a \\\n"), {"scene.prm:24", "continued line"});
+           {"scene.prm:29: Body lower", "second time", "line 2"});
+    expect(message(good + "set Kind = 3D\n"), {"scene.prm:29: Kind", "second time", "line 1"});
+    expect(message(good + "include nowhere.prm\n"), {"scene.prm:29", "nowhere.prm' cannot be opened"});
+    expect(message(good + "set Title = a \\\n"), {"scene.prm:29", "continued line"});
     expect(message("{\"Kind\": \"3D\",\n oops}", {}, folder + "/scene.json"), {"scene.json:2", "no JSON"});
     expect(message("{\"Kind\": \"2D\"}", {}, folder + "/scene.json"),
            {"scene.json: Kind: found '2D'", "plane stress"});
@@ -128,17 +133,17 @@ end
   check_names()
   {
     expect(message(good + "subsection Bdy third\nend\n"),
-           {"scene.prm:24",
+           {"scene.prm:29",
             "unknown section 'Bdy third'",
             "did you mean 'Body third'",
             "Obstacle NAME",
             "Newton"});
     expect(message("include scene.prm\n" + good), {"include each other"});
-    expect(message(good + "subsection Body a, b\nend\n"), {"scene.prm:24", "'a, b'", "without"});
-    expect(message(good + "subsection Body   upper\nend\n"), {"scene.prm:24: Body upper", "second time"});
-    expect(message(good + "subsection Body\nend\n"), {"scene.prm:24", "no name", "Body NAME"});
+    expect(message(good + "subsection Body a, b\nend\n"), {"scene.prm:29", "'a, b'", "without"});
+    expect(message(good + "subsection Body   upper\nend\n"), {"scene.prm:29: Body upper", "second time"});
+    expect(message(good + "subsection Body\nend\n"), {"scene.prm:29", "no name", "Body NAME"});
     expect(message(good + "subsection Newton\n  set Tolerence = 1\nend\n"),
-           {"scene.prm:25: Newton/Tolerence", "did you mean 'Tolerance'"});
+           {"scene.prm:30: Newton/Tolerence", "did you mean 'Tolerance'"});
     expect_set("Body lower/Young modulis = 1",
                {"--set: Body lower/Young modulis", "did you mean 'Young modulus'"});
     expect_set("Body lowr/Radius = 1", {"--set", "unknown section 'Body lowr'", "did you mean 'Body lower'"});
@@ -163,7 +168,7 @@ end
     expect_set("Body lower/Mesh = half dsk", {"did you mean 'half disk'", ".msh"});
     expect_set("Body lower/Mesh = no.msh", {folder + "/no.msh", "no file"});
     expect_set("Body lower/Upper corner = 0, 1", {"larger coordinates"});
-    expect_set("Body lower/Lower corner = 0", {"found '0'", "2 to 3 elements"});
+    expect_set("Body lower/Lower corner = 0", {"found '0', 1 number(s)", "2 numbers separated by commas"});
     expect_set("Body lower/Cells = 0, 1", {"found '0, 1'"});
     expect_set("Body lower/Poisson ratio = 0.5", {"Body lower/Poisson ratio", "fine up to 0.4999"});
     expect_set("Body lower/Poisson ratio = -1", {"more than -1"});
@@ -177,12 +182,23 @@ end
     expect_set("Body lower/Body force = 0; table(0: 1, 0: 2)", {"increas"});
     expect_set("Body lower/Body force = 0; table(1)", {"time: value"});
     expect_set("Kind = 3D", {"3 numbers"});
-    expect(message(good + "subsection Body b\n set Mesh = ring\n set Inner radius = 2\nend\n"),
-           {"scene.prm:26: Body b/Inner radius", "less than the outer"});
+    expect_set("Body lower/Young modulus = ", {"--set: Body lower/Young modulus: this entry is missing"});
+    expect(message(good + "subsection Body b\n set Mesh = disk\nend\n"),
+           {"scene.prm:29: Body b/Radius: this entry is missing", "for Mesh = disk"});
+    expect(message(good + "subsection Body b\n set Mesh = disk\n set Radius = 1\nend\n"),
+           {"scene.prm:29: Body b/Young modulus: this entry is missing", "for a deformable body"});
+    check::is_true(
+        message(good + "subsection Body b\n set Mesh = disk\n set Radius = 1\n set Rigid = true\nend\n")
+            .empty(),
+        "a rigid body has no material");
+    expect(
+        message(good + "subsection Body b\n set Mesh = ring\n set Inner radius = 2\n set Radius = 1\nend\n"),
+        {"scene.prm:31: Body b/Inner radius", "less than the outer"});
     // Radii are those after the shift.
     const auto shifted = [](const std::string &corners, const std::string &shift) {
       return message("set Kind = axisymmetric\nsubsection Body b\n set Lower corner = " + corners +
-                     "\n set Shift = " + shift + ", 0\nend\n");
+                     "\n set Shift = " + shift +
+                     ", 0\n set Young modulus = 1\n set Poisson ratio = 0.3\nend\n");
     };
     check::is_true(shifted("-1, 0\n set Upper corner = 1, 1", "2").empty(), "shifted to radii from 1 on");
     check::is_true(shifted("-1, 0\n set Upper corner = 1, 1", "1").empty(), "shifted to the axis");
@@ -211,7 +227,7 @@ end
     expect_set("Boundary condition load/Value = free; free", {"prescribes nothing"});
     expect_set("Boundary condition load/Value = hertz(a = x)", {"no constant"});
     expect_set("Boundary condition load/Displacement = 1; 1", {"use Value"});
-    expect(message(good + "subsection Obstacle push\nend\n"), {"push' is taken by", "line 24"});
+    expect(message(good + "subsection Obstacle push\nend\n"), {"push' is taken by", "line 29"});
   }
 
   void
@@ -220,7 +236,7 @@ end
     expect_set("Contact main/Second = lower/top", {"slave = master"});
     expect_set("Contact main/Second = lower/left", {"self contact is not supported"});
     expect_set("Contact main/Second = flor",
-               {"scene.prm:20", "unknown obstacle 'flor'", "did you mean 'floor'"});
+               {"scene.prm:25", "unknown obstacle 'flor'", "did you mean 'floor'"});
     expect_set("Contact main/Second = upper", {"upper/BOUNDARY"});
     expect_set("Contact main/First = floor", {"BODY/BOUNDARY"});
     expect(message(good, {"Contact main/Second = floor", "Contact main/Slave = second"}),
@@ -230,7 +246,7 @@ end
     expect(message(good, {"Body upper/Rigid = true"}), {"push", "the body 'upper' is rigid"});
     expect(
         message(good + "subsection Contact again\n set First = upper/bottom\n set Second = lower/top\nend\n"),
-        {"scene.prm:24", "same two surfaces"});
+        {"scene.prm:29", "same two surfaces"});
     expect_set("Contact main/Adjust = -1", {"a number v >= 0"});
     expect_set("Contact main/Friction coefficient = -0.1", {"found -0.1, a negative bound", "x, y, z, t, p"});
     expect_set("Contact main/Tresca bound = 1-3", {"found 1-3, a negative bound"});
@@ -244,7 +260,7 @@ end
            {"no meaning for Tied = true"});
     expect(message(good, {"Contact main/Tied = true", "Contact main/Tresca bound = 1"}),
            {"no meaning for Tied = true"});
-    expect(message(good + "subsection Probe p\n set Body = lower\nend\n"), {"scene.prm:24", "no place"});
+    expect(message(good + "subsection Probe p\n set Body = lower\nend\n"), {"scene.prm:29", "no place"});
     expect(message(good + "subsection Probe p\n set Body = x\n set Point = 0, 0\nend\n"),
            {"unknown body 'x'"});
     expect_set("Reference/Solution = hertz(a 1)", {"NAME(PARAMETER = NUMBER"});

@@ -105,6 +105,10 @@ namespace Amontons
     void
     refuse(const std::vector<std::string> &entries, const std::string &context) const;
 
+    // An error if one of the entries is empty: they must be given `context`, e.g. "for Mesh = disk".
+    void
+    require(const std::vector<std::string> &entries, const std::string &context) const;
+
     [[noreturn]] void
     fail(const std::string &entry, const std::string &found, const std::string &allowed = "") const;
 

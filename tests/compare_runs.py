@@ -58,7 +58,9 @@ def compare(first, other, tolerance, iterations, forces_only):
                 messages.append(f"{p['name']} {kind}: {p[kind]} and {q[kind]}")
     # Where increments differ, so does the dissipation: it is the sum of their last tractions times slip.
     for kind in ("energy", "external_work") if iterations is None else ("energy", "external_work", "dissipation"):
-        a, b = (m["meshes"][-1].get(kind) or 0 for m in (s, t))
+        a, b = (m["meshes"][-1].get(kind) for m in (s, t))
+        if a is None or b is None:  # works are those of load histories
+            continue
         near(kind, a, b, max(abs(a), abs(s["meshes"][-1].get("external_work") or 0)))
     if forces_only:
         return messages

@@ -798,3 +798,17 @@ add_scene_test(NAME oblique_touch SCENE verification/oblique_touch.prm
 foreach(scene turned_obstacle turned_rigid_body)
   add_scene_test(NAME ${scene} SCENE verification/${scene}.prm CHECK ${EXACT_FINITE})
 endforeach()
+
+# ---- What the tables say
+
+# Forces of nodes add up to the force of the pair; nothing presses where nothing is opposite.
+add_scene_test(NAME punch_moment SCENE verification/punch_moment.prm
+               CHECK "sum(contact.:.fy) ~ pairs.0.normal_force.1 1e-12" "contact.state=open.pressure == 0" "contact.X=5.pressure ~ 459.44 0.01"
+                     "contact.X=-5.pressure ~ 275.66 0.01")
+# Tied or stuck, the same solution has the same numbers.
+add_comparison_test(NAME tied_or_stuck SCENE verification/flat_punch_axisymmetric.prm SET "Refinement/Cycles=3" OPTIONS --any-iterations
+                    RUN "1 | Contact top/Tied=true" "1 | Contact top/Friction coefficient=1000")
+# The stick zone that bulk tension moves keeps its size.
+add_scene_test(NAME bulk_tension SCENE verification/bulk_tension.prm
+               CHECK ${LAWS} "newton.:.iterations <= 5" "pairs.0.stick_size ~ 0.2406915 0.002" "pairs.0.stick_centre.0 ~ 0.0510584 0.015" "pairs.0.centre.0 abs<= 5e-4"
+                     "sum(contact.:.fx) ~ pairs.0.tangential_force.0 1e-10" "sum(contact.:.fy) ~ pairs.0.normal_force.1 1e-10")

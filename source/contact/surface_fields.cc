@@ -9,10 +9,12 @@ namespace Amontons
 {
   namespace
   {
-    // M c = b; or the minimum of c.Mc/2 - b.c over all c >= 0, by its active set: entries that are held at 0
-    // with (Mc - b)_i >= 0.
+    // The minimum of c.Mc/2 - b.c over all c with c_i >= 0 where is_bounded[i], by its active set: entries
+    // that are held at 0 with (Mc - b)_i >= 0.
     Vector<double>
-    solve_projection(const SparseMatrix<double> &mass, const Vector<double> &rhs, const bool nonnegative)
+    solve_projection(const SparseMatrix<double> &mass,
+                     const Vector<double>       &rhs,
+                     const std::vector<bool>    &is_bounded)
     {
       const unsigned int   n = rhs.size();
       std::vector<bool>    held(n, false);
@@ -32,27 +34,27 @@ namespace Amontons
           SparseDirectUMFPACK solver;
           solver.initialize(matrix);
           solver.solve(c);
-          if (!nonnegative)
-            break;
           mass.vmult(residual, c);
           residual -= rhs;
           bool changed = false;
           for (unsigned int i = 0; i < n; ++i)
-            {
-              const bool hold = held[i] ? residual[i] > 0 : c[i] < 0;
-              changed         = changed || hold != held[i];
-              held[i]         = hold;
-            }
+            if (is_bounded[i])
+              {
+                const bool hold = held[i] ? residual[i] > 0 : c[i] < 0;
+                changed         = changed || hold != held[i];
+                held[i]         = hold;
+              }
           if (!changed)
             break;
         }
-      for (unsigned int i = 0; nonnegative && i < n; ++i)
-        c[i] = std::max(0., c[i]);
+      for (unsigned int i = 0; i < n; ++i)
+        if (is_bounded[i])
+          c[i] = std::max(0., c[i]);
       return c;
     }
 
     // Control values c of the projection: sum_j int B_i B_j c_j = sum_rows int psi_row B_i value_row over the
-    // overlap; `nonnegative`: of the projection on to functions with c >= 0, which is closer to any pressure
+    // overlap; `nonnegative`: with c >= 0 where no value around is negative (tied), which is closer to any pressure
     // >= 0. Nodes of which next to nothing is covered take the mean of the others of their face.
     template <int dim>
     std::vector<double>
@@ -93,12 +95,17 @@ namespace Amontons
       SparseMatrix<double> mass(pattern);
       for (const auto &[i, j, value] : entries)
         mass.add(i, j, value);
-      Vector<double> rhs(n);
+      Vector<double>    rhs(n);
+      std::vector<bool> is_bounded(n, nonnegative);
       for (unsigned int r = 0; r < coupling.rows.size(); ++r)
         for (const auto &[node, trace] : coupling.rows[r].traces)
           for (const auto &[i, a] : expand(node))
-            rhs[unknown[i]] += a * trace * row_values[r];
-      const Vector<double> c = solve_projection(mass, rhs, nonnegative);
+            {
+              rhs[unknown[i]] += a * trace * row_values[r];
+              if (interface.pair->tied && row_values[r] < 0)
+                is_bounded[unknown[i]] = false;
+            }
+      const Vector<double> c = solve_projection(mass, rhs, is_bounded);
       for (const auto &entry : coupling.trace_mass)
         for (const auto &[i, a] : expand(entry.first.first))
           if (entry.first.first == entry.first.second)
@@ -174,6 +181,33 @@ namespace Amontons
       fields.centre = centre;
     }
 
+    // Where the stick zone is: the centroid of what the shear leaves of its bound, on the symmetry planes
+    // (and the axis) of the contact.
+    template <int dim>
+    Point<dim>
+    stick_centre(const Discretization<dim>   &discretization,
+                 const ContactInterface<dim> &interface,
+                 const SurfaceFields<dim>    &fields,
+                 const std::vector<double>   &unused)
+    {
+      double     total = 0;
+      Point<dim> centre;
+      for (const auto &p : interface.coupling.points)
+        {
+          const double f = value_on_face(*interface.slave, unused, p.slave_face, p.xi_slave) * p.weight;
+          total += f;
+          centre += f * p.x_slave;
+        }
+      if (!(total > 0))
+        return fields.centre;
+      centre /= total;
+      for (const auto &normal : fields.symmetry_planes)
+        centre -= (normal * (centre - fields.centre)) * normal;
+      if (discretization.scene.kind == Kind::axisymmetric)
+        centre[0] = 0;
+      return centre;
+    }
+
     // Half-width or radius about `centre` of the Hertzian traction with the moments of the field f:
     // sqrt(4 int f x^2 / int f), for points 2.5 instead of 4.
     template <int dim>
@@ -231,6 +265,57 @@ namespace Amontons
           largest = std::max(largest, pressure[node]);
       return largest;
     }
+
+    // int (1 - |t - x|)^6 dt over 0 < t < 1
+    double
+    whole_bump(const double x)
+    {
+      return (2 - std::pow(1 - x, 7) - std::pow(x, 7)) / 7;
+    }
+
+    // Nodes that the other side is opposite of: those of faces that are covered whole, and those with half of
+    // a bump over a face, prod_d (1 - |xi_d - xi_node,d|)^6, on the covered part. An edge may be a tenth of a
+    // face off.
+    template <int dim>
+    std::vector<bool>
+    covered_nodes(const ContactInterface<dim> &interface, const bool axisymmetric)
+    {
+      const auto                      &slave = *interface.slave;
+      const unsigned int               n     = slave.degree + 1;
+      std::vector<bool>                covered(slave.nodes.size(), false);
+      std::vector<std::vector<double>> bump(slave.faces.size());
+      const auto                       place = [&](const unsigned int k) {
+        Point<dim - 1> xi;
+        for (unsigned int d = 0, rest = k; d < dim - 1; ++d, rest /= n)
+          xi[d] = double(rest % n) / slave.degree;
+        return xi;
+      };
+      for (const auto &p : interface.coupling.points)
+        {
+          auto  &of_face = bump[p.slave_face];
+          double jacobian;
+          slave.face_normal(p.slave_face, p.xi_slave, &jacobian);
+          of_face.resize(slave.faces[p.slave_face].nodes.size(), 0.);
+          for (unsigned int k = 0; k < of_face.size(); ++k)
+            {
+              double value = p.weight / (jacobian * area_factor(axisymmetric, p.x_slave));
+              for (unsigned int d = 0; d < dim - 1; ++d)
+                value *= std::pow(1 - std::abs(p.xi_slave[d] - place(k)[d]), 6);
+              of_face[k] += value;
+            }
+        }
+      for (unsigned int f = 0; f < bump.size(); ++f)
+        for (unsigned int k = 0; k < bump[f].size(); ++k)
+          {
+            double whole = 1;
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              whole *= whole_bump(place(k)[d]);
+            if (interface.coupling.whole_faces.count(f) > 0 || bump[f][k] >= 0.5 * whole)
+              covered[slave.faces[f].nodes[k]] = true;
+          }
+      return covered;
+    }
+
     // Hanging nodes have no row: what is shown there is interpolated; they are closed where a parent is.
     template <int dim>
     void
@@ -288,6 +373,7 @@ namespace Amontons
     fields.area.assign(n, 0.);
     fields.traction.resize(n);
     fields.slip.resize(n);
+    fields.force.resize(n);
     fields.state.assign(n, ContactState::open);
     for (const auto &node : slave.nodes)
       {
@@ -311,25 +397,34 @@ namespace Amontons
           {
             tangential[c][r] = -shears[r][c];
             fields.tangential_force[c] += row.area * tangential[c][r];
+            fields.force[row.node][c] = row.area * (tangential[c][r] - pressures[r] * row.normal[c]);
           }
         const auto slip       = jump(row, displacement);
         fields.slip[row.node] = slip - (slip * row.normal) / row.normal.norm_square() * row.normal;
       }
     fill_hanging_nodes(slave, fields);
-    // Resultants need the projection that keeps all moments; what is shown and compared is >= 0 if it is a
-    // contact pressure.
+    // Resultants need the projection that keeps all moments; what is shown and compared is >= 0 where the
+    // multipliers are: the same for tied surfaces and for those that stick.
     fields.pressure = control_to_nodal(slave, project(interface, pressures));
     if (discretization.scene.kind == Kind::axisymmetric) // radial forces cancel over the full turn
       fields.normal_force[0] = fields.tangential_force[0] = 0;
     add_resultants(discretization, interface, fields);
-    if (!interface.pair->tied)
-      fields.pressure = control_to_nodal(slave, project(interface, pressures, true));
+    fields.pressure      = control_to_nodal(slave, project(interface, pressures, true));
     fields.peak_pressure = peak(interface, fields.pressure);
     if (interface.pair->has_friction())
-      fields.stick_size = size_of(discretization,
-                                  interface,
-                                  fields.centre,
-                                  control_to_nodal(slave, project(interface, unused_shears)));
+      {
+        const auto unused   = control_to_nodal(slave, project(interface, unused_shears));
+        fields.stick_centre = stick_centre(discretization, interface, fields, unused);
+        fields.stick_size   = size_of(discretization, interface, fields.stick_centre, unused);
+      }
+    fields.is_covered = covered_nodes(interface, discretization.scene.kind == Kind::axisymmetric);
+    if (interface.pair->has_friction())
+      {
+        std::vector<double> bounds;
+        for (unsigned int r = 0; r < shears.size(); ++r)
+          bounds.push_back(unused_shears[r] + shears[r].norm());
+        fields.bound = control_to_nodal(slave, project(interface, bounds, true));
+      }
     if (interface.pair->tied || interface.pair->has_friction())
       for (unsigned int c = 0; c < dim; ++c)
         {

@@ -1,3 +1,4 @@
+#include <amontons/contact/surface_fields.h>
 #include <amontons/friction/shear_law.h>
 #include <amontons/output/contact_csv.h>
 #include <amontons/output/files.h>
@@ -91,10 +92,11 @@ namespace Amontons
       copy<dim>(interface.slave->nodes[i].X, node.X);
       copy<dim>(interface.slave->nodes[i].X + fields.displacement[i], node.x);
       copy(fields.normal[i], node.normal);
-      copy(fields.traction[i], node.traction);
+      copy(shown_traction(fields, i), node.traction);
+      copy(fields.force[i], node.force);
       copy(fields.slip[i], node.slip);
       node.area     = fields.area[i];
-      node.pressure = fields.pressure[i];
+      node.pressure = shown_pressure(fields, i);
       node.gap      = fields.gap[i];
       node.state    = fields.state[i];
       node.bound    = interface.pair->has_friction()
@@ -172,11 +174,13 @@ namespace Amontons
   void
   write_contact_csv(const std::string &file, const std::vector<ContactNode> &table)
   {
-    std::string text = "pair,X,Y,Z,x,y,z,nx,ny,nz,area,pressure,tx,ty,tz,gap,slip_x,slip_y,slip_z,state\n";
+    std::string text =
+        "pair,X,Y,Z,x,y,z,nx,ny,nz,area,pressure,tx,ty,tz,gap,slip_x,slip_y,slip_z,state,fx,fy,fz\n";
     for (const ContactNode &node : table)
       text += csv_field(node.pair) + "," + triple(node.X) + "," + triple(node.x) + "," + triple(node.normal) +
               "," + number_text(node.area) + "," + number_text(node.pressure) + "," + triple(node.traction) +
-              "," + number_text(node.gap) + "," + triple(node.slip) + "," + state_name(node.state) + "\n";
+              "," + number_text(node.gap) + "," + triple(node.slip) + "," + state_name(node.state) + "," +
+              triple(node.force) + "\n";
     write_file(file, text);
   }
 

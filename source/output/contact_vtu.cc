@@ -1,3 +1,4 @@
+#include <amontons/contact/surface_fields.h>
 #include <amontons/output/json.h>
 #include <amontons/output/vtu_output.h>
 
@@ -45,8 +46,8 @@ namespace Amontons
       for (unsigned int i = 0; i < surface.nodes.size(); ++i)
         {
           arrays.points += vector<dim>(surface.nodes[i].X);
-          arrays.pressure += number(fields.pressure[i]);
-          arrays.traction += vector(fields.traction[i]);
+          arrays.pressure += number(shown_pressure(fields, i));
+          arrays.traction += vector(shown_traction(fields, i));
           arrays.gap.push_back(fields.gap[i]);
           arrays.state += std::to_string(static_cast<int>(fields.state[i])) + " ";
           arrays.slip += vector(fields.slip[i]);

@@ -52,6 +52,7 @@ namespace Amontons
           .add("contact_size", pair.contact_size)
           .add("stick_size", pair.stick_size.value_or(unknown))
           .add("centre", pair.centre)
+          .add("stick_centre", pair.stick_centre)
           .add("n_open", pair.n_open)
           .add("n_stick", pair.n_stick)
           .add("n_slip", pair.n_slip)
@@ -198,7 +199,10 @@ namespace Amontons
     result.peak_pressure    = fields.peak_pressure;
     result.contact_size     = fields.contact_size;
     if (interface.pair->has_friction())
-      result.stick_size = fields.stick_size;
+      {
+        result.stick_size   = fields.stick_size;
+        result.stick_centre = components<dim>(fields.stick_centre);
+      }
     result.centre               = components<dim>(fields.centre);
     result.n_without_multiplier = interface.n_without_multiplier;
     for (const CouplingRow<dim> &row : interface.coupling.rows)

@@ -77,6 +77,10 @@ namespace Amontons
     std::vector<Tensor<1, dim>> slip;     // tangential displacement of the slave relative to the master
     std::vector<ContactState>   state;
     std::vector<Tensor<1, dim>> displacement;
+    std::vector<Tensor<1, dim>> force; // on the slave body: the terms of normal_force + tangential_force
+    std::vector<bool>
+        is_covered; // the other side is opposite; elsewhere pressure and traction are continuations
+    std::vector<double> bound; // friction: of the tangential traction, projected as the pressure is
 
     // Of the contact forces on the slave body: sum area p normal etc.; peak and size from the projected
     // pressure.
@@ -86,6 +90,7 @@ namespace Amontons
         0; // half-width sqrt(4 int p x^2 / int p) (2D), radius sqrt(2.5 int p r^2 / int p) (3D, axisymmetric)
     double         stick_size = 0; // friction: likewise with what the shear leaves of its bound
     Point<dim>     centre;         // about which the size is taken
+    Point<dim>     stick_centre;   // friction: about which stick_size is taken
     Tensor<2, dim> covariance;     // int p (x - centre)(x - centre) / int p
     std::vector<Tensor<1, dim>>
            symmetry_planes; // normals of those through the contact (not the axis of revolution)

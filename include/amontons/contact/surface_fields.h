@@ -26,4 +26,23 @@ namespace Amontons
                 const std::vector<double> &nodal_values,
                 const unsigned int         face,
                 const Point<dim - 1>      &xi);
+  // What tables and pictures show at node i: nothing beyond the edge of the other side, and no more shear
+  // than friction allows there.
+  template <int dim>
+  double
+  shown_pressure(const SurfaceFields<dim> &fields, const unsigned int i)
+  {
+    return fields.is_covered[i] ? fields.pressure[i] : 0;
+  }
+
+  template <int dim>
+  Tensor<1, dim>
+  shown_traction(const SurfaceFields<dim> &fields, const unsigned int i)
+  {
+    const double length = fields.traction[i].norm();
+    if (!fields.is_covered[i])
+      return Tensor<1, dim>();
+    return fields.bound.empty() || length <= fields.bound[i] ? fields.traction[i]
+                                                             : fields.bound[i] / length * fields.traction[i];
+  }
 } // namespace Amontons

@@ -17,6 +17,7 @@ namespace Amontons
     double       area     = 0;
     double       pressure = 0; // of the surface projection
     Tensor<1, 3> traction;     // tangential
+    Tensor<1, 3> force;        // on the slave body; their sum is the force of the pair
     double       gap = 0;      // NaN without a coupling row
     Tensor<1, 3> slip;
     ContactState state = ContactState::open;

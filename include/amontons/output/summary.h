@@ -24,6 +24,7 @@ namespace Amontons
     double              contact_size  = 0;                   // half-width or radius
     std::optional<double> stick_size; // friction: of what the shear leaves of its bound (partial slip: c)
     std::vector<double> centre;                              // about which the size is taken
+    std::vector<double> stick_centre;                        // about which stick_size is taken; empty without friction
     unsigned int        n_open = 0, n_stick = 0, n_slip = 0; // of the nodes that carry a multiplier
     unsigned int        n_without_multiplier = 0;            // supports own these nodes whole
   };

@@ -48,6 +48,7 @@ check_file()
   node.pressure = 3;
   node.gap      = std::nan("");
   node.state    = ContactState::slip;
+  node.force    = Point<3>(7, 8, 9);
 
   const std::string file = std::string(std::getenv("TMPDIR") != nullptr ? std::getenv("TMPDIR") : "/tmp") +
                            "/amontons_test_contact.csv";
@@ -56,12 +57,14 @@ check_file()
   text << std::ifstream(file).rdbuf();
   std::remove(file.c_str());
   check::is_true(text.str() ==
-                     "pair,X,Y,Z,x,y,z,nx,ny,nz,area,pressure,tx,ty,tz,gap,slip_x,slip_y,slip_z,state\n"
-                     "\"a, b\",1,2,0,1.5,2,0,0,-1,0,0.25,3,0,0,0,nan,0,0,0,slip\n",
+                     "pair,X,Y,Z,x,y,z,nx,ny,nz,area,pressure,tx,ty,tz,gap,slip_x,slip_y,slip_z,state,fx,"
+                     "fy,fz\n"
+                     "\"a, b\",1,2,0,1.5,2,0,0,-1,0,0.25,3,0,0,0,nan,0,0,0,slip,7,8,9\n",
                  "the file: " + text.str());
 }
 
-// Distinct numbers in all fields of slave node i of pair p.
+// Distinct numbers in all fields of slave node i of pair p. Nothing is opposite of node 2; friction allows
+// node 0 of the second pair half of its traction.
 template <int dim>
 SurfaceFields<dim>
 numbered_fields(const ContactSurface<dim> &surface, const unsigned int p)
@@ -84,6 +87,10 @@ numbered_fields(const ContactSurface<dim> &surface, const unsigned int p)
       fields.traction.push_back(vector(6000 + n));
       fields.slip.push_back(vector(7000 + n));
       fields.displacement.push_back(vector(8000 + n));
+      fields.force.push_back(vector(9000 + n));
+      fields.is_covered.push_back(i != 2);
+      if (p == 1)
+        fields.bound.push_back((i == 0 ? 0.5 : 2) * fields.traction[i].norm());
       fields.state.push_back(static_cast<ContactState>(i % 3));
     }
   return fields;
@@ -151,10 +158,17 @@ check_rows(const unsigned int degree)
         check::is_true(row->pair == scene.pairs[p].name, what + "pair");
         same(row->x - Point<3>(), Tensor<1, dim>(node.X) + fields[p].displacement[i], "current position");
         same(row->normal, fields[p].normal[i], "normal");
-        same(row->traction, fields[p].traction[i], "traction");
+        const double         shown_pressure = i == 2 ? 0 : fields[p].pressure[i];
+        const Tensor<1, dim> shown_traction = (i == 2             ? 0.
+                                               : i == 0 && p == 1 ? 0.5
+                                                                  : 1.) *
+                                              fields[p].traction[i];
+        const double scale = fields[p].traction[i].norm();
+        same(row->traction / scale, shown_traction / scale, "traction");
+        same(row->force, fields[p].force[i], "force");
         same(row->slip, fields[p].slip[i], "slip");
         check::is_close(row->area, fields[p].area[i], 0, what + "area");
-        check::is_close(row->pressure, fields[p].pressure[i], 0, what + "pressure");
+        check::is_close(row->pressure, shown_pressure, 0, what + "pressure");
         check::is_true(i == 1 ? std::isnan(row->gap) : row->gap == fields[p].gap[i], what + "gap");
         check::is_true(row->state == fields[p].state[i], what + "state");
         if (p == 0)
@@ -167,11 +181,11 @@ check_rows(const unsigned int degree)
               {array.at(3 * (first + i)), array.at(3 * (first + i) + 1), array.at(3 * (first + i) + 2)});
         };
         same(part(points), Tensor<1, dim>(node.X), "vtu: points");
-        same(part(traction), fields[p].traction[i], "vtu: traction");
+        same(part(traction) / scale, shown_traction / scale, "vtu: traction");
         same(part(slip), fields[p].slip[i], "vtu: slip");
         same(part(normal), fields[p].normal[i], "vtu: normal");
         same(part(displacement), fields[p].displacement[i], "vtu: displacement");
-        check::is_close(pressure.at(first + i), fields[p].pressure[i], 0, what + "vtu: pressure");
+        check::is_close(pressure.at(first + i), shown_pressure, 0, what + "vtu: pressure");
         check::is_close(state.at(first + i), i % 3, 0, what + "vtu: state");
         check::is_close(pair.at(first + i), p, 0, what + "vtu: pair");
       }

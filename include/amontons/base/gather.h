@@ -30,7 +30,7 @@ namespace Amontons
         mine.data(), size, MPI_CHAR, all.data(), sizes.data(), begins.data(), MPI_CHAR, communicator);
     for (unsigned int rank = 0; rank < n_ranks; ++rank)
       if (rank == dealii::Utilities::MPI::this_mpi_process(communicator))
-        objects.push_back(std::move(object));
+        objects.push_back(std::move(object)); // NOLINT(bugprone-use-after-move): once
       else
         objects.push_back(dealii::Utilities::unpack<T>(
             all.cbegin() + begins[rank], all.cbegin() + begins[rank + 1], false));

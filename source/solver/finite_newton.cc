@@ -781,13 +781,17 @@ namespace Amontons
       }
 
       // Of equilibrium, relative to the forces, and of the closed nodes' equations, relative to the faces.
+      // Forces of the excess that balance each other, as under uniform stress, are seen by none of the free
+      // rows; but supports and closed nodes carry them.
       double
       relative_residual()
       {
         const double rounding = 1e-14 * elasticity.rounding_scale(state.displacement);
         force_scale  = std::max({internal.l2_norm(), loads.l2_norm(), rounding / parameters.tolerance});
         damped_error = relative_residual_of(damped_balance);
-        return std::max(relative_residual_of(balance), largest_violation());
+        return std::max({relative_residual_of(balance),
+                         largest_violation(),
+                         relative(elasticity.forces_of_excess().l2_norm())});
       }
 
       // With the excess it is that of the displacement alone, but for the square of the excess.
@@ -804,7 +808,13 @@ namespace Amontons
       {
         LA::Vector free = condense(forces, constraints->test(), loads);
         zero_constrained(constraints->test(), discretization.locally_owned, free);
-        return force_scale == 0 ? 0 : std::hypot(free.l2_norm(), states.law_error(answers)) / force_scale;
+        return relative(std::hypot(free.l2_norm(), states.law_error(answers)));
+      }
+
+      double
+      relative(const double force) const
+      {
+        return force_scale == 0 ? 0 : force / force_scale;
       }
 
       double

@@ -1,5 +1,6 @@
 #include <amontons/base/points.h>
 #include <amontons/contact/surface_fields.h>
+#include <amontons/contact/surface_search.h>
 #include <amontons/contact_problem.h>
 #include <amontons/friction/shear_law.h>
 #include <amontons/output/files.h>
@@ -46,6 +47,7 @@ namespace Amontons
     state.t = LoadProgram(scene, incremental).next();
     make_mesh();
     rebuild();
+    refuse_hidden_sides(*discretization, interfaces);
     refine_where_bodies_are_close();
     make_output_folder(folder, communicator);
 
@@ -413,6 +415,23 @@ namespace Amontons
       }
   }
 
+  // Nothing that touches at the end may have touched before.
+  template <int dim>
+  void
+  ContactProblem<dim>::note_untouched_pairs()
+  {
+    for (unsigned int i = 0; i < summary.pairs.size(); ++i)
+      {
+        PairSummary &pair = summary.pairs[i];
+        pair.touched      = std::any_of(summary.meshes.begin(), summary.meshes.end(), [&](const auto &mesh) {
+          return mesh.pairs[i].touched;
+        });
+        if (!pair.touched && summary.status == "converged")
+          summary.notes.push_back("warning: pair '" + pair.name + "' touched nothing in the whole run; " +
+                                  without_contact(pair));
+      }
+  }
+
   template <int dim>
   void
   ContactProblem<dim>::finish()
@@ -437,6 +456,7 @@ namespace Amontons
         if (incremental)
           add_energy_checks();
       }
+    note_untouched_pairs();
     if (parameters.refinement.target_error > 0 && !(estimated_error() <= parameters.refinement.target_error))
       summary.notes.push_back("the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'");
     if (scene.kind == Kind::axisymmetric)

@@ -31,8 +31,8 @@ namespace Amontons
     bool too_short = false;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
-        if (interfaces[i].pair->tied)
-          continue;
+        if (interfaces[i].pair->tied || interfaces[i].pair->initial_gap)
+          continue; // a declared gap says nothing about the distance of the meshes
         double needed     = 0;
         bool   any_closed = false;
         for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)

@@ -820,4 +820,17 @@ foreach(degree 1 2)
                  CHECK "status is converged" "checks.force_balance <= 1e-10" "pairs.0.normal_force.0 ~ -9.09563554318478 1e-10"
                        "pairs.1.normal_force.0 ~ -9.09563554318478 1e-10" "pairs.2.normal_force.1 ~ 14.95562578914135 1e-10"
                        "reactions.4.force.0 ~ 9.09563554318478 1e-10" "newton.:.iterations <= 2")
+# ---- What faces what, growing interferences, facets
+
+# A pair that touches nothing is told, also where surfaces may come to face each other later; what faces each other far away is found.
+foreach(kinematics "small strain" "finite strain")
+  string(REPLACE " " "_" name ${kinematics})
+  add_scene_test(NAME untouched_${name} SCENE verification/no_contact.prm SET "Kinematics=${kinematics}" "Increments=1" "Refinement/Cycles=0"
+                 CHECK "pairs.0.touched is False" "pairs.0.smallest_gap ~ 0.2 0.01" "notes.-1 has touched nothing in the whole run")
+endforeach()
+add_scene_test(NAME never_faced SCENE patch_test.prm SET "Kinematics=finite strain" "Increments=1" "Contact interface/Second=lower/bottom"
+               CHECK "pairs.0.touched is False" "pairs.0.smallest_gap is None" "notes.-1 has nothing of one side is opposite")
+add_scene_test(NAME piston SCENE verification/piston.prm CHECK "pairs.0.n_slip >= 3" "pairs.0.touched is True" "pairs.0.normal_force.1 <= -20")
+foreach(cycles 0 2)
+  add_scene_test(NAME declared_gap_${cycles} SCENE verification/declared_gap.prm SET "Refinement/Cycles=${cycles}" CHECK ${EXACT})
 endforeach()

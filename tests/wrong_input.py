@@ -351,6 +351,24 @@ def scenes():
     case("load on a body without supports", (drop % "0; -1").replace(contact, ""), "holds.*upper", ranks=2)
     case("moment on a free body", (drop % "0; x-1").replace(contact, ""), "holds.*rotation.*upper")
     change("overlap", "= 0, 0\n  set Upper corner  = 2, 1", "= 0, -0.2\n  set Upper corner  = 2, 1", r"overlap by 0\.2.*Initial gap", part="subsection Contact", ranks=2)
+    facing = "do not face each other: along the normals nothing of one is opposite"
+    change("sides that do not face each other", "= lower/top", "= lower/bottom", f"'upper/bottom' and 'lower/bottom' {facing}.*finite strain", part="subsection Contact", ranks=2)
+    change("tied sides that do not face each other, finite strain", "set Kind", "set Kinematics = finite strain\nset Kind", facing,
+           text=BASE.replace("= lower/top", "= lower/bottom\n  set Tied = true"), part="subsection Contact")
+    change("sides that look away from each other", "= lower/top", "= lower/bottom", "look away from each other.* 2 behind", part="subsection Contact", ranks=2,
+           text=BASE.replace("First  = upper/bottom", "First  = upper/top"))
+    change("declared gap of sides that look away from each other", "= lower/top", "= lower/bottom\n  set Initial gap = 0", "look away from each other", part="subsection Contact",
+           text=BASE.replace("First  = upper/bottom", "First  = upper/top"))
+    solid_blocks = BASE
+    for old, new in [("plane strain", "3D"), ("= 0, 0\n", "= 0, 0, 0\n"), ("= 2, 1\n", "= 2, 1, 1\n"), ("= 0, -1\n", "= 0, 0, -1\n"), ("= 2, 0\n", "= 2, 1, 0\n"), ("= 3, 2", "= 3, 1, 2"),
+                     ("= 4, 2", "= 4, 1, 2"), ("= 0; -0.01", "= 0; 0; -0.01"), ("= 0; 0\n", "= 0; 0; 0\n")]:
+        solid_blocks = solid_blocks.replace(old, new)
+    case("valid in 3D", solid_blocks, None)
+    change("sides that do not face each other in 3D", "= lower/top", "= lower/front", facing, part="subsection Contact", text=solid_blocks, ranks=2)
+    ring = BASE.replace("  set Lower corner  = 0, 0\n  set Upper corner  = 2, 1\n  set Cells         = 3, 2\n", "  set Mesh = ring\n  set Centre = 1, 2\n  set Radius = 2\n  set Inner radius = 1.5\n")
+    case("ring on a block", ring.replace("upper/top", "upper/inner").replace("upper/bottom", "upper/outer"), None)
+    change("ring on a block, by its inner side", "upper/bottom", "upper/inner\n  set Slave = second", "do not face each other: one of the two bodies lies between them", part="subsection Contact", ranks=2,
+           text=ring.replace("upper/top", "upper/outer"))
     change("traction of a rigid body", "= 3, 2", "= 3, 2\n  set Rigid = true", "rigid", part="set Boundaries = upper/top")
     change("boundary twice", "= lower/bottom", "= lower/bottom, lower/bottom", "twice")
     change("pair twice", "subsection Contact middle", "subsection Contact other\n  set First = upper/bottom\n  set Second = lower/top\nend\nsubsection Contact middle",
@@ -368,6 +386,9 @@ def scenes():
                               ("moment without free rotation", "  set Normal = 0, -1\n  set Rotation = 0\n  set Moment = 1", "free")]:
         kinematics = "set Kinematics = finite strain\n" if "finite strain" in name else ""
         case("obstacle: " + name, kinematics + OBSTACLE % text, r"^scene\.prm:\d+: .*" + words, ranks=2 if "number" in name else 1)
+    for name, text, words in [("the wrong normal", "Normal = 0, 1", "do not face each other.*nothing.*Normal"), ("a circle below", "Surface = circle\n  set Radius = 1\n  set Centre = 0.5, -2",
+                               "do not face|look away"), ("a hollow circle above", "Surface = circle\n  set Radius = 1\n  set Centre = 0.5, 1\n  set Hollow = true", "on the back of the obstacle.*Hollow")]:
+        case("obstacle with " + name, OBSTACLE % ("  set " + text), r"^scene\.prm:\d+: Contact top: .*" + words, ranks=2 if "normal" in name else 1)
     case("obstacle overlaps", OBSTACLE % "  set Normal = 0, -1\n  set Centre = 0, -0.3", "overlap")
     change("platen with a value", "  set Value      = 0; -0.01", "  set Type = platen\n  set Value      = 0; -0.01", "no meaning.*platen", part="set Value      = 0; -0.01")
     change("platen with a held force", "  set Value      = 0; -0.01", "  set Type = platen\n  set Displacement = 0; 0\n  set Force = 0; -1", "'free'", part="set Force")

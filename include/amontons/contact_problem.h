@@ -143,6 +143,8 @@ namespace Amontons
     void
     add_energy_checks();
     void
+    note_untouched_pairs();
+    void
     finish();
     Answer<dim>
     answer() const;

@@ -1,7 +1,5 @@
-#include <amontons/contact/contact_interface.h>
+#include <amontons/contact/surface_search.h>
 #include <amontons/discretization/elimination.h>
-
-#include <deal.II/numerics/rtree.h>
 
 namespace Amontons
 {
@@ -82,37 +80,6 @@ namespace Amontons
 
   namespace
   {
-    // How far a gap may be and still matter: bodies may be brought together across an initial gap, so the
-    // closest distance counts, and what lies within half the size of the smaller surface beyond it.
-    template <int dim>
-    double
-    search_distance(const ContactInterface<dim> &interface, const MPI_Comm communicator)
-    {
-      const auto extent = [](const ContactSurface<dim> &surface) {
-        std::vector<Point<dim>> points;
-        for (const auto &node : surface.nodes)
-          points.push_back(node.x);
-        const auto box = BoundingBox<dim>(points).get_boundary_points();
-        return box.first.distance(box.second);
-      };
-      double reach = extent(*interface.slave);
-      if (interface.master.surface == nullptr)
-        return 1e3 * reach;
-      reach = 0.5 * std::min(reach, extent(*interface.master.surface));
-      std::vector<std::pair<Point<dim>, unsigned int>> centres;
-      for (const auto &face : interface.master.surface->faces)
-        centres.emplace_back(face.centre, centres.size());
-      const auto tree    = pack_rtree(centres);
-      double     closest = std::numeric_limits<double>::max();
-      for (const auto &face : interface.slave->faces)
-        if (face.rank == Utilities::MPI::this_mpi_process(communicator))
-          closest = std::min(
-              closest,
-              tree.qbegin(boost::geometry::index::nearest(face.centre, 1))->first.distance(face.centre));
-      closest = Utilities::MPI::min(closest, communicator);
-      return reach + 2 * closest;
-    }
-
     template <int dim>
     std::vector<bool>
     find_carrying_nodes(const ContactSurface<dim> &slave, const Constraints &supports, const bool tied)
@@ -159,7 +126,11 @@ namespace Amontons
               const std::vector<bool>       &carries,
               ContactInterface<dim>         &interface)
     {
-      const bool faces_something     = !points.empty();
+      const bool faces_something = !points.empty();
+      bool       any_carries     = false; // of the nodes of which something is covered
+      for (const auto &p : points)
+        for (const unsigned int node : interface.slave->faces[p.slave_face].unknowns)
+          any_carries = any_carries || carries[node];
       interface.n_without_multiplier = 0;
       for (unsigned int i = 0; i < carries.size(); ++i)
         if (!carries[i] && interface.slave->nodes[i].parents.empty())
@@ -167,7 +138,11 @@ namespace Amontons
       interface.coupling = integrate_coupling(
           discretization, *interface.slave, interface.master, std::move(points), carries, interface.carried);
       interface.carried = nodes_with_rows(interface);
-      if (faces_something && interface.coupling.rows.empty() && !interface.slave->moved)
+      if (!faces_something || interface.slave->moved || !interface.coupling.rows.empty())
+        return;
+      if (any_carries && must_face(discretization, *interface.pair))
+        throw not_facing(interface, "along the normals next to nothing of one is opposite of the other");
+      if (!any_carries)
         throw InputError(
             interface.pair->where,
             "supports hold every node of the slave side, so that it cannot carry a contact pressure",
@@ -248,20 +223,8 @@ namespace Amontons
     std::vector<std::vector<bool>> carries;
     for (auto &interface : interfaces)
       {
-        const MPI_Comm communicator = discretization.geometry.communicator;
         carries.push_back(find_carrying_nodes(*interface.slave, supports, interface.pair->tied));
-        if (interface.reach == 0)
-          interface.reach = search_distance(interface, communicator);
-        integrate(discretization,
-                  find_overlaps(*interface.pair,
-                                *interface.slave,
-                                interface.master,
-                                interface.reach,
-                                discretization.scene.kind == Kind::axisymmetric,
-                                communicator,
-                                moved),
-                  carries.back(),
-                  interface);
+        integrate(discretization, find_partners(discretization, interface, moved), carries.back(), interface);
       }
     const auto again = settle_shared_nodes(interfaces, carries);
     for (unsigned int i = 0; i < interfaces.size(); ++i)

@@ -181,15 +181,28 @@ namespace Amontons
     if (!pair.initial_gap)
       points = without_steps(slave, master.surface, std::move(points), moved);
     for (auto &p : points)
-      {
-        if (!moved)
-          apply_declared_gap(pair, slave.faces[p.slave_face].size, p);
-        else if (pair.initial_gap)
-          p.gap += pair.initial_gap->value(as_3d(slave.reference_position(p.slave_face, p.xi_slave)), 0);
-        p.weight *= area_factor(axisymmetric, p.x_slave);
-      }
+      p.weight *= area_factor(axisymmetric, p.x_slave);
     return points;
   }
+
+  template <int dim>
+  void
+  declare_gaps(const PairData                 &pair,
+               const ContactSurface<dim>      &slave,
+               const bool                      moved,
+               std::vector<OverlapPoint<dim>> &points)
+  {
+    for (auto &p : points)
+      if (!moved)
+        apply_declared_gap(pair, slave.faces[p.slave_face].size, p);
+      else if (pair.initial_gap)
+        p.gap += pair.initial_gap->value(as_3d(slave.reference_position(p.slave_face, p.xi_slave)), 0);
+  }
+
+  template void
+  declare_gaps(const PairData &, const ContactSurface<2> &, const bool, std::vector<OverlapPoint<2>> &);
+  template void
+  declare_gaps(const PairData &, const ContactSurface<3> &, const bool, std::vector<OverlapPoint<3>> &);
 
   template std::vector<OverlapPoint<2>>
   find_overlaps(const PairData &,

@@ -75,6 +75,8 @@ namespace Amontons
     {
       const std::string full_turn = kind == Kind::axisymmetric ? ", full turn" : "";
       lines.emplace_back("pair " + pair.name, "");
+      if (!pair.touched)
+        lines.emplace_back("  contact", "NONE in the whole run: " + without_contact(pair));
       lines.emplace_back("  normal force",
                          short_number(norm(pair.normal_force)) + "   " + vector_text(pair.normal_force) +
                              full_turn);
@@ -148,6 +150,14 @@ namespace Amontons
     while (!program.finished())
       program.accept(1);
     return program.number() - 1;
+  }
+
+  std::string
+  without_contact(const PairSummary &pair)
+  {
+    return std::isnan(pair.smallest_gap)
+               ? "nothing of one side is opposite of the other at the end"
+               : "the sides are " + short_number(pair.smallest_gap) + " apart at the end";
   }
 
   std::string

@@ -56,7 +56,9 @@ namespace Amontons
           .add("n_open", pair.n_open)
           .add("n_stick", pair.n_stick)
           .add("n_slip", pair.n_slip)
-          .add("n_without_multiplier", pair.n_without_multiplier);
+          .add("n_without_multiplier", pair.n_without_multiplier)
+          .add("smallest_gap", pair.smallest_gap)
+          .add("touched", pair.touched);
     }
 
     Json
@@ -209,6 +211,10 @@ namespace Amontons
       ++(fields.state[row.node] == ContactState::open   ? result.n_open
          : fields.state[row.node] == ContactState::slip ? result.n_slip
                                                         : result.n_stick);
+    for (const double gap : fields.gap) // NaN is smaller than nothing
+      if (!(gap >= result.smallest_gap) && !std::isnan(gap))
+        result.smallest_gap = gap;
+    result.touched = result.n_slip + result.n_stick > 0;
     return result;
   }
 

@@ -32,11 +32,9 @@ namespace Amontons
               const MasterSide<dim>     &master,
               const OverlapPoint<dim>   &p);
 
-  // All overlaps of the pair whose gap is at most `reach`; gaps as the pair declares them (`Initial gap`,
-  // `Adjust`). Throws InputError where the bodies overlap without a declared interference. Where the bodies
-  // have moved, gaps may be negative, and a declared one is added to the geometric one. `pair` gives names
-  // for messages. Collective: each rank searches for every n-th slave face, wherever its cell is (often one
-  // rank has all of them), and all get all points, in the order of the slave faces.
+  // All overlaps of the pair whose gap is at most `reach`, with the geometric gaps. Collective: each rank
+  // searches for every n-th slave face, wherever its cell is (often one rank has all of them), and all get all
+  // points, in the order of the slave faces.
   template <int dim>
   std::vector<OverlapPoint<dim>>
   find_overlaps(const PairData            &pair,
@@ -46,6 +44,16 @@ namespace Amontons
                 const bool                 axisymmetric,
                 const MPI_Comm             communicator,
                 const bool                 moved = false);
+
+  // From geometric gaps to those that the pair declares (`Initial gap`, `Adjust`). Throws InputError where the
+  // bodies overlap without a declared interference. Where the bodies have moved, gaps may be negative, and a
+  // declared one is added to the geometric one.
+  template <int dim>
+  void
+  declare_gaps(const PairData                 &pair,
+               const ContactSurface<dim>      &slave,
+               const bool                      moved,
+               std::vector<OverlapPoint<dim>> &points);
 
   // carries_multiplier: by slave node, false where supports own the node whole. `points` in the order of the
   // slave faces. carried, for moved surfaces: which nodes did before. Collective: each rank integrates over

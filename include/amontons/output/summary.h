@@ -27,6 +27,8 @@ namespace Amontons
     std::vector<double> stick_centre;                        // about which stick_size is taken; empty without friction
     unsigned int        n_open = 0, n_stick = 0, n_slip = 0; // of the nodes that carry a multiplier
     unsigned int        n_without_multiplier = 0;            // supports own these nodes whole
+    double smallest_gap = unknown; // of these nodes; unknown where nothing is opposite
+    bool   touched      = true;    // a node is closed; in the answer: in any increment, on any mesh
   };
 
   struct ProbePoint
@@ -123,6 +125,10 @@ namespace Amontons
   template <int dim>
   PairSummary
   summarize_pair(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
+
+  // Of a pair that touched nothing: where its surfaces are in the end.
+  std::string
+  without_contact(const PairSummary &pair);
 
   std::string
   kind_name(const Kind kind); // "plane strain", ...

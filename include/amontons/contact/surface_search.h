@@ -1,0 +1,35 @@
+// What of two surfaces lies opposite of each other, and whether they face each other at all.
+#pragma once
+
+#include <amontons/contact/contact_interface.h>
+
+namespace Amontons
+{
+  // The overlaps of the pair with the gaps that it declares. Chooses interface.reach where that is 0. Throws
+  // InputError if bodies that have not moved overlap, if the sides look away from each other, or if they do
+  // not face each other but must. Collective.
+  template <int dim>
+  std::vector<OverlapPoint<dim>>
+  find_partners(const Discretization<dim> &discretization,
+                ContactInterface<dim>     &interface,
+                const bool                 moved);
+
+  // Whether the two sides must face each other from the start: small strain and tied pairs keep the faces
+  // opposite of which they were at first. (Kinematics = auto starts with small strain.)
+  template <int dim>
+  bool
+  must_face(const Discretization<dim> &discretization, const PairData &pair);
+
+  // The error of two surfaces that do not face each other, and why.
+  template <int dim>
+  InputError
+  not_facing(const ContactInterface<dim> &interface, const std::string &why);
+
+  // Throws InputError where the two sides must face each other, but one of their bodies lies between them all
+  // over, as the wall of a ring if its inner side is named instead of the outer one. For coupled interfaces
+  // of bodies that have not moved. Collective.
+  template <int dim>
+  void
+  refuse_hidden_sides(const Discretization<dim>                &discretization,
+                      const std::vector<ContactInterface<dim>> &interfaces);
+} // namespace Amontons

@@ -52,11 +52,8 @@ namespace Amontons
     make_output_folder(folder, communicator);
 
     bool success = run_all_meshes();
-    if (success && scene.kinematics == Kinematics::automatic && needs_finite_strain())
-      {
-        restart_with_finite_strain();
-        success = run_all_meshes();
-      }
+    if (!finite_strain)
+      success = choose_kinematics(success);
     summary.status = success ? "converged" : "not converged";
     finish();
     return summary;
@@ -453,6 +450,8 @@ namespace Amontons
         summary.reactions       = compute_reactions(answer());
         summary.checks          = check_physics(answer());
         summary.checks.insert(neglected_checks.begin(), neglected_checks.end());
+        if (!finite_strain)
+          summary.error_estimate.kinematics = kinematic_error();
         if (incremental)
           add_energy_checks();
       }

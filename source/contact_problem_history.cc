@@ -58,6 +58,8 @@ namespace Amontons
     work.restart();
     error = ErrorEstimate<dim>();
     snaps.clear();
+    if (!finite_strain)
+      neglected = NeglectedTermsOfHistory<dim>();
     state.committed = LA::Vector();
     last_converged  = SolutionState();
   }
@@ -78,6 +80,8 @@ namespace Amontons
           compare_dissipation(answer(), *scene.reference, *reference, work.dissipation, *mesh.reference);
         remember_path();
       }
+    if (!finite_strain)
+      neglected.add(*discretization, *recovery, state, interfaces, summary.meshes.back().energy);
     write_increment();
     if (program.finished())
       return;

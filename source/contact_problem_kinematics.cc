@@ -1,5 +1,4 @@
-// Finite strain, and Kinematics = auto: whether small strain was enough.
-#include <amontons/adaptivity/model_selection.h>
+// Finite strain, and whether small strain was enough.
 #include <amontons/contact_problem.h>
 #include <amontons/solver/stored_states.h>
 
@@ -9,27 +8,56 @@ namespace Amontons
 {
   namespace
   {
-    // Neglected terms up to this part of the tolerance are taken as harmless without a further look.
-    constexpr double harmless = 0.1;
+    // An answer of small strain that leaves out more than this is none.
+    constexpr double too_much = 0.1;
 
-    // Sum of the nodal forces and largest nodal pressure of each pair.
+    // By slave node: area and pressure.
     template <int dim>
-    std::vector<double>
+    std::vector<std::map<unsigned int, std::array<double, 2>>>
     contact_answer(const std::vector<ContactInterface<dim>> &interfaces, const SolutionState &state)
     {
-      std::vector<double> answer;
+      std::vector<std::map<unsigned int, std::array<double, 2>>> answer(interfaces.size());
       for (unsigned int i = 0; i < interfaces.size(); ++i)
-        {
-          double force = 0, peak = 0;
-          for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
-            {
-              force += interfaces[i].coupling.rows[r].area * state.pressures[i][r];
-              peak = std::max(peak, state.pressures[i][r]);
-            }
-          answer.push_back(force);
-          answer.push_back(peak);
-        }
+        for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
+          {
+            const auto &row     = interfaces[i].coupling.rows[r];
+            answer[i][row.node] = {{row.area, state.pressures[i][r]}};
+          }
       return answer;
+    }
+
+    // The larger one of: the largest change of a pair's force, against the largest force; the change of the
+    // pressures of all pairs in the mean square.
+    double
+    change_of_contact(const std::vector<std::map<unsigned int, std::array<double, 2>>> &before,
+                      const std::vector<std::map<unsigned int, std::array<double, 2>>> &after)
+    {
+      double force_change = 0, largest_force = 0, square_change = 0, square = 0;
+      for (unsigned int i = 0; i < before.size(); ++i)
+        {
+          double                                        old_force = 0, new_force = 0;
+          std::map<unsigned int, std::array<double, 3>> nodes; // area, pressure before and after
+          for (const auto &[node, value] : after[i])
+            {
+              nodes[node] = {{value[0], 0, value[1]}};
+              new_force += value[0] * value[1];
+            }
+          for (const auto &[node, value] : before[i])
+            {
+              nodes[node][0] = value[0];
+              nodes[node][1] = value[1];
+              old_force += value[0] * value[1];
+            }
+          for (const auto &[node, value] : nodes)
+            {
+              square_change += value[0] * std::pow(value[2] - value[1], 2);
+              square += value[0] * value[1] * value[1];
+            }
+          force_change  = std::max(force_change, std::abs(new_force - old_force));
+          largest_force = std::max(largest_force, std::abs(old_force));
+        }
+      return largest_force > 0 ? std::max(force_change / largest_force, std::sqrt(square_change / square))
+                               : 0.;
     }
 
     template <int dim>
@@ -93,77 +121,133 @@ namespace Amontons
   }
 
   // The iteration with finite strain goes on from the answer of small strain: the largest relative change of
-  // contact forces, peak pressures and of the displacement; infinite if it does not converge. (With friction
-  // the path of the load counts, too: an estimate then.)
+  // contact forces, pressures and of the displacement; none if it does not converge. (With friction the path
+  // of the load counts, too: an estimate then.)
   template <int dim>
-  double
+  std::optional<double>
   ContactProblem<dim>::change_by_finite_strain()
   {
     SolutionState           trial  = state;
     const auto              before = contact_answer(interfaces, trial);
     ElasticityOperator<dim> finite(*discretization, true);
     FiniteNewton<dim>       newton(parameters.newton, parameters.linear_solver, *discretization, timer);
-    const auto              report =
+    couple_moved(*discretization, supports, state.displacement, interfaces);
+    const auto report =
         newton.solve(finite, interfaces, supports, follower_loads(), trial, [](const auto &) {});
-    if (!report.converged)
-      return std::numeric_limits<double>::infinity();
-    const auto after  = contact_answer(interfaces, trial);
-    double     change = 0;
-    for (unsigned int i = 0; i < before.size(); ++i)
-      if (before[i] > 0)
-        change = std::max(change, std::abs(after[i] / before[i] - 1));
-    LA::Vector difference = discretization->make_owned_vector(), old = difference;
-    difference = trial.displacement;
-    old        = state.displacement;
-    difference -= old;
-    if (const double size = old.linfty_norm(); size > 0)
-      change = std::max(change, difference.linfty_norm() / size);
+    std::optional<double> change;
+    if (report.converged)
+      {
+        change                = change_of_contact(before, contact_answer(interfaces, trial));
+        LA::Vector difference = discretization->make_owned_vector(), old = difference;
+        difference = trial.displacement;
+        old        = state.displacement;
+        difference -= old;
+        if (const double size = old.linfty_norm(); size > 0)
+          change = std::max(*change, difference.linfty_norm() / size);
+      }
+    couple_surfaces();
     return change;
   }
 
   template <int dim>
-  bool
-  ContactProblem<dim>::needs_finite_strain()
+  double
+  ContactProblem<dim>::allowed_error() const
   {
-    TimerOutput::Scope scope(timer, "choice of the model");
-    const double       tolerance =
-        parameters.refinement.target_error > 0 ? parameters.refinement.target_error : 0.01;
-    const auto neglected = neglected_terms(*discretization, supports, state, interfaces);
-    neglected_checks     = {{"neglected_strain", neglected.strain}, {"neglected_contact", neglected.contact}};
-    std::ostringstream text;
-    text.precision(2);
-    text << "small strain leaves out " << neglected.strain
-         << " of the strain and moves surfaces that touch by " << neglected.contact
-         << " of their motion from each other";
-    bool needed = false;
-    couple_surfaces();
-    if (neglected.largest() > harmless * tolerance && !any_free_rotation(*discretization))
-      {
-        const double change                  = change_by_finite_strain();
-        needed                               = !(change <= tolerance);
-        neglected_checks["change_of_answer"] = change;
-        if (std::isfinite(change))
-          text << "; finite strain changes the answer by " << change;
-        couple_surfaces();
-      }
-    else if (neglected.largest() > harmless * tolerance)
-      text << "; finite strain has no free rotations, so that it was not tried";
-    text << ": " << (needed ? "finite strain is used" : "small strain is enough") << " (allowed are "
-         << tolerance << ")";
-    summary.notes.push_back(text.str());
-    terminal.note(text.str());
-    return needed;
+    return parameters.refinement.target_error > 0 ? parameters.refinement.target_error : 0.01;
   }
 
-  // On the mesh that small strain ended with.
+  // What finite strain changes, where that was tried; else what small strain leaves out.
+  template <int dim>
+  double
+  ContactProblem<dim>::kinematic_error() const
+  {
+    return change_of_answer.value_or(neglected.largest().largest());
+  }
+
+  template <int dim>
+  std::string
+  ContactProblem<dim>::describe_small_strain() const
+  {
+    std::ostringstream text;
+    text.precision(2);
+    text << "small strain leaves out " << neglected.largest().strain << " of the strain and "
+         << neglected.largest().contact << " in the contact";
+    if (change_of_answer)
+      text << "; finite strain changes the answer by " << *change_of_answer;
+    else if (tried_finite_strain)
+      text << "; the iteration with finite strain does not converge from there";
+    return text.str();
+  }
+
+  // After the load program with small strain. Finite strain is tried where small strain leaves out more than
+  // is allowed, or, if the scene insists on it, more than any answer may. `auto` then runs the scene again
+  // with it; should this fail, small strain may still be the better answer.
+  template <int dim>
+  bool
+  ContactProblem<dim>::choose_kinematics(const bool success)
+  {
+    const auto note = [&](const std::string &text) {
+      summary.notes.push_back(text);
+      terminal.note(text);
+    };
+    std::ostringstream allowed;
+    allowed << " (allowed are " << allowed_error() << ")";
+    const bool automatic = scene.kinematics == Kinematics::automatic;
+    {
+      TimerOutput::Scope scope(timer, "choice of the model");
+      neglected.measure_gaps(*discretization, supports, interfaces);
+      tried_finite_strain = success && !any_free_rotation(*discretization) &&
+                            neglected.largest().largest() > (automatic ? allowed_error() : too_much);
+      if (tried_finite_strain)
+        change_of_answer = change_by_finite_strain();
+      neglected_checks = {{"neglected_strain", neglected.largest().strain},
+                          {"neglected_contact", neglected.largest().contact}};
+      if (tried_finite_strain)
+        neglected_checks["change_of_answer"] = change_of_answer.value_or(unknown);
+    }
+    const bool harmless = neglected.largest().largest() <= allowed_error() ||
+                          (change_of_answer && *change_of_answer <= allowed_error());
+    if (automatic && !harmless && !any_free_rotation(*discretization))
+      {
+        note(describe_small_strain() + ": finite strain is used" + allowed.str());
+        restart(Kinematics::finite_strain);
+        if (run_all_meshes())
+          return true;
+        if (!success || kinematic_error() > too_much)
+          return false;
+        note("warning: finite strain failed (" + summary.message + "): the answer is that of small strain");
+        restart(Kinematics::small_strain);
+        return run_all_meshes();
+      }
+    if (!success)
+      return false;
+    if (harmless)
+      {
+        if (automatic)
+          note(describe_small_strain() + ": small strain is enough" + allowed.str());
+        return true;
+      }
+    const std::string advice = any_free_rotation(*discretization)
+                                   ? "; finite strain needs rotations that are given or held, not free"
+                                   : "; say 'Kinematics = finite strain' or 'auto'";
+    if (kinematic_error() <= too_much)
+      {
+        note("warning: " + describe_small_strain() + allowed.str() + advice);
+        return true;
+      }
+    summary.message = "kinematics: " + describe_small_strain() + advice;
+    return false;
+  }
+
+  // On the mesh that the last one ended with.
   template <int dim>
   void
-  ContactProblem<dim>::restart_with_finite_strain()
+  ContactProblem<dim>::restart(const Kinematics kinematics)
   {
-    scene.kinematics = Kinematics::finite_strain;
-    finite_strain    = true;
-    incremental      = true;
-    elasticity       = std::make_unique<ElasticityOperator<dim>>(*discretization, true);
+    scene.kinematics = kinematics;
+    finite_strain    = kinematics == Kinematics::finite_strain;
+    incremental      = has_history || finite_strain;
+    elasticity       = std::make_unique<ElasticityOperator<dim>>(*discretization, finite_strain);
     summary.meshes.clear();
     summary.newton.clear();
     path.clear();
@@ -185,12 +269,12 @@ namespace Amontons
   ContactProblem<2>::move_surfaces();
   template void
   ContactProblem<3>::move_surfaces();
+  template double
+  ContactProblem<2>::kinematic_error() const;
+  template double
+  ContactProblem<3>::kinematic_error() const;
   template bool
-  ContactProblem<2>::needs_finite_strain();
+  ContactProblem<2>::choose_kinematics(const bool);
   template bool
-  ContactProblem<3>::needs_finite_strain();
-  template void
-  ContactProblem<2>::restart_with_finite_strain();
-  template void
-  ContactProblem<3>::restart_with_finite_strain();
+  ContactProblem<3>::choose_kinematics(const bool);
 } // namespace Amontons

@@ -104,6 +104,8 @@ namespace Amontons
         return false;
       }
     make_traction_field();
+    if (!finite_strain && parameters.refinement.history == "transfer")
+      neglected.measure_gaps(*discretization, supports, interfaces);
     std::vector<LA::Vector *> moving = {
         &state.displacement, &state.traction, &state.committed, &last_converged.traction};
     for (auto &point : path)

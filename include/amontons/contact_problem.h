@@ -2,6 +2,7 @@
 #pragma once
 
 #include <amontons/adaptivity/mesh_refinement.h>
+#include <amontons/adaptivity/model_selection.h>
 #include <amontons/elasticity/loads.h>
 #include <amontons/output/contact_csv.h>
 #include <amontons/output/energy.h>
@@ -56,9 +57,15 @@ namespace Amontons
     bool
     run_all_meshes();
     bool
-    needs_finite_strain();
+    choose_kinematics(const bool success);
     void
-    restart_with_finite_strain();
+    restart(const Kinematics kinematics);
+    double
+    kinematic_error() const;
+    std::string
+    describe_small_strain() const;
+    double
+    allowed_error() const;
     void
     make_mesh();
     void
@@ -102,7 +109,7 @@ namespace Amontons
     follower_loads() const;
     void
     move_surfaces();
-    double
+    std::optional<double>
     change_by_finite_strain();
     bool
     rebalance(const LoadProgram &program);
@@ -193,7 +200,10 @@ namespace Amontons
     std::optional<ReferenceSolution>     reference;
     VtuOutput                            vtu;
     unsigned int                         mesh_number = 0;
-    std::map<std::string, double>        neglected_checks; // Kinematics = auto
+    NeglectedTermsOfHistory<dim>         neglected; // small strain
+    std::map<std::string, double>        neglected_checks;
+    bool                                 tried_finite_strain = false; // after small strain, and
+    std::optional<double>                change_of_answer;            // by it, if it converged
     RunSummary                           summary;
   };
 } // namespace Amontons

@@ -1,101 +1,200 @@
 #include <amontons/adaptivity/model_selection.h>
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
-
 namespace Amontons
 {
   namespace
   {
-    // int of the energy densities of two small strains, 2 mu e:e + lambda tr(e)^2, over the owned cells.
     template <int dim>
-    std::array<double, 2>
-    strain_energies(const Discretization<dim> &discretization, const LA::Vector &u)
+    std::map<unsigned int, double>
+    gaps_by_node(const ContactInterface<dim> &interface, const std::vector<bool> &closed)
     {
-      const Scene                     &scene = discretization.scene;
-      FEValues<dim>                    values(discretization.mapping,
-                           discretization.fe,
-                           QGauss<dim>(discretization.fe.degree + 1),
-                           update_values | update_gradients | update_quadrature_points | update_JxW_values);
-      std::vector<Tensor<2, dim>>      gradients(values.n_quadrature_points);
-      std::vector<Tensor<1, dim>>      displacements(values.n_quadrature_points);
-      const FEValuesExtractors::Vector all(0);
-      std::array<double, 2>            energies = {{0, 0}};
-      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
-          {
-            values.reinit(cell);
-            values[all].get_function_gradients(u, gradients);
-            values[all].get_function_values(u, displacements);
-            const MaterialData      &material = scene.bodies[cell->material_id()].material;
-            const LinearElastic<dim> law(material, scene.kind);
-            for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-              {
-                const Point<dim>    &X      = values.quadrature_point(q);
-                Tensor<2, dim>       linear = symmetrize(gradients[q]);
-                const Tensor<2, dim> square = 0.5 * transpose(gradients[q]) * gradients[q];
-                const double         hoop = scene.kind == Kind::axisymmetric ? displacements[q][0] / X[0] : 0;
-                const std::array<std::pair<Tensor<2, dim>, double>, 2> strains = {
-                    {{linear, hoop}, {square, 0.5 * hoop * hoop}}};
-                for (unsigned int k = 0; k < 2; ++k)
-                  {
-                    const auto &[e, out] = strains[k];
-                    const double tr      = trace(e) + out;
-                    energies[k] += (2 * law.mu * (e.norm_square() + out * out) + law.lambda * tr * tr) *
-                                   values.JxW(q) * measure<dim>(scene.kind, X);
-                  }
-              }
-          }
-      for (double &energy : energies)
-        energy = Utilities::MPI::sum(energy, discretization.geometry.communicator);
-      return energies;
+      std::map<unsigned int, double> gaps;
+      for (const auto &row : interface.coupling.rows)
+        gaps[row.node] = closed[row.node] ? row.gap : std::max(row.gap, row.mean_gap);
+      return gaps;
+    }
+
+    // Open nodes that are farther from the other side than this part of the motion are left alone: where
+    // small strain is that wrong, it shows elsewhere.
+    constexpr double near = 0.1;
+
+    // Of the surfaces of all pairs; of obstacles, the corners of their carriers.
+    template <int dim>
+    double
+    largest_motion(const Discretization<dim>                &discretization,
+                   const std::vector<ContactInterface<dim>> &interfaces,
+                   const LA::Vector                         &u)
+    {
+      double     square = 0;
+      const auto look   = [&](const NodeDofs<dim> &dofs) {
+        double sum = 0;
+        for (const auto dof : dofs)
+          sum += u(dof) * u(dof);
+        square = std::max(square, sum);
+      };
+      for (const auto &interface : interfaces)
+        {
+          for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
+            if (surface != nullptr)
+              for (const auto &node : surface->nodes)
+                look(node.dofs);
+          if (!interface.master_surface)
+            for (const auto &dofs : discretization.carrier_dofs[interface.master.carrier])
+              look(dofs);
+        }
+      return std::sqrt(square);
     }
   } // namespace
 
   template <int dim>
-  NeglectedTerms
-  neglected_terms(const Discretization<dim>          &discretization,
-                  const Constraints                  &supports,
-                  const SolutionState                &state,
-                  std::vector<ContactInterface<dim>> &interfaces)
+  void
+  NeglectedTermsOfHistory<dim>::add(const Discretization<dim>                &discretization,
+                                    const StressRecovery<dim>                &recovery,
+                                    const SolutionState                      &state,
+                                    const std::vector<ContactInterface<dim>> &interfaces,
+                                    const double                              energy)
   {
-    NeglectedTerms result;
-    const auto     energies = strain_energies(discretization, state.displacement);
-    if (energies[0] > 0)
-      result.strain = std::sqrt(energies[1] / energies[0]);
-
-    std::vector<std::set<unsigned int>> closed(interfaces.size()); // slave nodes
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
-        if (state.states[i][r] != ContactState::open && !interfaces[i].pair->tied)
-          closed[i].insert(interfaces[i].coupling.rows[r].node);
-    couple_moved(discretization, supports, state.displacement, interfaces);
-    double gaps = 0, motions = 0;
+    largest_energy = std::max(largest_energy, 2 * energy);
+    if (const double quadratic = recovery.energy_of_quadratic_strain(); largest_energy > 0)
+      terms.strain = std::max(terms.strain, std::sqrt(quadratic / largest_energy));
+    Place place;
+    place.displacement = state.displacement;
+    place.motion       = largest_motion(discretization, interfaces, state.displacement);
+    place.energy       = largest_energy;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
-        double motion = 0;
-        for (const auto &node : interfaces[i].slave->nodes)
-          motion = std::max(motion, node.x.distance(node.X));
-        for (const auto &row : interfaces[i].coupling.rows)
-          if (closed[i].count(row.node) > 0)
-            {
-              gaps += row.area * row.gap * row.gap;
-              motions += row.area * motion * motion;
-            }
+        place.nodes.emplace_back();
+        for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
+          {
+            const auto &row    = interfaces[i].coupling.rows[r];
+            const bool  closed = state.states[i][r] != ContactState::open;
+            place.nodes.back().push_back(
+                {row.node, closed, row.area, state.pressures[i][r], row.gap, state.gaps[i][r]});
+          }
       }
-    if (motions > 0)
-      result.contact = std::sqrt(gaps / motions);
+    last.reset();
+    (!farthest || place.motion >= farthest->motion ? farthest : last) = std::move(place);
+  }
+
+  // Copies of the interfaces where u takes them, coupled where nodes are closed or near.
+  template <int dim>
+  std::vector<ContactInterface<dim>>
+  NeglectedTermsOfHistory<dim>::interfaces_at(const LA::Vector                         &u,
+                                              const Place                              &place,
+                                              const Discretization<dim>                &discretization,
+                                              const Constraints                        &supports,
+                                              const std::vector<ContactInterface<dim>> &interfaces) const
+  {
+    std::vector<ContactInterface<dim>> result(interfaces.size());
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        result[i].pair    = interfaces[i].pair;
+        result[i].slave   = std::make_unique<ContactSurface<dim>>(*interfaces[i].slave);
+        result[i].master  = interfaces[i].master;
+        result[i].carried = interfaces[i].carried;
+        result[i].reach   = interfaces[i].reach + place.motion;
+        if (interfaces[i].master_surface)
+          {
+            result[i].master_surface = std::make_unique<ContactSurface<dim>>(*interfaces[i].master_surface);
+            result[i].master.surface = result[i].master_surface.get();
+          }
+        std::vector<bool> is_near(interfaces[i].slave->nodes.size(), false);
+        for (const Node &node : place.nodes[i])
+          is_near[node.node] = node.closed || node.gap <= near * place.motion;
+        for (const auto &face : interfaces[i].slave->faces)
+          result[i].wanted_faces.push_back(std::any_of(
+              face.unknowns.begin(), face.unknowns.end(), [&](const unsigned int n) { return is_near[n]; }));
+      }
+    couple_moved(discretization, supports, u, result);
     return result;
   }
 
-  template NeglectedTerms
-  neglected_terms(const Discretization<2> &,
-                  const Constraints &,
-                  const SolutionState &,
-                  std::vector<ContactInterface<2>> &);
-  template NeglectedTerms
-  neglected_terms(const Discretization<3> &,
-                  const Constraints &,
-                  const SolutionState &,
-                  std::vector<ContactInterface<3>> &);
+  // at_rest: empty, or where nothing has moved. Meshes with a declared gap (`Initial gap`, `Adjust`) may lie
+  // elsewhere than the surfaces that they stand for: there the change of the geometric gap counts.
+  template <int dim>
+  double
+  NeglectedTermsOfHistory<dim>::neglected_contact(const Place                              &place,
+                                                  const std::vector<ContactInterface<dim>> &at_rest,
+                                                  const std::vector<ContactInterface<dim>> &moved) const
+  {
+    std::set<types::global_dof_index> facing; // nodes that have something opposite, in whatever pair
+    for (const auto &interface : moved)
+      for (const auto &row : interface.coupling.rows)
+        facing.insert(interface.slave->nodes[row.node].dofs[0]);
+    double work = 0, other = 0;
+    for (unsigned int i = 0; i < moved.size(); ++i)
+      {
+        if (moved[i].pair->tied)
+          continue;
+        const bool        declared = moved[i].pair->initial_gap || moved[i].pair->adjust > 0;
+        std::vector<bool> closed(moved[i].slave->nodes.size(), false);
+        for (const Node &node : place.nodes[i])
+          closed[node.node] = node.closed;
+        const auto gaps     = gaps_by_node(moved[i], closed);
+        const auto before   = declared ? gaps_by_node(at_rest[i], closed) : gaps;
+        double     rounding = 0;
+        for (const auto &node : moved[i].slave->nodes)
+          rounding = std::max(rounding, 1e-12 * std::max(node.x.norm(), node.X.norm()));
+
+        double force = 0, area = 0, lost = 0, overlap = 0, farthest_overlap = 0;
+        for (const Node &node : place.nodes[i])
+          {
+            const double share = node.closed ? node.area * node.pressure : 0;
+            force += share;
+            area += node.closed ? node.area : 0;
+            if (!node.closed && node.gap > near * place.motion)
+              continue;
+            const auto now = gaps.find(node.node), old = before.find(node.node);
+            if (now == gaps.end() || old == before.end())
+              lost += facing.count(moved[i].slave->nodes[node.node].dofs[0]) == 0 ? share : 0;
+            else
+              {
+                const double gap  = declared ? node.initial_gap + now->second - old->second : now->second;
+                const double size = node.closed ? std::abs(gap) : std::max(0., -gap);
+                if (size <= rounding)
+                  continue;
+                work += share * size;
+                overlap += node.closed ? 0 : node.area * size;
+                farthest_overlap = std::max(farthest_overlap, size);
+              }
+          }
+        if (force > 0)
+          {
+            work += force / area * overlap;
+            other = std::max(other, lost / force);
+          }
+        else if (place.motion > 0)
+          other = std::max(other, farthest_overlap / place.motion);
+      }
+    return std::max(other, place.energy > 0 ? work / place.energy : 0.);
+  }
+
+  template <int dim>
+  void
+  NeglectedTermsOfHistory<dim>::measure_gaps(const Discretization<dim>                &discretization,
+                                             const Constraints                        &supports,
+                                             const std::vector<ContactInterface<dim>> &interfaces)
+  {
+    if (!farthest)
+      return;
+    const bool declared = std::any_of(interfaces.begin(), interfaces.end(), [](const auto &interface) {
+      return interface.pair->initial_gap || interface.pair->adjust > 0;
+    });
+    const auto at       = [&](const LA::Vector &u, const Place &place) {
+      return interfaces_at(u, place, discretization, supports, interfaces);
+    };
+    for (auto *const place : {&farthest, &last})
+      if (*place)
+        {
+          std::vector<ContactInterface<dim>> at_rest;
+          if (declared)
+            at_rest = at(discretization.make_relevant_vector(), **place);
+          terms.contact = std::max(terms.contact,
+                                   neglected_contact(**place, at_rest, at((*place)->displacement, **place)));
+          place->reset();
+        }
+  }
+
+  template class NeglectedTermsOfHistory<2>;
+  template class NeglectedTermsOfHistory<3>;
 } // namespace Amontons

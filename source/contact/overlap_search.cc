@@ -151,7 +151,8 @@ namespace Amontons
                 const double               reach,
                 const bool                 axisymmetric,
                 const MPI_Comm             communicator,
-                const bool                 moved)
+                const bool                 moved,
+                const std::vector<bool>   &wanted)
   {
     std::vector<std::pair<BoundingBox<dim>, unsigned int>> boxes;
     if (master.surface != nullptr)
@@ -162,6 +163,8 @@ namespace Amontons
     std::vector<unsigned int> candidates;
     const auto                find = [&](const unsigned int s) {
       std::vector<OverlapPoint<dim>> points;
+      if (!wanted.empty() && !wanted[s])
+        return points;
       if (master.surface == nullptr)
         {
           overlap_obstacle(slave, s, *master.obstacle, master.motion, reach, points);
@@ -211,7 +214,8 @@ namespace Amontons
                 const double,
                 const bool,
                 const MPI_Comm,
-                const bool);
+                const bool,
+                const std::vector<bool> &);
   template std::vector<OverlapPoint<3>>
   find_overlaps(const PairData &,
                 const ContactSurface<3> &,
@@ -219,5 +223,6 @@ namespace Amontons
                 const double,
                 const bool,
                 const MPI_Comm,
-                const bool);
+                const bool,
+                const std::vector<bool> &);
 } // namespace Amontons

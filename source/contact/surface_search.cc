@@ -67,7 +67,8 @@ namespace Amontons
                            reach,
                            discretization.scene.kind == Kind::axisymmetric,
                            discretization.geometry.communicator,
-                           moved);
+                           moved,
+                           interface.wanted_faces);
     }
 
     // Where nothing is opposite within the search distance, surfaces may face each other farther away, as a

@@ -366,6 +366,44 @@ namespace Amontons
     return result;
   }
 
+  template <int dim>
+  double
+  ElasticityOperator<dim>::energy_of_quadratic_strain(
+      const FEValues<dim>                                  &values,
+      const typename DoFHandler<dim>::active_cell_iterator &cell,
+      const LA::Vector                                     &u) const
+  {
+    const auto                          &fe   = discretization.fe;
+    const Kind                           kind = discretization.scene.kind;
+    const auto                          &law  = materials[cell->material_id()];
+    const double                         bulk = std::min(law.lambda, 2 * law.mu);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    cell->get_dof_indices(dofs);
+    std::vector<double> local(dofs.size());
+    u.extract_subvector_to(dofs, local);
+    double energy = 0;
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        Tensor<2, dim> H;
+        double         radial = 0;
+        for (unsigned int j = 0; j < fe.base_element(0).n_dofs_per_cell(); ++j)
+          {
+            const unsigned int   first    = fe.component_to_system_index(0, j);
+            const Tensor<1, dim> gradient = values.shape_grad(first, q);
+            for (unsigned int c = 0; c < dim; ++c)
+              H[c] += local[fe.component_to_system_index(c, j)] * gradient;
+            radial += local[first] * values.shape_value(first, q);
+          }
+        const Point<dim>    &X    = values.quadrature_point(q);
+        const double         hoop = kind == Kind::axisymmetric ? radial / X[0] : 0, out = 0.5 * hoop * hoop;
+        const Tensor<2, dim> e  = 0.5 * transpose(H) * H;
+        const double         tr = trace(e) + out;
+        energy += (2 * law.mu * (e.norm_square() + out * out) + bulk * tr * tr) * values.JxW(q) *
+                  measure<dim>(kind, X);
+      }
+    return energy;
+  }
+
   template class ElasticityOperator<2>;
   template class ElasticityOperator<3>;
 } // namespace Amontons

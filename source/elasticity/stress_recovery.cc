@@ -125,7 +125,8 @@ namespace Amontons
       Patches(const Discretization<dim>     &discretization,
               const ElasticityOperator<dim> &elasticity,
               const LA::Vector              &displacement,
-              GaussStresses                 &at_gauss_points)
+              GaussStresses                 &at_gauss_points,
+              double                        &quadratic_energy)
           : discretization(discretization), degree(discretization.fe.degree),
             gauss(Polynomials::generate_complete_Lagrange_basis(QGauss<1>(degree).get_points())),
             nodes(discretization.fe.base_element(0).get_unit_support_points()),
@@ -134,7 +135,7 @@ namespace Amontons
             samples(discretization.geometry.triangulation.n_active_cells()),
             outer(discretization.geometry.triangulation.n_vertices(), false), polynomials(outer.size())
       {
-        take_samples(elasticity, displacement, at_gauss_points);
+        take_samples(elasticity, displacement, at_gauss_points, quadratic_energy);
         find_outer_vertices();
         fit_patches();
       }
@@ -168,7 +169,8 @@ namespace Amontons
       void
       take_samples(const ElasticityOperator<dim> &elasticity,
                    const LA::Vector              &displacement,
-                   GaussStresses                 &at_gauss_points)
+                   GaussStresses                 &at_gauss_points,
+                   double                        &quadratic_energy)
       {
         const QGauss<dim> full(degree + 1), reduced(degree);
         FEValues<dim>     values(discretization.mapping, discretization.fe, full, elasticity.needed_flags());
@@ -191,8 +193,11 @@ namespace Amontons
                     for (unsigned int k = 0; k < n_voigt<dim>; ++k)
                       list.back().stress[k] += projection(a, q) * stress[q][k];
                 }
-              if (cell->is_locally_owned())
-                at_gauss_points[cell->active_cell_index()] = stress;
+              if (!cell->is_locally_owned())
+                continue;
+              at_gauss_points[cell->active_cell_index()] = stress;
+              if (!elasticity.finite_strain())
+                quadratic_energy += elasticity.energy_of_quadratic_strain(values, cell, displacement);
             }
       }
 
@@ -325,7 +330,8 @@ namespace Amontons
       sum.reinit(owned, relevant, comm, true);
 
     gauss_stresses.assign(discretization.geometry.triangulation.n_active_cells(), {});
-    Patches<dim>                         patches(discretization, elasticity, displacement, gauss_stresses);
+    quadratic_energy = 0;
+    Patches<dim> patches(discretization, elasticity, displacement, gauss_stresses, quadratic_energy);
     std::vector<types::global_dof_index> dofs(scalar_dofs.get_fe().n_dofs_per_cell());
     std::vector<double>                  component(dofs.size());
     const std::vector<double>            ones(dofs.size(), 1.);
@@ -356,6 +362,13 @@ namespace Amontons
         hanging.distribute(means);
         components[k] = means;
       }
+  }
+
+  template <int dim>
+  double
+  StressRecovery<dim>::energy_of_quadratic_strain() const
+  {
+    return Utilities::MPI::sum(quadratic_energy, discretization.geometry.communicator);
   }
 
   template <int dim>

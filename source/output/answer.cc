@@ -98,6 +98,18 @@ namespace Amontons
                              std::to_string(pair.n_slip) + " slip");
     }
 
+    // The errors of the mesh and of what else there is, added up.
+    void
+    add_estimate(Lines &lines, const std::string &what, const double of_mesh, const EstimateSummary &estimate)
+    {
+      if (std::isnan(of_mesh))
+        return;
+      std::string text = percent(of_mesh + estimate.besides_mesh());
+      if (!std::isnan(estimate.kinematics))
+        text += "   (mesh " + percent(of_mesh) + ", kinematics " + percent(estimate.kinematics) + ")";
+      lines.emplace_back("estimated error of the " + what, text);
+    }
+
     // A line per point; the report and summary.json have those of long probes.
     void
     add_probe(Lines &lines, const ProbeSummary &probe)
@@ -184,10 +196,8 @@ namespace Amontons
     Lines lines = {{"status", summary.status + (summary.message.empty() ? "" : ": " + summary.message)}};
     for (const PairSummary &pair : summary.pairs)
       add_pair(lines, pair, summary.kind);
-    if (!std::isnan(summary.error_estimate.contact))
-      lines.emplace_back("estimated error of the pressure", percent(summary.error_estimate.contact));
-    if (!std::isnan(summary.error_estimate.bulk))
-      lines.emplace_back("estimated error of the stress", percent(summary.error_estimate.bulk));
+    add_estimate(lines, "pressure", summary.error_estimate.contact, summary.error_estimate);
+    add_estimate(lines, "stress", summary.error_estimate.bulk, summary.error_estimate);
     if (!std::isnan(summary.energy))
       lines.emplace_back("strain energy", short_number(summary.energy));
     if (!summary.meshes.empty() && summary.meshes.back().dissipation)

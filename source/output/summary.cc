@@ -26,7 +26,10 @@ namespace Amontons
     Json
     to_json(const EstimateSummary &estimate)
     {
-      return Json::object().add("bulk", estimate.bulk).add("contact", estimate.contact);
+      Json json = Json::object().add("bulk", estimate.bulk).add("contact", estimate.contact);
+      if (!std::isnan(estimate.kinematics))
+        json.add("kinematics", estimate.kinematics);
+      return json;
     }
 
     Json

@@ -235,13 +235,14 @@ namespace Amontons
                       Patterns::Selection("plane strain|plane stress|axisymmetric|3D"),
                       "plane strain | plane stress | axisymmetric | 3D. axisymmetric: x is the radius (r in "
                       "expressions) and y the axis; forces are for the full turn.");
-    prm.declare_entry("Kinematics",
-                      "small strain",
-                      Patterns::Selection("small strain|finite strain|auto"),
-                      "small strain | finite strain | auto. small strain: linear, with contact surfaces where "
-                      "they were at the start. finite strain: large deformation, rotation and sliding. auto: "
-                      "small strain, then finite strain if that would change the answer by more than the "
-                      "target error.");
+    prm.declare_entry(
+        "Kinematics",
+        "auto",
+        Patterns::Selection("small strain|finite strain|auto"),
+        "small strain | finite strain | auto. small strain: linear, with contact surfaces where "
+        "they were at the start. finite strain: large deformation, rotation and sliding. auto: "
+        "small strain, then finite strain if small strain leaves out more than the target error "
+        "(or 1 %) and the answer would change by more than that.");
     prm.declare_entry(
         "End time", "1", Patterns::Double(0), "Loads are functions of a time t from 0 to this one.");
     prm.declare_entry("Increments",

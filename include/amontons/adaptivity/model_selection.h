@@ -3,18 +3,21 @@
 
 #include <amontons/contact/contact_interface.h>
 #include <amontons/elasticity/elasticity_operator.h>
+#include <amontons/elasticity/stress_recovery.h>
 #include <amontons/solver/solution_state.h>
 
 namespace Amontons
 {
-  // Of an answer with small strain; both relative.
+  // Both relative; the largest of the load program.
   struct NeglectedTerms
   {
     // |1/2 H^T H| / |sym H|, H = grad u, in the energy norm of small strain: the quadratic part of Green's
     // strain, which a rotation alone has, too.
     double strain = 0;
-    // Gaps of the closed nodes where the surfaces really are (they should be 0; root mean square over the
-    // contact), against the largest motion of the slave surface.
+    // The largest of: the work of the contact forces on the gaps that their nodes have where the surfaces
+    // really are (they should be 0), against twice the stored energy; the part of a pair's force where
+    // nothing is opposite any more; and, where surfaces overlap that carry no force, how far, against their
+    // motion.
     double contact = 0;
 
     double
@@ -24,11 +27,62 @@ namespace Amontons
     }
   };
 
-  // Leaves the interfaces moved to the displacement. Collective.
+  // Collects them over the increments of a load program with small strain. Energies and works count against
+  // the largest energy so far. The gaps are measured where the surfaces have moved farthest, and in the end:
+  // coupling surfaces anew costs too much for each increment.
   template <int dim>
-  NeglectedTerms
-  neglected_terms(const Discretization<dim>          &discretization,
-                  const Constraints                  &supports,
-                  const SolutionState                &state,
-                  std::vector<ContactInterface<dim>> &interfaces);
+  class NeglectedTermsOfHistory
+  {
+  public:
+    // A converged increment; energy: stored. Collective.
+    void
+    add(const Discretization<dim>                &discretization,
+        const StressRecovery<dim>                &recovery,
+        const SolutionState                      &state,
+        const std::vector<ContactInterface<dim>> &interfaces,
+        const double                              energy);
+
+    // Before the mesh changes, and in the end. Collective.
+    void
+    measure_gaps(const Discretization<dim>                &discretization,
+                 const Constraints                        &supports,
+                 const std::vector<ContactInterface<dim>> &interfaces);
+
+    const NeglectedTerms &
+    largest() const
+    {
+      return terms;
+    }
+
+  private:
+    struct Place;
+    std::vector<ContactInterface<dim>>
+    interfaces_at(const LA::Vector                         &u,
+                  const Place                              &place,
+                  const Discretization<dim>                &discretization,
+                  const Constraints                        &supports,
+                  const std::vector<ContactInterface<dim>> &interfaces) const;
+    double
+    neglected_contact(const Place                              &place,
+                      const std::vector<ContactInterface<dim>> &at_rest,
+                      const std::vector<ContactInterface<dim>> &moved) const;
+
+    struct Node // of the slave, with a multiplier
+    {
+      unsigned int node;
+      bool         closed;
+      double       area, pressure;
+      double       initial_gap, gap; // before any motion, and now to first order
+    };
+    struct Place
+    {
+      LA::Vector                     displacement;
+      double                         motion = 0, energy = 0;
+      std::vector<std::vector<Node>> nodes; // by pair
+    };
+
+    NeglectedTerms       terms;
+    double               largest_energy = 0; // twice the stored one
+    std::optional<Place> farthest, last;     // last: unless it is the farthest
+  };
 } // namespace Amontons

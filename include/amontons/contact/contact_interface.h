@@ -20,6 +20,8 @@ namespace Amontons
     unsigned int      n_without_multiplier = 0; // slave nodes that supports own whole
     // Gaps up to this are part of the coupling. 0: not known yet, chosen from the sizes of the surfaces.
     double reach = 0;
+    // Slave faces that are coupled; empty: all.
+    std::vector<bool> wanted_faces;
   };
 
   // Which side of each pair is the slave, decided once on the first mesh: true = first. Automatic: rigid

@@ -32,9 +32,9 @@ namespace Amontons
               const MasterSide<dim>     &master,
               const OverlapPoint<dim>   &p);
 
-  // All overlaps of the pair whose gap is at most `reach`, with the geometric gaps. Collective: each rank
-  // searches for every n-th slave face, wherever its cell is (often one rank has all of them), and all get all
-  // points, in the order of the slave faces.
+  // All overlaps of the pair whose gap is at most `reach`, with the geometric gaps. wanted: by slave face, empty
+  // for all. Collective: each rank searches for every n-th slave face, wherever its cell is (often one rank has
+  // all of them), and all get all points, in the order of the slave faces.
   template <int dim>
   std::vector<OverlapPoint<dim>>
   find_overlaps(const PairData            &pair,
@@ -43,7 +43,8 @@ namespace Amontons
                 const double               reach,
                 const bool                 axisymmetric,
                 const MPI_Comm             communicator,
-                const bool                 moved = false);
+                const bool                 moved  = false,
+                const std::vector<bool>   &wanted = {});
 
   // From geometric gaps to those that the pair declares (`Initial gap`, `Adjust`). Throws InputError where the
   // bodies overlap without a declared interference. Where the bodies have moved, gaps may be negative, and a

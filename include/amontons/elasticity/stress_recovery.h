@@ -48,6 +48,10 @@ namespace Amontons
       return gauss_stresses[active_cell];
     }
 
+    // Small strain: ElasticityOperator::energy_of_quadratic_strain, of all bodies. Collective.
+    double
+    energy_of_quadratic_strain() const;
+
   private:
     const Discretization<dim>     &discretization;
     const ElasticityOperator<dim> &elasticity;
@@ -55,6 +59,7 @@ namespace Amontons
     Constraints                    hanging;
     std::vector<LA::Vector>        components;
 
-    std::vector<std::vector<Voigt<dim>>> gauss_stresses; // by active cell
+    std::vector<std::vector<Voigt<dim>>> gauss_stresses;       // by active cell
+    double                               quadratic_energy = 0; // of this rank's cells
   };
 } // namespace Amontons

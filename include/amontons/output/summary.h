@@ -4,6 +4,7 @@
 #include <amontons/contact/contact_interface.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -18,17 +19,17 @@ namespace Amontons
   // Contact forces on the slave body (axisymmetric: for the full turn; plane: per unit thickness).
   struct PairSummary
   {
-    std::string         name;
-    std::vector<double> normal_force, tangential_force;
-    double              peak_pressure = 0;
-    double              contact_size  = 0;                   // half-width or radius
-    std::optional<double> stick_size; // friction: of what the shear leaves of its bound (partial slip: c)
-    std::vector<double> centre;                              // about which the size is taken
-    std::vector<double> stick_centre;                        // about which stick_size is taken; empty without friction
-    unsigned int        n_open = 0, n_stick = 0, n_slip = 0; // of the nodes that carry a multiplier
-    unsigned int        n_without_multiplier = 0;            // supports own these nodes whole
-    double smallest_gap = unknown; // of these nodes; unknown where nothing is opposite
-    bool   touched      = true;    // a node is closed; in the answer: in any increment, on any mesh
+    std::string           name;
+    std::vector<double>   normal_force, tangential_force;
+    double                peak_pressure = 0;
+    double                contact_size  = 0; // half-width or radius
+    std::optional<double> stick_size;   // friction: of what the shear leaves of its bound (partial slip: c)
+    std::vector<double>   centre;       // about which the size is taken
+    std::vector<double>   stick_centre; // about which stick_size is taken; empty without friction
+    unsigned int          n_open = 0, n_stick = 0, n_slip = 0; // of the nodes that carry a multiplier
+    unsigned int          n_without_multiplier = 0;            // supports own these nodes whole
+    double                smallest_gap         = unknown; // of these nodes; unknown where nothing is opposite
+    bool                  touched = true; // a node is closed; in the answer: in any increment, on any mesh
   };
 
   struct ProbePoint
@@ -45,9 +46,17 @@ namespace Amontons
     std::vector<ProbePoint> points;
   };
 
-  struct EstimateSummary
+  struct EstimateSummary // relative
   {
-    double bulk = unknown, contact = unknown; // relative
+    double bulk = unknown, contact = unknown; // of the mesh: stress, pressure
+    double kinematics = unknown;              // of small strain
+
+    // What has other causes than the mesh, as far as it is known.
+    double
+    besides_mesh() const
+    {
+      return std::isnan(kinematics) ? 0 : kinematics;
+    }
   };
 
   struct ReferenceSummary
@@ -62,15 +71,15 @@ namespace Amontons
   // The state reached on one mesh of one increment: a row of history.csv.
   struct MeshSummary
   {
-    unsigned int                    increment = 0, mesh = 0;
-    double                          t     = 0;
-    unsigned long long              cells = 0, dofs = 0;
-    unsigned int                    iterations = 0, krylov_iterations = 0;
-    double                          residual = unknown;
-    double                          seconds  = unknown;
-    std::vector<PairSummary>        pairs;
-    EstimateSummary                 error_estimate;
-    double                          energy = unknown;
+    unsigned int             increment = 0, mesh = 0;
+    double                   t     = 0;
+    unsigned long long       cells = 0, dofs = 0;
+    unsigned int             iterations = 0, krylov_iterations = 0;
+    double                   residual = unknown;
+    double                   seconds  = unknown;
+    std::vector<PairSummary> pairs;
+    EstimateSummary          error_estimate;
+    double                   energy = unknown;
     // Friction, since t = 0: work of loads and moving supports, what of it the contact took (both by the
     // trapezoidal rule), and the frictional work with the tractions at the ends of the increments.
     std::optional<double>           external_work, contact_work, dissipation;

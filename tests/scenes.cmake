@@ -793,6 +793,7 @@ endforeach()
 # A node that closes has come from somewhere: the distance counts (closed forms in the scene).
 add_scene_test(NAME oblique_touch SCENE verification/oblique_touch.prm
                CHECK ${KEPT_FINITE} "meshes.0.pairs.0.tangential_force.0 ~ -1.755617 1e-5" "pairs.0.tangential_force.0 ~ -5 1e-5" "meshes.-1.dissipation ~ 1.0133426 1e-4")
+
 # ---- Objectivity: what turns as a whole is not strained and does not slip
 
 # Platen, obstacle and rigid body by their rotation vectors (all three, node by node: tests/discretization/supports.cc).
@@ -813,6 +814,7 @@ add_comparison_test(NAME tied_or_stuck SCENE verification/flat_punch_axisymmetri
 add_scene_test(NAME bulk_tension SCENE verification/bulk_tension.prm
                CHECK ${LAWS} "newton.:.iterations <= 5" "pairs.0.stick_size ~ 0.2406915 0.002" "pairs.0.stick_centre.0 ~ 0.0510584 0.015" "pairs.0.centre.0 abs<= 5e-4"
                      "sum(contact.:.fx) ~ pairs.0.tangential_force.0 1e-10" "sum(contact.:.fy) ~ pairs.0.normal_force.1 1e-10")
+
 # ---- Finite strain: supports and closed nodes carry the forces of the answer
 
 # Where the displacement is exact after one step, the dilatations of mean dilatation are not yet.
@@ -821,6 +823,8 @@ foreach(degree 1 2)
                  CHECK "status is converged" "checks.force_balance <= 1e-10" "pairs.0.normal_force.0 ~ -9.09563554318478 1e-10"
                        "pairs.1.normal_force.0 ~ -9.09563554318478 1e-10" "pairs.2.normal_force.1 ~ 14.95562578914135 1e-10"
                        "reactions.4.force.0 ~ 9.09563554318478 1e-10" "newton.:.iterations <= 2")
+endforeach()
+
 # ---- What faces what, growing interferences, facets
 
 # A pair that touches nothing is told, also where surfaces may come to face each other later; what faces each other far away is found.
@@ -835,6 +839,7 @@ add_scene_test(NAME piston SCENE verification/piston.prm CHECK "pairs.0.n_slip >
 foreach(cycles 0 2)
   add_scene_test(NAME declared_gap_${cycles} SCENE verification/declared_gap.prm SET "Refinement/Cycles=${cycles}" CHECK ${EXACT})
 endforeach()
+
 # ---- What small strain leaves out
 
 # Closed forms: half of a uniaxial strain; in simple shear g sqrt((1 - nu)/(2 (1 - 2 nu))), with g = 1e-3; over a history its largest strain.

@@ -54,6 +54,8 @@ namespace Amontons
     bool success = run_all_meshes();
     if (!finite_strain)
       success = choose_kinematics(success);
+    if (success && has_history)
+      add_error_of_increments();
     summary.status = success ? "converged" : "not converged";
     finish();
     return summary;
@@ -63,10 +65,16 @@ namespace Amontons
   bool
   ContactProblem<dim>::run_all_meshes()
   {
-    bool success;
+    bool success, enough;
     do
-      success = run_load_program();
-    while (success && replay_refined());
+      {
+        success = run_load_program();
+        if (success && has_history && !measured_increments && parameters.refinement.history == "replay" &&
+            resolves_friction())
+          measure_increments();
+        enough = only_increments && measured_increments;
+      }
+    while (success && !enough && replay_refined());
     return success;
   }
 
@@ -187,7 +195,8 @@ namespace Amontons
     const auto   report        = iterate();
     const double solve_seconds = seconds.wall_time();
     collect_fields();
-    estimate();
+    if (!is_repeat)
+      estimate();
     summarise_mesh(program, report, solve_seconds);
     add_notes(report);
     summary.message = report.message;
@@ -325,9 +334,9 @@ namespace Amontons
     mesh.pairs             = summarize_pairs(answer());
     mesh.error_estimate    = {error.bulk, error.contact};
     mesh.energy            = stored_energy(answer());
-    if (!scene.probes.empty())
+    if (!scene.probes.empty() && !is_repeat)
       mesh.probes = evaluate_probes(*discretization, *recovery, state.displacement, summary.notes);
-    if (reference && !interfaces.empty() && program.is_last())
+    if (reference && !is_repeat && !interfaces.empty() && program.is_last())
       {
         ReferenceData data = *scene.reference;
         mesh.reference     = compare(answer(), data, *reference);
@@ -375,7 +384,7 @@ namespace Amontons
   void
   ContactProblem<dim>::write_increment()
   {
-    if (!parameters.output.vtu)
+    if (!parameters.output.vtu || is_repeat)
       return;
     TimerOutput::Scope scope(timer, "output");
     vtu.write_bodies(BodyFields<dim>{*discretization, state.displacement, *recovery, error.cell_indicators},
@@ -452,6 +461,8 @@ namespace Amontons
         summary.checks.insert(neglected_checks.begin(), neglected_checks.end());
         if (!finite_strain)
           summary.error_estimate.kinematics = kinematic_error();
+        if (summary.increments)
+          summary.error_estimate.increments = summary.increments->largest();
         if (incremental)
           add_energy_checks();
       }

@@ -10,7 +10,7 @@ namespace Amontons
   bool
   ContactProblem<dim>::run_load_program()
   {
-    LoadProgram        program(scene, incremental);
+    LoadProgram        program(scene, incremental, coarser);
     Failure            failure;
     unsigned int       n_failures = 0;                   // in a row
     const unsigned int patience   = has_history ? 5 : 3; // friction: mostly states that are hard to find
@@ -28,6 +28,8 @@ namespace Amontons
             n_failures    = 0;
             follow_motion = false;
           }
+        else if (is_repeat)
+          return false;
         else if (finite_strain && !follow_motion && (++n_failures == patience || program.is_smallest()))
           {
             follow_motion = true;
@@ -58,7 +60,8 @@ namespace Amontons
     work.restart();
     error = ErrorEstimate<dim>();
     snaps.clear();
-    if (!finite_strain)
+    record = LoadRecord();
+    if (!finite_strain && !is_repeat)
       neglected = NeglectedTermsOfHistory<dim>();
     state.committed = LA::Vector();
     last_converged  = SolutionState();
@@ -72,6 +75,7 @@ namespace Amontons
     if (incremental)
       {
         work.add(answer());
+        keep_record(program);
         auto &mesh         = summary.meshes.back();
         mesh.external_work = work.external_work;
         mesh.contact_work  = work.contact_work;
@@ -80,7 +84,7 @@ namespace Amontons
           compare_dissipation(answer(), *scene.reference, *reference, work.dissipation, *mesh.reference);
         remember_path();
       }
-    if (!finite_strain)
+    if (!finite_strain && !is_repeat)
       neglected.add(*discretization, *recovery, state, interfaces, summary.meshes.back().energy);
     write_increment();
     if (program.finished())
@@ -229,7 +233,7 @@ namespace Amontons
   ContactProblem<dim>::refine_now(const LoadProgram &program) const
   {
     const auto &refinement = parameters.refinement;
-    if (has_history && refinement.history == "replay")
+    if (has_history && (is_repeat || refinement.history == "replay"))
       return false;
     const bool due = has_history
                          ? cycle < std::ceil(refinement.cycles * program.next() / scene.end_time - 1e-9)
@@ -274,7 +278,8 @@ namespace Amontons
   void
   ContactProblem<dim>::remember_path()
   {
-    if (!has_history || parameters.refinement.history != "replay" || cycle >= parameters.refinement.cycles)
+    if (!has_history || is_repeat || parameters.refinement.history != "replay" ||
+        cycle >= parameters.refinement.cycles)
       return;
     make_traction_field();
     path.push_back({state.t, state.displacement, state.traction, state.peaks});

@@ -251,6 +251,8 @@ namespace Amontons
     summary.meshes.clear();
     summary.newton.clear();
     path.clear();
+    measured_increments = false;
+    summary.increments.reset();
     vtu.restart();
     state   = SolutionState();
     state.t = LoadProgram(scene, incremental).next();
@@ -269,6 +271,10 @@ namespace Amontons
   ContactProblem<2>::move_surfaces();
   template void
   ContactProblem<3>::move_surfaces();
+  template double
+  ContactProblem<2>::allowed_error() const;
+  template double
+  ContactProblem<3>::allowed_error() const;
   template double
   ContactProblem<2>::kinematic_error() const;
   template double

@@ -864,3 +864,22 @@ add_scene_test(NAME small_strain_compression SCENE patch_test.prm FAILS SET "Bou
                CHECK "status has not converged" "message has kinematics: small strain leaves out" "pairs.0.normal_force.1 ~ -89.5 0.01")
 add_scene_test(NAME small_strain_rubber SCENE verification/rubber_indentation.prm FAILS SET "Kinematics=small strain"
                CHECK "status has not converged" "message has finite strain changes the answer by 0.25" "checks.change_of_answer ~ 0.25 0.1")
+
+# ---- The error of the increments
+
+# The answer of these does not depend on them; that of cylinders pressed together does: the estimate falls with their number.
+foreach(scene greco floating_slab)
+  add_scene_test(NAME increments_${scene} SCENE ${scene}.prm SET "Refinement/Cycles=2"
+                 CHECK "error_estimate.increments <= 1e-9" "increments.number == 1" "increments.repeated_with == 2" "meshes.-1.increment == 1")
+endforeach()
+foreach(case "1 2 0.08 0.3" "5 3 0.03 0.15" "20 10 0.002 0.012")
+  separate_arguments(case)
+  list(GET case 0 n)
+  list(GET case 1 repeated)
+  list(GET case 2 least)
+  list(GET case 3 most)
+  add_scene_test(NAME increments_two_cylinders_${n} SCENE verification/two_cylinders.prm
+                 SET "Contact line/Friction coefficient=0.3" "Refinement/Cycles=2" "Boundary condition load/Force=0|-250*t" "Increments=${n}"
+                 CHECK "status is converged" "increments.number == ${n}" "increments.repeated_with == ${repeated}" "error_estimate.increments >= ${least}"
+                       "error_estimate.increments <= ${most}" "increments.shear >= 0.002" "meshes.-1.increment == ${n}")
+endforeach()

@@ -1,6 +1,7 @@
 // One scene from its file to its answer.
 #pragma once
 
+#include <amontons/adaptivity/increment_error.h>
 #include <amontons/adaptivity/mesh_refinement.h>
 #include <amontons/adaptivity/model_selection.h>
 #include <amontons/elasticity/loads.h>
@@ -54,6 +55,16 @@ namespace Amontons
     run();
 
   private:
+    std::optional<IncrementErrors>
+    run_to_measure_increments();
+    bool
+    resolves_friction() const;
+    void
+    measure_increments();
+    void
+    keep_record(const LoadProgram &program);
+    void
+    add_error_of_increments();
     bool
     run_all_meshes();
     bool
@@ -204,6 +215,11 @@ namespace Amontons
     std::map<std::string, double>        neglected_checks;
     bool                                 tried_finite_strain = false; // after small strain, and
     std::optional<double>                change_of_answer;            // by it, if it converged
-    RunSummary                           summary;
+    // Friction: the load program on the present mesh, and its repeat with other increments.
+    LoadRecord record;
+    double     coarser             = 1;
+    bool       is_repeat           = false;
+    bool       measured_increments = false, only_increments = false; // only: what this run is for
+    RunSummary summary;
   };
 } // namespace Amontons

@@ -98,16 +98,34 @@ namespace Amontons
                              std::to_string(pair.n_slip) + " slip");
     }
 
-    // The errors of the mesh and of what else there is, added up.
+    // The errors of the mesh and of what else is known, added up.
     void
-    add_estimate(Lines &lines, const std::string &what, const double of_mesh, const EstimateSummary &estimate)
+    add_estimate(Lines &lines, const std::string &what, const double of_mesh, const RunSummary &summary)
     {
       if (std::isnan(of_mesh))
         return;
-      std::string text = percent(of_mesh + estimate.besides_mesh());
-      if (!std::isnan(estimate.kinematics))
-        text += "   (mesh " + percent(of_mesh) + ", kinematics " + percent(estimate.kinematics) + ")";
-      lines.emplace_back("estimated error of the " + what, text);
+      double      sum   = of_mesh;
+      std::string parts = "mesh " + percent(of_mesh);
+      const auto  add   = [&](const std::string &name, const double error) {
+        sum += error;
+        parts += ", " + name + " " + percent(error);
+      };
+      if (!std::isnan(summary.error_estimate.kinematics))
+        add("kinematics", summary.error_estimate.kinematics);
+      if (summary.increments)
+        add("increments", summary.increments->pressure);
+      lines.emplace_back("estimated error of the " + what,
+                         percent(sum) + (sum == of_mesh && !summary.increments ? "" : "   (" + parts + ")"));
+    }
+
+    void
+    add_increments(Lines &lines, const IncrementErrors &errors)
+    {
+      lines.emplace_back("estimated error by increments",
+                         "shear " + percent(errors.shear) + " of its bound, stick size " +
+                             percent(errors.stick_size) + ", forces " +
+                             percent(std::max(errors.normal_force, errors.tangential_force)) +
+                             ", work of friction " + percent(errors.dissipation) + " of all");
     }
 
     // A line per point; the report and summary.json have those of long probes.
@@ -196,8 +214,10 @@ namespace Amontons
     Lines lines = {{"status", summary.status + (summary.message.empty() ? "" : ": " + summary.message)}};
     for (const PairSummary &pair : summary.pairs)
       add_pair(lines, pair, summary.kind);
-    add_estimate(lines, "pressure", summary.error_estimate.contact, summary.error_estimate);
-    add_estimate(lines, "stress", summary.error_estimate.bulk, summary.error_estimate);
+    add_estimate(lines, "pressure", summary.error_estimate.contact, summary);
+    add_estimate(lines, "stress", summary.error_estimate.bulk, summary);
+    if (summary.increments)
+      add_increments(lines, *summary.increments);
     if (!std::isnan(summary.energy))
       lines.emplace_back("strain energy", short_number(summary.energy));
     if (!summary.meshes.empty() && summary.meshes.back().dissipation)

@@ -29,7 +29,23 @@ namespace Amontons
       Json json = Json::object().add("bulk", estimate.bulk).add("contact", estimate.contact);
       if (!std::isnan(estimate.kinematics))
         json.add("kinematics", estimate.kinematics);
+      if (!std::isnan(estimate.increments))
+        json.add("increments", estimate.increments);
       return json;
+    }
+
+    Json
+    to_json(const IncrementErrors &errors)
+    {
+      return Json::object()
+          .add("number", errors.n_increments)
+          .add("repeated_with", errors.repeated_with)
+          .add("pressure", errors.pressure)
+          .add("shear", errors.shear)
+          .add("stick_size", errors.stick_size)
+          .add("normal_force", errors.normal_force)
+          .add("tangential_force", errors.tangential_force)
+          .add("dissipation", errors.dissipation);
     }
 
     Json
@@ -187,6 +203,8 @@ namespace Amontons
           .add("error_estimate", to_json(summary.error_estimate))
           .add("reactions", list(summary.reactions))
           .add("probes", list(summary.probes, summary.kind));
+      if (summary.increments)
+        json.add("increments", to_json(*summary.increments));
       if (summary.reference)
         json.add("reference", to_json(*summary.reference));
       json.add("checks", to_json(summary.checks)).add("notes", summary.notes);

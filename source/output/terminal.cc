@@ -99,7 +99,7 @@ namespace Amontons
 
   Terminal::Terminal(const MPI_Comm communicator, const bool quiet, std::ostream *other)
       : stream(other != nullptr ? *other : std::cout),
-        active(!quiet && Utilities::MPI::this_mpi_process(communicator) == 0),
+        quiet(quiet || Utilities::MPI::this_mpi_process(communicator) != 0), active(!this->quiet),
         is_tty(other == nullptr && isatty(STDOUT_FILENO) == 1)
   {
   }

@@ -11,9 +11,9 @@ namespace Amontons
     constexpr unsigned int few = 6, many = 20;
   } // namespace
 
-  LoadProgram::LoadProgram(const Scene &scene, const bool has_history)
+  LoadProgram::LoadProgram(const Scene &scene, const bool has_history, const double coarser)
       : landings(scene.output_times), constant_size(scene.end_time / std::max(1u, scene.n_increments)),
-        smallest(scene.minimum_increment * scene.end_time)
+        coarser(coarser), smallest(scene.minimum_increment * scene.end_time)
   {
     landings.push_back(scene.end_time);
     if (has_history)
@@ -36,10 +36,10 @@ namespace Amontons
   LoadProgram::longest() const
   {
     if (constant_size > 0)
-      return constant_size;
+      return coarser * constant_size;
     const auto   end   = std::upper_bound(landings.begin(), landings.end(), t);
     const double begin = end == landings.begin() ? 0. : *(end - 1);
-    return (*end - begin) / 10;
+    return coarser * (*end - begin) / 10;
   }
 
   double
@@ -49,6 +49,12 @@ namespace Amontons
     const double size = std::max(smallest, factor * longest());
     const double n    = std::ceil((*end - t) / size * (1 - 1e-9));
     return n <= 1 ? *end : t + (*end - t) / n;
+  }
+
+  bool
+  LoadProgram::has_landed() const
+  {
+    return std::find(landings.begin(), landings.end(), t) != landings.end();
   }
 
   bool

@@ -1,6 +1,7 @@
 // The answer of a run as plain values: one table feeds screen, CSV, JSON, report and tests.
 #pragma once
 
+#include <amontons/adaptivity/increment_error.h>
 #include <amontons/contact/contact_interface.h>
 
 #include <array>
@@ -50,13 +51,7 @@ namespace Amontons
   {
     double bulk = unknown, contact = unknown; // of the mesh: stress, pressure
     double kinematics = unknown;              // of small strain
-
-    // What has other causes than the mesh, as far as it is known.
-    double
-    besides_mesh() const
-    {
-      return std::isnan(kinematics) ? 0 : kinematics;
-    }
+    double increments = unknown;              // friction: the largest of IncrementErrors
   };
 
   struct ReferenceSummary
@@ -124,6 +119,7 @@ namespace Amontons
     std::vector<PairSummary>        pairs;
     double                          energy = unknown;
     EstimateSummary                 error_estimate;
+    std::optional<IncrementErrors>  increments;
     std::vector<ReactionSummary>    reactions;
     std::vector<ProbeSummary>       probes;
     std::optional<ReferenceSummary> reference;

@@ -11,7 +11,8 @@ namespace Amontons
   class LoadProgram
   {
   public:
-    LoadProgram(const Scene &scene, const bool has_history);
+    // coarser: how many times longer increments may be than the scene says.
+    LoadProgram(const Scene &scene, const bool has_history, const double coarser = 1);
 
     double
     time() const // that is reached
@@ -35,6 +36,13 @@ namespace Amontons
     {
       return next() >= landings.back();
     }
+    bool
+    has_landed() const; // time() is a time to land on
+    unsigned int
+    n_landings() const
+    {
+      return landings.size();
+    }
     // The path may turn at time(): it starts or bends there.
     bool
     at_corner() const;
@@ -55,7 +63,8 @@ namespace Amontons
     longest() const; // increment at time t
 
     std::vector<double> landings, corners;
-    double              constant_size; // 0: a tenth of each piece between landings
+    double              constant_size; // 0: a tenth of each piece between landings,
+    double              coarser;       // times this
     double              smallest;
     double              factor     = 1; // present size over longest()
     double              t          = 0;

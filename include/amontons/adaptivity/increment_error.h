@@ -1,0 +1,63 @@
+// What the number of increments does to an answer with friction.
+#pragma once
+
+#include <deal.II/base/tensor.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+namespace Amontons
+{
+  // A load program on one mesh, at the times that it lands on whatever the
+  // increments are.
+  struct LoadRecord
+  {
+    struct Node
+    {
+      double               area = 0, pressure = 0, bound = 0; // of the shear
+      dealii::Tensor<1, 3> shear;
+    };
+    struct Pair
+    {
+      std::map<unsigned int, Node> nodes; // by slave node
+      dealii::Tensor<1, 3>         normal_force, tangential_force;
+      double                       contact_size = 0, stick_size = 0;
+      bool                         tresca_alone = false; // the bound does not depend on the pressure
+    };
+    struct Landing
+    {
+      std::vector<Pair> pairs;
+      double            dissipation = 0;
+    };
+    std::vector<Landing> landings;
+    unsigned int         n_increments = 0;
+    double               largest_work = 0;
+  };
+
+  // Estimated, relative, the largest of all pairs and landings.
+  struct IncrementErrors
+  {
+    unsigned int n_increments = 0, repeated_with = 0;
+    double       pressure         = 0; // in the mean square, as
+    double       shear            = 0; // this, of its bound or of the pressure, whichever is smaller
+    double       stick_size       = 0; // of the contact's size
+    double       normal_force     = 0;
+    double       tangential_force = 0; // of the largest that the bound allows
+    double       dissipation      = 0; // of the work
+
+    // Of the state; the work of friction may be wrong where that is right.
+    double
+    largest() const
+    {
+      return std::max({pressure, shear, stick_size, normal_force, tangential_force});
+    }
+  };
+
+  // With n increments Q(n) = Q + C/n + O(1/n^2): the slip of an increment is counted with the traction at its
+  // end, and what closes within it with its whole motion. The same program with n' of them gives
+  //   Q(n) - Q = C/n + ... = (Q(n') - Q(n)) / (n/n' - 1) + O(1/n^2),
+  // for n' = n/2 the difference itself.
+  IncrementErrors
+  error_of_increments(const LoadRecord &run, const LoadRecord &repeat);
+} // namespace Amontons

@@ -1,0 +1,107 @@
+#include <amontons/adaptivity/increment_error.h>
+
+#include <cmath>
+
+namespace Amontons
+{
+  namespace
+  {
+    // Norms over the surface, and their differences between two programs.
+    struct Norms
+    {
+      double pressure = 0, pressure_change = 0, shear_change = 0, bound = 0, bound_force = 0;
+    };
+
+    Norms
+    norms(const LoadRecord::Pair &a, const LoadRecord::Pair &b)
+    {
+      auto nodes = a.nodes;
+      nodes.insert(b.nodes.begin(), b.nodes.end());
+      const auto at = [](const LoadRecord::Pair &pair, const unsigned int node) {
+        const auto found = pair.nodes.find(node);
+        return found == pair.nodes.end() ? LoadRecord::Node() : found->second;
+      };
+      Norms sums;
+      for (const auto &[number, node] : nodes)
+        {
+          const auto one = at(a, number), other = at(b, number);
+          sums.pressure += node.area * one.pressure * one.pressure;
+          sums.pressure_change += node.area * std::pow(other.pressure - one.pressure, 2);
+          sums.shear_change += node.area * (other.shear - one.shear).norm_square();
+          sums.bound += node.area * one.bound * one.bound;
+          sums.bound_force += node.area * one.bound;
+        }
+      for (double *const sum : {&sums.pressure, &sums.pressure_change, &sums.shear_change, &sums.bound})
+        *sum = std::sqrt(*sum);
+      return sums;
+    }
+
+    double
+    largest_force(const LoadRecord &record, const unsigned int pair)
+    {
+      double force = 0;
+      for (const auto &landing : record.landings)
+        force = std::max(force, landing.pairs[pair].normal_force.norm());
+      return force;
+    }
+
+    double
+    relative(const double change, const double scale)
+    {
+      return scale > 0 ? change / scale : 0;
+    }
+  } // namespace
+
+  IncrementErrors
+  error_of_increments(const LoadRecord &run, const LoadRecord &repeat)
+  {
+    IncrementErrors errors;
+    errors.n_increments  = run.n_increments;
+    errors.repeated_with = repeat.n_increments;
+    const double factor  = 1 / std::abs(double(run.n_increments) / repeat.n_increments - 1);
+
+    const unsigned int  n_pairs = run.landings.empty() ? 0 : run.landings[0].pairs.size();
+    std::vector<double> forces(1, 0.);
+    for (unsigned int i = 0; i < n_pairs; ++i)
+      forces.push_back(largest_force(run, i));
+    const double least = 1e-6 * *std::max_element(forces.begin(), forces.end()); // rounding has no digits
+    for (unsigned int i = 0; i < n_pairs; ++i)
+      {
+        if (forces[i + 1] <= least)
+          continue;
+        // Changes and what they count against, each the largest of the program.
+        double pressure = 0, pressure_scale = 0, shear = 0, shear_scale = 0, stick = 0, size = 0;
+        double normal = 0, normal_scale = 0, tangential = 0, tangential_scale = 0;
+        for (unsigned int l = 0; l < run.landings.size(); ++l)
+          {
+            const auto  &a = run.landings[l].pairs[i], &b = repeat.landings[l].pairs[i];
+            const Norms  sums  = norms(a, b);
+            const double force = a.normal_force.norm();
+            pressure           = std::max(pressure, sums.pressure_change);
+            pressure_scale     = std::max(pressure_scale, sums.pressure);
+            shear              = std::max(shear, sums.shear_change);
+            shear_scale =
+                std::max(shear_scale, a.tresca_alone ? sums.bound : std::min(sums.bound, sums.pressure));
+            stick            = std::max(stick, std::abs(b.stick_size - a.stick_size));
+            size             = std::max(size, a.contact_size);
+            normal           = std::max(normal, (b.normal_force - a.normal_force).norm());
+            normal_scale     = std::max(normal_scale, force);
+            tangential       = std::max(tangential, (b.tangential_force - a.tangential_force).norm());
+            tangential_scale = std::max(
+                tangential_scale, a.tresca_alone ? sums.bound_force : std::min(sums.bound_force, force));
+          }
+        errors.pressure     = std::max(errors.pressure, factor * relative(pressure, pressure_scale));
+        errors.shear        = std::max(errors.shear, factor * relative(shear, shear_scale));
+        errors.stick_size   = std::max(errors.stick_size, factor * relative(stick, size));
+        errors.normal_force = std::max(errors.normal_force, factor * relative(normal, normal_scale));
+        errors.tangential_force =
+            std::max(errors.tangential_force, factor * relative(tangential, tangential_scale));
+      }
+    for (unsigned int l = 0; l < run.landings.size(); ++l)
+      errors.dissipation =
+          std::max(errors.dissipation,
+                   factor * relative(std::abs(repeat.landings[l].dissipation - run.landings[l].dissipation),
+                                     run.largest_work));
+    return errors;
+  }
+} // namespace Amontons

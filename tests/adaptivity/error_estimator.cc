@@ -261,6 +261,19 @@ test_marking()
   parameters.max_dofs = 1.12 * problem.discretization->dof_handler.n_dofs();
   check::is_true(mark_cells(*problem.discretization, geometry, parameters, indicators), "a tenth left");
   check::is_close(n_flags(), 1, 0, "marked with a tenth left");
+  // Each cell becomes four, so that one that is refined adds three: 0.4 of the cells can be spent.
+  unsigned int k = 0;
+  for (const auto &cell : geometry.triangulation.active_cell_iterators())
+    if (cell->is_locally_owned())
+      indicators[cell->active_cell_index()] = 1 + 0.1 * k++;
+  parameters.max_dofs = 1.4 * problem.discretization->dof_handler.n_dofs();
+  parameters.fraction = 0.99;
+  check::is_true(mark_cells(*problem.discretization, geometry, parameters, indicators),
+                 "0.4 of the DoFs left");
+  check::is_close(n_flags(),
+                  std::floor(0.4 * geometry.triangulation.n_global_active_cells() / 3),
+                  0,
+                  "marked with 0.4 of the DoFs left");
   parameters.max_dofs = problem.discretization->dof_handler.n_dofs() + 5;
   parameters.strategy = "uniform";
   check::is_true(!mark_cells(*problem.discretization, geometry, parameters, indicators),

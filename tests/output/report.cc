@@ -1,9 +1,12 @@
-// The pictures of friction: which rows the load history takes, and what the charts show.
+// What the report shows: rows of the load history, numbers of charts and tables, pictures of friction.
 #include "check.h"
 
 #include <amontons/output/report.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
 
 using namespace Amontons;
 
@@ -99,6 +102,143 @@ check_shear()
   check::is_true(state_map(space[0]).curves.size() == 3, "tractions and two states");
 }
 
+const Chart &
+chart_of(const std::vector<Chart> &charts, const std::string &title)
+{
+  static const Chart none;
+  for (const Chart &chart : charts)
+    if (chart.title == title)
+      return chart;
+  check::is_true(false, "no chart " + title);
+  return none;
+}
+
+void
+expect_curve(const Chart               &chart,
+             const unsigned int         c,
+             const std::vector<double> &x,
+             const std::vector<double> &y)
+{
+  check::is_true(c < chart.curves.size(), chart.title + ": curves");
+  if (c < chart.curves.size())
+    check::is_true(chart.curves[c].x == x && chart.curves[c].y == y,
+                   chart.title + ": curve " + std::to_string(c));
+}
+
+// Increments at t = 1 and 2 with distinct numbers: each chart shows its own.
+RunSummary
+numbered_history()
+{
+  RunSummary summary;
+  for (const double t : {1., 2.})
+    {
+      MeshSummary  mesh      = row(0, t, t);
+      PairSummary &pair      = mesh.pairs[0];
+      pair.normal_force      = {3 * t, -4 * t};
+      pair.tangential_force  = {-6 * t, 8 * t};
+      pair.peak_pressure     = 10 * t;
+      pair.contact_size      = 11 * t;
+      pair.stick_size        = 12 * t;
+      pair.n_open            = 1;
+      pair.n_stick           = 2;
+      pair.n_slip            = 3;
+      mesh.external_work     = 13 * t;
+      mesh.energy            = 14 * t;
+      mesh.contact_work      = 15 * t;
+      mesh.dissipation       = 16 * t;
+      mesh.iterations        = 17 + t;
+      mesh.krylov_iterations = 20 + t;
+      mesh.cells             = 100 + t;
+      mesh.dofs              = 200 + t;
+      mesh.seconds           = 0.5 * t;
+      mesh.error_estimate    = {0.25 * t, 0.125 * t};
+      mesh.probes            = {{"tip", {{{7, 8}, {-0.6 * t, 0.8 * t}, {1.5, 2.5, 3.5, 4.5}, 5.5}}}};
+      summary.meshes.push_back(mesh);
+    }
+  summary.probes            = summary.meshes.back().probes;
+  summary.pairs             = summary.meshes.back().pairs;
+  summary.checks["balance"] = 0.375;
+  summary.timing["mesh"]    = 0.625;
+  return summary;
+}
+
+void
+check_numbers_of_charts()
+{
+  const auto                charts = history_charts(numbered_history());
+  const std::vector<double> t = {1, 2}, from_rest = {0, 1, 2};
+  expect_curve(chart_of(charts, "Normal force"), 0, t, {5, 10});
+  // along the tangential force, to the side where its largest component is positive
+  expect_curve(chart_of(charts, "Tangential force"), 0, t, {10, 20});
+  expect_curve(chart_of(charts, "Peak pressure"), 0, t, {10, 20});
+  expect_curve(chart_of(charts, "Size of contact and stick"), 0, t, {11, 22});
+  expect_curve(chart_of(charts, "Size of contact and stick"), 1, t, {12, 24});
+  expect_curve(chart_of(charts, "Where the work goes"), 0, from_rest, {0, 13, 26});
+  expect_curve(chart_of(charts, "Where the work goes"), 1, from_rest, {0, 14, 28});
+  expect_curve(chart_of(charts, "Where the work goes"), 2, from_rest, {0, 15, 30});
+  expect_curve(chart_of(charts, "Work of friction"), 0, from_rest, {0, 16, 32});
+  expect_curve(chart_of(charts, "Iterations per increment, last mesh"), 0, t, {18, 19});
+  const Chart &hysteresis = chart_of(charts, "Hysteresis, pair");
+  check::is_close(hysteresis.curves[0].x[1], 2, 1e-14, "hysteresis: displacement along the force");
+  check::is_close(hysteresis.curves[0].y[1], 20, 1e-14, "hysteresis: force");
+
+  // Changes by iteration of the meshes of the last increment; errors by DoFs at the last time.
+  RunSummary summary;
+  for (const unsigned int increment : {1, 2, 2})
+    {
+      NewtonSummary newton;
+      newton.increment          = increment;
+      newton.mesh               = summary.newton.size();
+      newton.active_set_changes = {5 + newton.mesh, 2, 0};
+      summary.newton.push_back(newton);
+    }
+  const Chart iterations = iteration_chart(summary);
+  check::is_close(iterations.curves.size(), 2, 0, "iterations of the last increment");
+  expect_curve(iterations, 0, {1, 2, 3}, {6, 2, 0});
+  expect_curve(iterations, 1, {1, 2, 3}, {7, 2, 0});
+  for (const double n : {1., 2.})
+    {
+      MeshSummary mesh    = row(n, 1, 1);
+      mesh.dofs           = 100 * n;
+      mesh.error_estimate = {0.5 / n, 0.25 / n};
+      ReferenceSummary reference;
+      reference.errors["contact_size"] = -0.125 / n;
+      mesh.reference                   = reference;
+      summary.meshes.push_back(mesh);
+    }
+  const Chart errors = error_chart(summary);
+  expect_curve(errors, 0, {100, 200}, {0.25, 0.125});
+  expect_curve(errors, 1, {100, 200}, {0.5, 0.25});
+  expect_curve(errors, 2, {100, 200}, {0.125, 0.0625});
+}
+
+// The tables of the page, row by row.
+void
+check_tables()
+{
+  const std::string folder = std::getenv("TMPDIR") != nullptr ? std::getenv("TMPDIR") : "/tmp";
+  const std::string file   = folder + "/amontons_test_report.html";
+  write_report(file, numbered_history(), {}, {}, {});
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  std::remove(file.c_str());
+  const auto cells = [](const std::vector<std::string> &words) {
+    std::string html = "<tr>";
+    for (std::size_t c = 0; c < words.size(); ++c)
+      html += (c == 0 ? "<td>" : "<td class=\"n\">") + words[c] + "</td>";
+    return html + "</tr>";
+  };
+  for (const auto &line :
+       {std::vector<std::string>{"1", "1", "0", "101", "201", "18", "21", "0.125", "0.25", "0.5"},
+        {"2", "2", "0", "102", "202", "19", "22", "0.25", "0.5", "1"},
+        {"7", "8", "-1.2", "1.6", "1.5", "2.5", "3.5", "4.5", "5.5"},
+        {"balance", "0.375"},
+        {"mesh", "0.625"}})
+    check::is_true(text.str().find(cells(line)) != std::string::npos, "table: " + cells(line));
+  check::is_true(text.str().find("<td>  normal force</td><td>10   (6, -8)</td>") != std::string::npos,
+                 "answer");
+}
+
 void
 check_broken_line()
 {
@@ -112,6 +252,8 @@ int
 main()
 {
   check_history();
+  check_numbers_of_charts();
+  check_tables();
   check_shear();
   check_broken_line();
   return check::result();

@@ -235,6 +235,33 @@ main()
                                             {}},
                                            plane);
   check::is_close(fit.pressure(40), 11.177411, 1e-7, "shrink fit");
+
+  // Equal cylinders, crossed: z = (1 - cos 60)/(2R) x^2 + (1 + cos 60)/(2R) y^2, the long axis between them.
+  const auto crossed = [](const double angle) {
+    Scene space;
+    space.kind = Kind::three_dimensional;
+    return make_reference_solution(
+        {"hertz_elliptic",
+         {{"P", 50}, {"E1", 200}, {"nu1", .3}, {"R1y", 10}, {"R2y", 10}, {"angle", angle}},
+         {}},
+        space);
+  };
+  const auto at_60  = crossed(60);
+  const auto wanted = ClosedForms::hertz_elliptic(50, .5 / 20, 1.5 / 20, 200 / .91);
+  check::is_close(*at_60.contact_size, wanted.a, 1e-12, "crossed cylinders: long axis");
+  check::is_close(at_60.ellipse->second_size, wanted.b, 1e-12, "crossed cylinders: short axis");
+  check::is_close(*at_60.peak_pressure, wanted.peak, 1e-12, "crossed cylinders: peak");
+  check::is_close(*at_60.approach, wanted.approach, 1e-12, "crossed cylinders: approach");
+  const Tensor<1, 3> between({std::sqrt(.75), .5, 0.});
+  check::is_close(std::abs(at_60.ellipse->axes[0] * between), 1, 1e-12, "crossed cylinders: direction");
+  check::is_close(at_60.ellipse->pressure(.5 * wanted.a * between),
+                  std::sqrt(.75) * wanted.peak,
+                  1e-12,
+                  "crossed cylinders: pressure along the long axis");
+  const auto at_90 = crossed(90);
+  const auto round = ClosedForms::hertz_point(50, 10, 200 / .91);
+  check::is_close(*at_90.contact_size, round.size, 1e-6, "cylinders at a right angle");
+  check::is_close(*at_90.approach, round.approach, 1e-6, "cylinders at a right angle: approach");
   check::is_true(reference_solution_names().size() == 17, "names");
   return check::result();
 }

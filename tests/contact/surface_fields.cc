@@ -1,0 +1,164 @@
+// From multipliers to fields: uniform ones stay uniform and linear ones linear, also at hanging nodes;
+// forces, sizes and centres are those of geometry by hand.
+#include "contact/contact_scene.h"
+
+#include <amontons/contact/surface_fields.h>
+
+// A slave block above a larger master.
+Scene
+blocks(const int dim, const Kind kind = Kind::plane_strain)
+{
+  Scene scene;
+  scene.kind                          = kind;
+  const std::array<unsigned int, 3> n = {{2, dim == 2 ? 1u : 2u, 1}};
+  const double                      a = kind == Kind::axisymmetric ? 0 : -0.5;
+  if (dim == 2)
+    scene.bodies = {block("lower", {a, 0, 0}, {1.5, 1, 0}, {{3, 1, 1}}),
+                    block("upper", {0, 1, 0}, {1, 2, 0}, n)};
+  else
+    scene.bodies = {block("lower", {a, a, 0}, {1.5, 1.5, 1}, {{3, 3, 1}}),
+                    block("upper", {0, 0, 1}, {1, 1, 2}, n)};
+  scene.pairs             = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+  scene.pairs[0].friction = Expression(0.3);
+  return scene;
+}
+
+// Pressure 3, shear (0.5, 0.25), slip (0.1 x, 0.2 y), gap 1 + x + 2 y, all nodes slip.
+template <int dim>
+SurfaceFields<dim>
+fields_of(const Problem<dim> &problem)
+{
+  const auto         &rows = problem.coupling().rows;
+  const unsigned int  n    = rows.size();
+  std::vector<double> gaps;
+  for (const auto &row : rows)
+    {
+      const auto X = problem.slave().nodes[row.node].X;
+      gaps.push_back(1 + X[0] + (dim == 3 ? 2 * X[1] : 0));
+    }
+  auto u = problem.discretization->make_owned_vector();
+  for (const auto &node : problem.slave().nodes)
+    for (unsigned int c = 0; c + 1 < dim; ++c)
+      if (u.in_local_range(node.dofs[c]))
+        u(node.dofs[c]) = 0.1 * (c + 1) * node.X[c];
+  u.compress(VectorOperation::insert);
+  auto readable = problem.discretization->make_relevant_vector();
+  readable      = u;
+  return make_surface_fields(*problem.discretization,
+                             problem.interfaces[0],
+                             std::vector<ContactState>(n, ContactState::slip),
+                             std::vector<double>(n, 3.),
+                             gaps,
+                             std::vector<Tensor<1, 3>>(n, Tensor<1, 3>({0.5, dim == 3 ? 0.25 : 0., 0.})),
+                             std::vector<double>(n, 2.),
+                             readable);
+}
+
+template <int dim>
+void
+check_nodes(const Problem<dim> &problem, const SurfaceFields<dim> &fields, const std::string &what)
+{
+  unsigned int n_hanging = 0;
+  for (unsigned int i = 0; i < problem.slave().nodes.size(); ++i)
+    {
+      const auto    &node = problem.slave().nodes[i];
+      Tensor<1, dim> slip, traction;
+      slip[0]     = 0.1 * node.X[0];
+      traction[0] = -0.5;
+      if (dim == 3)
+        {
+          slip[1]     = 0.2 * node.X[1];
+          traction[1] = -0.25;
+        }
+      n_hanging += !node.parents.empty();
+      check::is_close(fields.pressure[i], 3, 1e-10, what + ": pressure");
+      check::is_close(fields.gap[i], 1 + node.X[0] + (dim == 3 ? 2 * node.X[1] : 0), 1e-10, what + ": gap");
+      check::is_close((fields.slip[i] - slip).norm(), 0, 1e-10, what + ": slip", 1);
+      check::is_close((fields.traction[i] - traction).norm(), 0, 1e-10, what + ": traction", 1);
+      check::is_true(fields.state[i] == ContactState::slip, what + ": state");
+      check::is_close(fields.multiplier[i], node.parents.empty() ? 3 : 0, 0, what + ": multiplier");
+      check::is_true((fields.area[i] > 0) == node.parents.empty(), what + ": area");
+    }
+  if (dim == 3)
+    check::is_true(n_hanging > 0, what + ": some nodes hang");
+  check::is_close(fields.peak_pressure, 3, 1e-10, what + ": peak");
+}
+
+void
+check_plane(const unsigned int degree)
+{
+  const Problem<2>  problem(blocks(2), degree);
+  const auto        fields = fields_of(problem);
+  const std::string what   = "plane, degree " + std::to_string(degree);
+  check_nodes(problem, fields, what);
+  check::is_close(fields.normal_force[1], 3, 1e-10, what + ": normal force on the slave");
+  check::is_close(fields.normal_force[0], 0, 1e-10, what + ": normal force across", 1);
+  check::is_close(fields.tangential_force[0], -0.5, 1e-10, what + ": tangential force on the slave");
+  check::is_close(fields.centre[0], 0.5, 1e-10, what + ": centre");
+  check::is_close(fields.contact_size, std::sqrt(4. / 12), 1e-10, what + ": size");
+  check::is_close(fields.stick_size, std::sqrt(4. / 12), 1e-10, what + ": size of stick");
+  check::is_close(fields.covariance[0][0], 1. / 12, 1e-10, what + ": covariance");
+  check::is_close(fields.symmetry_factor, 1, 0, what + ": no symmetry");
+}
+
+// Cut at x = 0: the centre is there, and the other half is not meshed.
+void
+check_half(const unsigned int degree)
+{
+  Scene         scene = blocks(2);
+  ConditionData plane;
+  plane.type       = ConditionData::Type::symmetry;
+  plane.boundaries = {{"upper", "left", {}}};
+  scene.conditions = {plane};
+  const Problem<2>  problem(scene, degree);
+  const auto        fields = fields_of(problem);
+  const std::string what   = "half, degree " + std::to_string(degree);
+  check::is_close(fields.centre[0], 0, 1e-10, what + ": centre", 1);
+  check::is_close(fields.contact_size, std::sqrt(4. / 3), 1e-10, what + ": size");
+  check::is_close(fields.symmetry_factor, 2, 0, what + ": symmetry");
+  check::is_close(fields.normal_force[1], 3, 1e-10, what + ": force of the meshed part");
+}
+
+// int r^2 2 pi r dr / int 2 pi r dr = 1/2
+void
+check_axisymmetric(const unsigned int degree)
+{
+  const Problem<2>  problem(blocks(2, Kind::axisymmetric), degree);
+  const auto        fields = fields_of(problem);
+  const std::string what   = "axisymmetric, degree " + std::to_string(degree);
+  check_nodes(problem, fields, what);
+  check::is_close(fields.normal_force[1], 3 * numbers::PI, 1e-10, what + ": normal force of the full turn");
+  check::is_close(fields.tangential_force[0], 0, 0, what + ": radial forces cancel", 1);
+  check::is_close(fields.centre[0], 0, 0, what + ": centre", 1);
+  check::is_close(fields.contact_size, std::sqrt(2.5 / 2), 1e-10, what + ": size");
+}
+
+void
+check_space(const unsigned int degree)
+{
+  const Problem<3>  problem(blocks(3), degree, 2, 2);
+  const auto        fields = fields_of(problem);
+  const std::string what   = "space, degree " + std::to_string(degree);
+  check_nodes(problem, fields, what);
+  check::is_close(fields.normal_force[2], 3, 1e-10, what + ": normal force");
+  check::is_close(fields.tangential_force[0], -0.5, 1e-10, what + ": tangential force along x");
+  check::is_close(fields.tangential_force[1], -0.25, 1e-10, what + ": tangential force along y");
+  check::is_close(fields.contact_size, std::sqrt(2.5 / 6), 1e-10, what + ": size");
+  check::is_close(fields.stick_size, std::sqrt(2.5 / 6), 1e-10, what + ": size of stick");
+  check::is_close(fields.covariance[0][0], 1. / 12, 1e-10, what + ": covariance xx");
+  check::is_close(fields.covariance[0][1], 0, 1e-10, what + ": covariance xy", 1);
+}
+
+int
+main(int argc, char *argv[])
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  for (const unsigned int degree : {1, 2})
+    {
+      check_plane(degree);
+      check_half(degree);
+      check_axisymmetric(degree);
+      check_space(degree);
+    }
+  return check::result();
+}

@@ -1,0 +1,209 @@
+// The checks of the physics measure what they say on states that violate it; errors against a closed form are
+// those of a displacement that is wrong by a known factor.
+#include "contact/contact_scene.h"
+
+#include <amontons/adaptivity/mesh_refinement.h>
+#include <amontons/base/points.h>
+#include <amontons/contact/surface_fields.h>
+#include <amontons/output/quantities.h>
+#include <amontons/scene/scene_reader.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+// Two unit blocks of two columns each, one on the other; the lower one is held at its bottom. Nothing moves.
+struct TwoBlocks
+{
+  TwoBlocks() : problem(scene(), 1)
+  {
+    elasticity = std::make_unique<ElasticityOperator<2>>(*problem.discretization);
+    for (const auto *surface :
+         {problem.interfaces[0].slave.get(), problem.interfaces[0].master_surface.get()})
+      problem.discretization->add_relevant(surface->dofs());
+    supports           = problem.discretization->make_supports(0);
+    state.displacement = problem.discretization->make_relevant_vector();
+    loads              = problem.discretization->make_owned_vector();
+    elasticity->assemble(state.displacement);
+    const unsigned int n = problem.coupling().rows.size();
+    state.states         = {std::vector<ContactState>(n, ContactState::open)};
+    state.pressures = state.gaps = {std::vector<double>(n, 0.)};
+    state.shears = state.slips = {std::vector<Tensor<1, 3>>(n)};
+  }
+
+  static Scene
+  scene()
+  {
+    Scene scene;
+    scene.bodies            = {block("lower", {0, 0, 0}, {1, 1, 0}, {{2, 1, 1}}),
+                               block("upper", {0, 1, 0}, {1, 2, 0}, {{2, 1, 1}})};
+    scene.pairs             = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+    scene.pairs[0].friction = Expression(0.5);
+    ConditionData held;
+    held.boundaries   = {{"lower", "bottom", {}}};
+    held.displacement = {{Expression(0.), Expression(0.), {}}};
+    scene.conditions  = {held};
+    return scene;
+  }
+
+  // Row of the node at x.
+  unsigned int
+  row_at(const double x) const
+  {
+    for (unsigned int r = 0; r < problem.coupling().rows.size(); ++r)
+      if (std::abs(problem.slave().nodes[problem.coupling().rows[r].node].X[0] - x) < 1e-10)
+        return r;
+    return 0;
+  }
+
+  void
+  set(const double        x,
+      const ContactState  s,
+      const double        p,
+      const double        g,
+      const Tensor<1, 3> &q,
+      const Tensor<1, 3> &v)
+  {
+    const unsigned int r  = row_at(x);
+    state.states[0][r]    = s;
+    state.pressures[0][r] = p;
+    state.gaps[0][r]      = g;
+    state.shears[0][r]    = q;
+    state.slips[0][r]     = v;
+  }
+
+  Answer<2>
+  answer() const
+  {
+    return {*problem.discretization, *elasticity, problem.interfaces, fields, supports, loads, state};
+  }
+
+  Problem<2>                             problem;
+  std::unique_ptr<ElasticityOperator<2>> elasticity;
+  Constraints                            supports;
+  LA::Vector                             loads;
+  SolutionState                          state;
+  std::vector<SurfaceFields<2>>          fields;
+};
+
+void
+check_checks()
+{
+  TwoBlocks blocks;
+  // Pressure 10 with an overlap of 0.02; a shear of 4.4 at a bound of 4, and not along the slip; tension of 2
+  // at an open node.
+  blocks.set(0, ContactState::stick, 10, -0.02, Tensor<1, 3>({-3, 0, 0}), Tensor<1, 3>());
+  blocks.set(0.5, ContactState::slip, 8, 0, Tensor<1, 3>({4.4, 0, 0}), Tensor<1, 3>({0.03, 0.04, 0}));
+  blocks.set(1, ContactState::open, -2, 0.3, Tensor<1, 3>(), Tensor<1, 3>());
+  auto checks = check_physics(blocks.answer());
+  check::is_close(checks["penetration"], 0.02 / 0.5, 1e-12, "penetration, of a face");
+  check::is_close(checks["tension"], 2. / 10, 1e-12, "tension, of the peak");
+  check::is_close(checks["complementarity"], 2 * 0.3 / (10 * 0.5), 1e-12, "complementarity");
+  check::is_close(checks["coulomb_cone"], 0.4 / 5, 1e-12, "beyond the cone, of the largest bound");
+  check::is_close(checks["slip_direction"], std::hypot(0.4, 0.8), 1e-12, "angle between shear and slip");
+
+  // Nothing balances the contact forces F = area (-q_x, p - q_y) on the upper block and -F on the lower one:
+  // all of them are missing, and with them a moment.
+  double moment = 0, absolute = 0;
+  for (const auto &[x, area, force] : {std::make_tuple(0., 0.25, Tensor<1, 2>({3., 10.})),
+                                       std::make_tuple(0.5, 0.5, Tensor<1, 2>({-4.4, 8.})),
+                                       std::make_tuple(1., 0.25, Tensor<1, 2>({0., -2.}))})
+    {
+      moment += area * (x * force[1] - 1 * force[0]);
+      absolute += area * (std::abs(force[0]) + std::abs(force[1]));
+    }
+  const double size = blocks.problem.geometry.body_sizes[0];
+  check::is_close(
+      checks["moment_balance"], std::abs(moment) / (absolute * size), 1e-10, "moment that is missing");
+  check::is_close(checks["force_balance"], std::sqrt(0.5), 1e-10, "forces that are missing");
+  Tensor<1, 2> on_slave, on_master;
+  const auto   forces = contact_forces(blocks.answer());
+  for (const auto &node : blocks.problem.slave().nodes)
+    for (unsigned int c = 0; c < 2; ++c)
+      on_slave[c] += forces.at(node.dofs[c]);
+  for (const auto &node : blocks.problem.interfaces[0].master_surface->nodes)
+    for (unsigned int c = 0; c < 2; ++c)
+      on_master[c] += forces.at(node.dofs[c]);
+  check::is_close(on_slave[0], 0.75 - 2.2, 1e-10, "force on the slave along x");
+  check::is_close(on_slave[1], 2.5 + 4 - 0.5, 1e-10, "force on the slave along y");
+  check::is_close((on_slave + on_master).norm(), 0, 1e-10, "the opposite one on the master", 1);
+
+  // Where all is well, all is zero.
+  blocks.set(0, ContactState::stick, 10, 0, Tensor<1, 3>({-3, 0, 0}), Tensor<1, 3>());
+  blocks.set(0.5, ContactState::slip, 8, 0, Tensor<1, 3>({4, 0, 0}), Tensor<1, 3>({0.03, 0, 0}));
+  blocks.set(1, ContactState::open, 0, 0.3, Tensor<1, 3>(), Tensor<1, 3>());
+  checks = check_physics(blocks.answer());
+  for (const char *const name :
+       {"penetration", "tension", "complementarity", "coulomb_cone", "slip_direction"})
+    check::is_close(checks[name], 0, 1e-12, std::string(name) + " of a good state", 1);
+}
+
+// With twice the exact displacement all errors of the field are 1, up to what the mesh cannot show.
+void
+check_errors_of_fields()
+{
+  RefinementParameters refinement;
+  const Scene          scene =
+      read_scene(std::string(AMONTONS_SOURCE_DIR) + "/parameters/half_plane_box.prm", {}, {&refinement});
+  Problem<2> problem(scene, 2);
+  for (unsigned int i = 0; i < 2; ++i)
+    {
+      problem.geometry.triangulation.refine_global(1);
+      problem.discretization->distribute_dofs();
+    }
+  problem.interfaces = make_interfaces(*problem.discretization, choose_slaves(*problem.discretization));
+  for (const auto *surface : {problem.interfaces[0].slave.get(), problem.interfaces[0].master_surface.get()})
+    problem.discretization->add_relevant(surface->dofs());
+  const auto supports = problem.discretization->make_supports(0);
+  integrate_couplings(*problem.discretization, supports, problem.interfaces);
+  const auto reference = make_reference_solution(scene.reference->solution, scene);
+
+  auto                                 u  = problem.discretization->make_owned_vector();
+  const auto                          &fe = problem.discretization->fe;
+  std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+  FEValues<2>                          values(problem.discretization->mapping,
+                     fe,
+                     Quadrature<2>(fe.base_element(0).get_unit_support_points()),
+                     update_quadrature_points);
+  for (const auto &cell : problem.discretization->dof_handler.active_cell_iterators())
+    if (problem.discretization->is_deformable(cell->material_id()))
+      {
+        values.reinit(cell);
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          {
+            const auto [c, node] = fe.system_to_component_index(i);
+            u(dofs[i])           = 2 * reference.displacement(scene.bodies[cell->material_id()].name,
+                                                    as_3d(values.quadrature_point(node)))[c];
+          }
+      }
+  u.compress(VectorOperation::insert);
+  SolutionState state;
+  state.displacement = problem.discretization->make_relevant_vector();
+  state.displacement = u;
+  ElasticityOperator<2> elasticity(*problem.discretization);
+  elasticity.assemble(state.displacement);
+  const unsigned int                  n      = problem.coupling().rows.size();
+  const auto                          fields = make_surface_fields(*problem.discretization,
+                                          problem.interfaces[0],
+                                          std::vector<ContactState>(n, ContactState::open),
+                                          std::vector<double>(n, 0.),
+                                          std::vector<double>(n, 0.),
+                                          std::vector<Tensor<1, 3>>(n),
+                                          std::vector<double>(n, 0.),
+                                          state.displacement);
+  const auto                          loads  = problem.discretization->make_owned_vector();
+  const std::vector<SurfaceFields<2>> all    = {fields};
+  const Answer<2>                     answer{
+      *problem.discretization, elasticity, problem.interfaces, all, supports, loads, state};
+  const auto summary = compare(answer, *scene.reference, reference);
+  for (const char *const name : {"displacement_l2", "displacement_h1", "energy"})
+    check::is_close(summary.errors.at(name), 1, 0.05, std::string("twice the displacement: ") + name);
+}
+
+int
+main(int argc, char *argv[])
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  check_checks();
+  check_errors_of_fields();
+  return check::result();
+}

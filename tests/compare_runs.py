@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Runs one scene in several ways and compares: compare_runs.py AMONTONS OUTPUT SCENE [--set X]... --run "RANKS | SET | SET"... [OPTION]...
+"""Runs one scene in several ways and compares: compare_runs.py AMONTONS OUTPUT SCENE [--set X]... --run "RANKS | SET | SET"... [--check X]... [OPTION]...
 
 The first run is the reference. The same forces, peaks, sizes, sets, energies and rows of contact.csv (sorted by place), to a relative tolerance.
+--check: of the first run, as those of run_scene.py.
 --tolerance 1e-8: of forces and pressures;  --iterations 0: by how much the iterations on a mesh may differ;
 --any-iterations: by whatever;  --forces-only: no contact.csv.
 --history T: instead of all that, the force on the pairs' first bodies from t = T on, whichever side is the slave: each component to the tolerance.
@@ -10,8 +11,10 @@ import csv
 import json
 import os
 import shutil
-import subprocess
 import sys
+
+import launch
+import run_scene
 
 
 def run(executable, output, scene, ranks, sets):
@@ -19,10 +22,7 @@ def run(executable, output, scene, ranks, sets):
     command = [executable, scene, "--output", output, "--quiet"]
     for text in sets:
         command += ["--set", text]
-    if int(ranks) > 1:
-        command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", ranks] + command
-    environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-    code = subprocess.run(command, env=environment, timeout=1200).returncode
+    code = launch.run(command, ranks, timeout=1200).returncode
     if code != 0:
         sys.exit(f"{' '.join(command)}: exit code {code}")
     with open(os.path.join(output, "summary.json")) as file:
@@ -115,7 +115,7 @@ def compare_histories(output, other, tolerance, start):
 
 def main():
     executable, output, scene = sys.argv[1:4]
-    sets, runs, tolerance, iterations, forces_only, start = [], [], 1e-8, 0, False, None
+    checks, sets, runs, tolerance, iterations, forces_only, start = [], [], [], 1e-8, 0, False, None
     arguments = sys.argv[4:]
     while arguments:
         flag = arguments.pop(0)
@@ -125,6 +125,8 @@ def main():
             iterations = None
         elif flag == "--history":
             start = float(arguments.pop(0))
+        elif flag == "--check":
+            checks.append(arguments.pop(0))
         elif flag == "--set":
             sets.append(arguments.pop(0))
         elif flag == "--run":
@@ -136,7 +138,7 @@ def main():
         else:
             sys.exit(f"unknown option {flag}")
     results = [run(executable, f"{output}_{i}", scene, r[0], sets + r[1:]) for i, r in enumerate(runs)]
-    failed = 0
+    failed = run_scene.failures(f"{output}_0", checks)
     for i, (words, result) in enumerate(zip(runs[1:], results[1:])):
         if start is None:
             messages = compare(results[0], result, tolerance, iterations, forces_only)

@@ -17,6 +17,7 @@ import shutil
 import subprocess
 import sys
 
+import launch
 import read_back
 
 
@@ -112,6 +113,24 @@ def holds(summary, value, operator, numbers):
     return {"<=": value <= target, "abs<=": abs(value) <= target, ">=": value >= target, "==": value == target}[operator]
 
 
+def failures(output, checks):
+    """How many of the checks do not hold; says so of each."""
+    with open(os.path.join(output, "summary.json")) as file:
+        summary = json.load(file)
+    for table in "contact", "history":
+        summary[table] = rows(os.path.join(output, table + ".csv"))
+    summary["skew"] = skew(summary["contact"])
+    summary["slowdown"] = slowdown(summary["newton"])
+    failed = 0
+    for check in checks:
+        words = check.split()
+        found = find(summary, words[0])
+        good = bool(found) and all(holds(summary, v, words[1], words[2:]) for v in found)
+        print(f"{'ok    ' if good else 'FAILED'} {check}   found {found if len(found) < 9 else found[:9]}")
+        failed += not good
+    return failed
+
+
 def main():
     executable, output, ranks, scene = sys.argv[1:5]
     flags = [a for a in sys.argv[5:] if a in ("--fails", "--read-back")]
@@ -126,25 +145,10 @@ def main():
         command += ["--quiet", "--set", "Output/VTU=false", "--set", "Output/Report=false"]
     for text in sets:
         command += ["--set", text.replace("|", ";")]
-    environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-    if int(ranks) > 1:
-        command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", ranks] + command
-    done = subprocess.run(command, env=environment, timeout=1200, stdout=subprocess.PIPE, universal_newlines=True)
+    done = launch.run(command, ranks, timeout=1200, stdout=subprocess.PIPE, universal_newlines=True)
     if done.returncode != expected:
         sys.exit(f"{done.stdout}\n{' '.join(command)}: exit code {done.returncode}")
-    with open(os.path.join(output, "summary.json")) as file:
-        summary = json.load(file)
-    for table in "contact", "history":
-        summary[table] = rows(os.path.join(output, table + ".csv"))
-    summary["skew"] = skew(summary["contact"])
-    summary["slowdown"] = slowdown(summary["newton"])
-    failed = 0
-    for check in checks:
-        words = check.split()
-        found = find(summary, words[0])
-        good = bool(found) and all(holds(summary, v, words[1], words[2:]) for v in found)
-        print(f"{'ok    ' if good else 'FAILED'} {check}   found {found if len(found) < 9 else found[:9]}")
-        failed += not good
+    failed = failures(output, checks)
     for what, good, detail in read_back.check(output, done.stdout) if "--read-back" in flags else []:
         print(f"{'ok    ' if good else 'FAILED'} {what}   {'' if good else detail}")
         failed += not good

@@ -376,6 +376,30 @@ def last_pass(meshes):
     return rows[::-1]
 
 
+def check_picture(output, summary, text):
+    """The deformed mesh: as many cells, as wide and as high as the bodies, and stresses no larger than theirs."""
+    svg = re.search(r"(?s)<svg (?:(?!</svg>).)*Deformed mesh, von Mises stress.*?</svg>", text)
+    if summary["dimension"] != 2:
+        yield "report: no mesh in space", not svg, ""
+        return
+    paths = re.findall(r'<path fill="[^"]*" stroke="[^"]*"[^>]* d="([^"]*)"/>', svg.group(0))
+    outlines = [re.findall(r"[ML]([-\d.]+) ([-\d.]+)", cell) for path in paths for cell in path.split("Z") if cell]
+    tiny = "h1v1h-1Z" in svg.group(0)  # cells of less than a pixel, of which each pixel shows one
+    good = len(outlines) == summary["cells"] or tiny and len(outlines) < summary["cells"]
+    yield "report: cells of the mesh", good, f"{len(outlines)}, {summary['cells']}"
+    _, path = records(os.path.join(output, "bodies.pvd"))[-1]
+    points = [(X[0] + u[0], X[1] + u[1]) for part in pieces(path) for X, u in zip(part["Points"], part["displacement"])]
+    mises = max(v for part in pieces(path) for v in part["von_mises"])
+    sizes = [max(p[d] for p in points) - min(p[d] for p in points) for d in range(2)]
+    pixels = [[float(p[d]) for cell in outlines for p in cell] for d in range(2)]
+    drawn = [max(p) - min(p) for p in pixels]
+    good = all(abs(w - 420 * size / max(sizes)) <= 0.3 + 2e-3 * w for w, size in zip(drawn, sizes))
+    yield "report: size of the deformed mesh", good, f"{drawn}, {sizes}"
+    ticks = [(float(y), float(v)) for y, v in re.findall(r'<text x="[-\d.]+" y="([-\d.]+)">([-+.\deE]+)</text>', svg.group(0))]
+    highest = max(drawn[1], 120) * (ticks[-1][1] - ticks[0][1]) / (ticks[0][0] - ticks[-1][0]) if len(ticks) > 1 else 0
+    yield "report: largest von Mises stress of the mesh", 0.2 * mises <= highest <= 1.01 * mises, f"{highest}, {mises}"
+
+
 def check_report(summary, contact, text):
     missing = [line for line in expected_lines(summary) if f"<td>{html.escape(line[0])}</td><td>{html.escape(line[1])}</td>" not in text]
     yield "report: the answer", not missing, missing[:3]
@@ -425,3 +449,4 @@ def check(output, text):
     yield from check_history(summary, history)
     yield from check_terminal(summary, text)
     yield from check_report(summary, contact, report)
+    yield from check_picture(output, summary, report)

@@ -1,0 +1,294 @@
+#!/usr/bin/env python3
+"""Do the tests see small changes of the source? mutation.py [--scratch DIR] [-j N] [--only NUMBER|NAME,...] [--unchecked] [--list]
+
+Tries the changes below, one at a time: replaces the text in a copy of this tree, builds what the change's tests need, runs them until one fails, and says
+which. A change that no test notices is a test to write. By hand; not part of ctest.
+
+--scratch: the copy, with its own build folder (default: amontons-mutation in the folder of temporary files). It is kept, so that the next run builds less.
+           Files that differ are copied anew each time; the working tree is never touched.
+-j:        jobs of ninja, and tests at a time (default 2).
+--only:    some of the changes, by number (3, 7-9) or part of the name.
+--unchecked: do not run the tests without any change first.
+"""
+import argparse
+import concurrent.futures
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+TREE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+SECONDS = 300  # for one test
+
+# Tests that much of the code stands behind: cheap scenes, each with closed forms.
+PLANE = "scenes/(patch_q2_first_10_to_1|patch_q1_second_hanging_nodes|patch_q2_first_punch|two_punches_q1|tied_patch|disk_platen|half_plane_box)$"
+FRICTION = "scenes/(patch_friction_q1_first_slips|patch_friction_3d_q1_second_slips|microslip_bar_q1|cattaneo_mindlin_75|floating_slab_mu_0.2|transfer_microslip_bar)$"
+FINITE = "scenes/(patch_finite_q1_second_turned|patch_finite_q2_first_turned_sticking|objectivity_q1_second|simple_shear_.*|oblique_touch|slide_off_edge_first|slide_off_edge_friction_first)$"
+RANKS = "scenes/(ranks_.*|tied_patch)$"
+READ = "scenes/(sphere_2a|tied_patch|microslip_bar_q1|patch_friction_3d_q1_first_slips|transfer_microslip_bar|patch_finite_q2_first_turned_sticking)$"
+
+# name, file in source/, text (exactly once in the file), what stands there instead, tests that should see it
+CHANGES = [
+    # ---- once unnoticed
+    ("mean gaps of one rank only", "contact/mortar_integrator.cc", "        trace_gap += other.trace_gap;\n", "", RANKS),
+    ("half a face is whole", "contact/covered_shares.cc", "covered_area > 0.999 * face_area", "covered_area > 0.5 * face_area", "^contact/mortar$"),
+    ("nodes come from nowhere", "solver/moving_contact.cc", "old_gap[node_of[i][interfaces[i].coupling.rows[r].node]];", "0.;", FINITE),
+    ("committed state not transferred", "contact_problem_refinement.cc", "&state.traction, &state.committed, &last", "&state.traction, &last", "scenes/transfer_.*"),
+    ("von Mises' shear", "elasticity/linear_elastic.cc", "3 * shear);", "2 * shear);", "^elasticity/linear_elastic$"),
+    ("sign of moments", "output/quantities.cc", "c == 0 ? -X[1] * force", "c == 0 ? X[1] * force", "scenes/tied_beam"),
+    ("current position", "output/contact_csv.cc", "nodes[i].X + fields.displacement[i], node.x", "nodes[i].X, node.x", "^output/contact_csv$"),
+    ("stick and slip in the history", "output/history.cc", '".n_stick", pair.n_stick', '".n_stick", pair.n_slip', "^output/history$"),
+    ("slip in contact.vtu", "output/contact_vtu.cc", "arrays.slip += vector(fields.slip[i]);", "arrays.slip += vector(fields.traction[i]);", "^output/contact_csv$"),
+    ("percent", "output/answer.cc", "short_number(100 * fraction)", "short_number(fraction)", "^output/terminal$"),
+    ("shifted radius", "scene/body_reader.cc", "body.lower[0] + body.shift[0] < 0", "body.lower[0] < 0", "^scene/wrong_scenes$"),
+    ("open nodes beside steps", "contact/mortar_integrator.cc", "row.gap = std::max(row.gap, sums.smallest_gap);", ";", "^contact/mortar$"),
+    ("slope of mu(p) p", "friction/shear_law.cc", "bound.slope = (bound_value(pair, X, t, p + step) - bound_value(pair, X, t, std::max(0., p - step))) /\n                  (step + std::min(p, step));", "bound.slope = bound.value / std::max(p, step);", "^friction/shear_law$"),
+    # ---- base, scene
+    ("approach of elliptic contacts' radius", "base/closed_forms.cc", "{P, a, 3 * P / (2 * pi * a * a), a * a / R}", "{P, a, 3 * P / (2 * pi * a * a), a * a / (2 * R)}", "^base/closed_forms$|scenes/two_spheres_3d$"),
+    ("Poisson's ratio of a bore", "base/closed_forms_tubes.cc", "t.inner / t.E * ((o + i) / (o - i) + t.nu)", "t.inner / t.E * ((o + i) / (o - i) - t.nu)", "^base/closed_forms$|scenes/shrink_fit_finer_slave$"),
+    ("tables after their last time", "scene/expression.cc", "std::string text = points.back().value;", "std::string text = points.front().value;", "^scene/scene_reader$|scenes/cattaneo_mindlin_75$"),
+    ("tables' slope", "scene/expression.cc", '"))/(" << b.t - a.t', '"))/(" << b.t', "^scene/scene_reader$"),
+    ("degrees of crossed axes", "scene/reference_builders.cc", 'get("angle") * dealii::numbers::PI / 180', 'get("angle")', "^scene/reference_solution$"),
+    ("plane stress of tubes", "scene/reference_builders.cc", "return plane_stress ? Confinement::plane_stress : Confinement::plane_strain;", "return Confinement::plane_strain;", "^scene/reference_solution$|scenes/shrink_fit_plane_stress$"),
+    ("Poisson's ratio of 0.5", "scene/body_reader.cc", "material.poisson >= 0.5", "material.poisson > 0.5", "^scene/wrong_scenes$"),
+    ("inner radius of the outer one", "scene/body_reader.cc", "!(body.inner_radius < body.radius)", "!(body.inner_radius <= body.radius)", "^scene/wrong_scenes$|wrong_input"),
+    # ---- geometry
+    ("sense of rotation", "geometry/placement.cc", "std::sin(angle) * cross_product_3d(axis, v) +", "-std::sin(angle) * cross_product_3d(axis, v) +", "^geometry/grids$|" + PLANE),
+    ("shift before rotation", "geometry/placement.cc", "body.rotation_centre + rotate(p - body.rotation_centre, body) + body.shift", "body.rotation_centre + rotate(p - body.rotation_centre + body.shift, body)", "^geometry/grids$"),
+    ("axis of turned cylinders", "geometry/placement.cc", "shape.axis   = rotate(shape.axis, body);", ";", "^geometry/grids$|^geometry/cad_manifold$|scenes/crossed_cylinders$"),
+    ("paraboloid of twice the radius", "geometry/rigid_surface.cc", "line.t0 * line.t1 + radius * line.h1", "line.t0 * line.t1 + 2 * radius * line.h1", "^geometry/rigid_surface$"),
+    ("normal of hollow cylinders", "geometry/rigid_surface.cc", "(hollow ? -1. : 1.) / radius * (line.t0 + g * line.t1)", "1. / radius * (line.t0 + g * line.t1)", "^geometry/rigid_surface$"),
+    ("names of groups of the wrong dimension", "geometry/gmsh.cc", "text.integer(fields[0]) == dim - 1", "text.integer(fields[0]) == dim", "^geometry/grid_reader$"),
+    # ---- discretization
+    ("sense of the rotation about y", "discretization/supports.cc", "{1, 1, 2, -1., 3, 0}", "{1, 1, 2, 1., 3, 0}", "^discretization/supports$"),
+    ("values of supports that another rank owns", "discretization/supports.cc", "own.set_inhomogeneity(dof.first, dof.second);", ";", RANKS),
+    ("finite rotations of obstacles", "discretization/supports.cc", "rotation_matrix_3d(Point<3>(theta / angle), angle)", "rotation_matrix_3d(Point<3>(theta / angle), -angle)", "^discretization/supports$|" + FINITE),
+    ("free rotations about other points", "discretization/discretization.cc", "(X[k] - carrier.motion.reference[k]) / carrier.size", "X[k] / carrier.size", "^discretization/supports$|scenes/disk_platen$"),
+    # ---- elasticity
+    ("body forces per radian", "elasticity/loads.cc", "values.quadrature_point(q)) * weight(values, q));", "values.quadrature_point(q)) * values.JxW(q));", "^elasticity/loads$"),
+    ("area of one rank", "elasticity/loads.cc", "return Utilities::MPI::sum(area, discretization.geometry.communicator);", "return area;", RANKS),
+    ("moments about y", "elasticity/loads.cc", "add_couple(1, dim - 1, -motion.moment[1]", "add_couple(1, dim - 1, motion.moment[1]", "^elasticity/loads$"),
+    ("side of covered pressure", "elasticity/loads.cc", "normal *= (face % 2 == 1 ? 1 : -1) / normal.norm();", "normal *= 1 / normal.norm();", "^elasticity/loads$|scenes/patch_q2_first_punch$|scenes/patch_3d_q1_first_punch_along_y$"),
+    ("stored energy of one rank", "elasticity/elasticity_operator.cc", "    return Utilities::MPI::sum(energy, discretization.geometry.communicator);", "    return energy;", RANKS),
+    ("rounding of one rank", "elasticity/elasticity_operator.cc", "std::sqrt(Utilities::MPI::sum(sum, discretization.geometry.communicator))", "std::sqrt(sum)", RANKS),
+    ("dilatation in the pressure's moment", "elasticity/kinematics.cc", "k == 0 ? 1. : (values.quadrature_point(q)[k - 1] - centre[k - 1]) / size", "1. * (k == 0)+ (k > 0) * (values.quadrature_point(q)[0] - centre[0]) / size * k", "^elasticity/elasticity$|^elasticity/cook_membrane$"),
+    ("energy of neo-Hookean bodies", "elasticity/neo_hookean.cc", "lambda / 4 * (change - ln_J2)", "lambda / 2 * (change - ln_J2)", "^elasticity/hyperelastic$"),
+    ("energy of St. Venant's bodies", "elasticity/st_venant_kirchhoff.cc", "mu / 4 * (e * e)", "mu / 2 * (e * e)", "^elasticity/hyperelastic$"),
+    ("thickness of St. Venant's bodies", "elasticity/st_venant_kirchhoff.cc", "(mu + lambda / 2);", "(2 * mu + lambda / 2);", "^elasticity/hyperelastic$|scenes/uniaxial_plane_stress_SVK_q1$"),
+    ("stiffness of pressure on a growing radius", "elasticity/pressure_stiffness.cc", "change += 2 * numbers::PI * values.shape_value(j, q) * normal;", ";", "^elasticity/follower_pressure$"),
+    # ---- contact
+    ("size of round contacts", "contact/surface_fields.cc", "!= Kind::axisymmetric ? 4 : 2.5;", "!= Kind::axisymmetric ? 4 : 2;", "scenes/sphere_2a$|scenes/hertz_sphere$"),
+    ("tangential force without area", "contact/surface_fields.cc", "fields.tangential_force[c] += row.area * tangential[c][r];", "fields.tangential_force[c] += tangential[c][r];", FRICTION),
+    ("slip of hanging nodes", "contact/surface_fields.cc", "fields.slip[i] += weight * fields.slip[parent];", "fields.slip[i] -= weight * fields.slip[parent];", FRICTION + "|scenes/patch_friction_.*hanging_nodes.*"),
+    ("gap of hanging nodes", "contact/surface_fields.cc", "gap += weight * fields.gap[parent];", "gap += fields.gap[parent];", "scenes/.*hanging_nodes.*"),
+    ("factor of symmetry planes", "contact/surface_fields.cc", "fields.symmetry_factor *= 2;", "fields.symmetry_factor = 2;", "scenes/(cylinders_1b|hertz_sphere|crossed_cylinders)$"),
+    ("normal of forces on the slave", "contact/surface_fields.cc", "fields.normal_force -= row.area * pressures[r] * row.normal;", "fields.normal_force += row.area * pressures[r] * row.normal;", FRICTION + "|scenes/greco$"),
+    ("trace masses of one rank", "contact/mortar_integrator.cc", "          add_to(sums.trace_mass, parts[rank].trace_mass);\n", "", RANKS),
+    ("full turn of covered shares", "contact/covered_shares.cc", "gauss.weight(q) * jacobian * area_factor(axisymmetric, slave.position(f, gauss.point(q)))", "gauss.weight(q) * jacobian", "^contact/mortar$|scenes/sphere_2a$|scenes/.*axisymmetric.*"),
+    ("share of held nodes", "contact/dual_basis.cc", "result.traces(i, f) += D[f] / n_carrying;", "result.traces(i, f) += D[f] / n;", "^contact/dual_basis$|^contact/mortar$"),
+    ("declared gaps of moved surfaces", "contact/overlap_search.cc", "p.gap += pair.initial_gap->value", "p.gap -= pair.initial_gap->value", "^contact/coupling_derivatives$|" + FINITE),
+    ("overlaps within Adjust", "contact/overlap_search.cc", "std::max(pair.adjust, 1e-10 * face_size)", "1e-10 * face_size", "^contact/mortar$"),
+    ("steps opposite of a face", "contact/overlap_search.cc", "piece.kept = piece.gap <= beside + 0.5 * face.size;", "piece.kept = true;", "^contact/|scenes/patch_3d_q1_step$"),
+    ("edge of the contact", "contact/contact_edge.cc", "std::min(0., extrapolate(slave, i, around, result))", "-largest", "scenes/(cylinders_1b|hertz_sphere|half_plane_box)$"),
+    # ---- friction
+    ("along a closing node's slip", "friction/shear_law.cc", "law.stiffness * std::pow(distance / total, 2)", "law.stiffness * distance / total", "^friction/shear_law$"),
+    ("friction of limit loads", "friction/limit_load.cc", "contact.friction * (component * v) / length", "(component * v) / length", "^friction/limit_load$"),
+    ("patience of the active set", "friction/active_set.cc", "single = true;", "single = false;", "^friction/active_set$"),
+    # ---- algebra, solver
+    ("weights of condensation", "algebra/condensed_system.cc", "result(other) += weight * value;", "result(other) += value;", PLANE),
+    ("increments after a cut", "solver/load_program.cc", "factor = std::min(1., 2 * factor);", "factor = 2 * factor;", "^solver/load_program$"),
+    ("corners of the load", "solver/load_program.cc", "return t == 0 || std::any_of(", "return std::any_of(", "^solver/load_program$"),
+    ("modes of rotation", "solver/floating_bodies.cc", "e[mode] -= weight * (place.X[b] - centres[place.body][b])", "e[mode] += weight * (place.X[b] - centres[place.body][b])", "^solver/floating_bodies$"),
+    ("turning slip", "solver/node_states.cc", "!first && old == ContactState::slip && q * laws[k].direction < 0", "false", FRICTION + "|scenes/iterations_.*|scenes/microslip_bar_back_at_0"),
+    ("origin of sticking nodes", "solver/semismooth_newton.cc", "origins[k] = nodes[k].jump(state.committed);", "origins[k] = nodes[k].jump(state.displacement);", FRICTION),
+    ("stored shears", "solver/stored_states.cc", "state.shears[i][r]           = padded(answer.shear);", "state.shears[i][r]           = padded(answer.slip);", FRICTION),
+    ("states of nodes that had a row", "solver/stored_states.cc", "lists[i][r] = old[place[rows[r].node]];", "lists[i][r] = old[std::min<std::size_t>(r, old.size() - 1)];", FINITE + "|scenes/ironing"),
+    ("rotation that slip does not see", "solver/moving_contact.cc", "return a - (a * to) / (1 + from * to) * (from + to);", "return a;", FINITE),
+    ("damping by size", "solver/damped_motion.cc", "volume / (sizes[b] * sizes[b]) / n_nodes", "volume / sizes[b] / n_nodes", "scenes/(wall_buckling|snap_away)$"),
+    # ---- adaptivity
+    ("hoop strain that is left out", "adaptivity/model_selection.cc", "0.5 * hoop * hoop", "hoop * hoop", "scenes/auto_.*"),
+    ("affordable cells", "adaptivity/mesh_refinement.cc", "growth * n_cells / (GeometryInfo<dim>::max_children_per_cell - 1)", "growth * n_cells / GeometryInfo<dim>::max_children_per_cell", "^adaptivity/"),
+    ("errors of one rank", "adaptivity/mesh_refinement.cc", "        return Utilities::MPI::sum(sum, communicator);", "        return sum;", RANKS),
+    ("shear of the estimate", "adaptivity/error_estimator.cc", "square += weight * (t - (n * t) * n - shear).norm_square();", ";", "^adaptivity/error_estimator$"),
+    ("share of the master's cells", "adaptivity/error_estimator.cc", "const double share = point.weight / areas[point.slave_face];", "const double share = point.weight;", "^adaptivity/error_estimator$"),
+    ("worst of the increments", "contact_problem.cc", "keep_largest(before.contact_indicators, error.contact_indicators);", ";", FRICTION + "|scenes/half_plane_box_friction_q1_2"),
+    ("target error", "contact_problem_history.cc", "estimated_error() <= refinement.target_error);", "estimated_error() >= refinement.target_error);", "scenes/.*target.*"),
+    # ---- output
+    ("moments in space", "output/quantities.cc", "m[(c + 2) % 3] -= X[(c + 1) % 3] * force;", "m[(c + 2) % 3] += X[(c + 1) % 3] * force;", "scenes/patch_friction_3d_q1_first_slips"),
+    ("reactions of one rank", "output/quantities.cc", "            Utilities::MPI::sum(sums, discretization.geometry.communicator, sums);\n            ReactionSummary", "            ReactionSummary", "scenes/tied_patch$|" + RANKS),
+    ("shears beyond the cone", "output/quantities.cc", "excess  = std::max(excess, answer.state.shears[i][r].norm() - bound);", ";", "^output/"),
+    ("work of contact", "output/energy.cc", "by_contact -= 0.5 *", "by_contact += 0.5 *", FRICTION),
+    ("work of one rank", "output/energy.cc", "    work       = Utilities::MPI::sum(work, answer.discretization.geometry.communicator);", "", RANKS),
+    ("error of gradients", "output/comparison.cc", "std::sqrt(sums[2] / sums[3])", "std::sqrt(sums[2] / sums[1])", "scenes/half_plane_box$|scenes/half_space_box_axisymmetric"),
+    ("error of displacements", "output/comparison.cc", "std::sqrt(sums[0] / sums[1])", "std::sqrt(sums[0] / sums[3])", "scenes/half_plane_box$|scenes/half_space_box_axisymmetric"),
+    ("motion of supports across", "output/approach.cc", "if (support->second && std::abs(values.normal_vector(0) * e) < 0.999)", "if (std::abs(values.normal_vector(0) * e) < 0)", "scenes/(two_spheres_3d|hertz_sphere)$"),
+    ("points of long probes", "output/probes.cc", "double(i) / (probe.n_points - 1)", "double(i) / probe.n_points", "scenes/greco$"),
+    ("stresses of probes", "output/probes.cc", "point.stress.assign(values + dim, values + dim + n_voigt<dim>);", "point.stress.assign(values, values + n_voigt<dim>);", READ),
+    ("tangential force of the chart", "output/report_history.cc", "x /= std::copysign(length, largest);", "x /= length;", "^output/report$"),
+    ("curves of work", "output/report_history.cc", 'add_curve(chart, "stored energy", pass, [](const MeshSummary &mesh) { return mesh.energy; });', 'add_curve(chart, "stored energy", pass, [](const MeshSummary &mesh) { return 2 * mesh.energy; });', READ + "|^output/report$"),
+    ("pressures of the chart", "output/report_charts.cc", "curve.pressure.push_back(node.pressure);", "curve.pressure.push_back(node.gap);", READ),
+    ("bodies and ranks in bodies.vtu", "output/vtu_output.cc", 'data_out.add_data_vector(labels[0], "body"', 'data_out.add_data_vector(labels[1], "body"', READ),
+    ("stresses in bodies.vtu", "output/vtu_output.cc", "fields.recovery.stress()[c], \"stress_\" + names[c]", "fields.recovery.stress()[0], \"stress_\" + names[c]", READ),
+    ("carriers in bodies.vtu", "output/vtu_output.cc", "data_out.set_cell_selection(first, next);", ";", "scenes/sphere_2a"),
+    ("open and stick on the terminal", "output/terminal.cc", "                    l.n_open,\n                    l.n_stick,\n                    l.n_slip,\n                    l.changes,", "                    l.n_stick,\n                    l.n_open,\n                    l.n_slip,\n                    l.changes,", "^output/terminal$"),
+    ("bulk and contact in summary.json", "output/summary.cc", '.add("centre", pair.centre)', '.add("centre", pair.normal_force)', "^output/summary$"),
+    ("von Mises of the picture", "output/mesh_picture.cc", "outline.push_back(values.quadrature_point(q)[d] + u[q][d]);", "outline.push_back(values.quadrature_point(q)[d]);", READ),
+    # ---- studies
+    ("refer to the last row", "studies/convergence_study.cc", "std::abs(r.errors[q] - last[q]) / (last[q]", "std::abs(r.errors[q] + last[q]) / (last[q]", "^studies/"),
+]
+
+
+def chosen(only):
+    if not only:
+        return list(range(len(CHANGES)))
+    result = []
+    for word in only.split(","):
+        numbers = re.fullmatch(r"(\d+)(?:-(\d+))?", word.strip())
+        if numbers:
+            first, last = int(numbers.group(1)), int(numbers.group(2) or numbers.group(1))
+            result += range(first - 1, min(last, len(CHANGES)))
+        else:
+            result += [i for i, change in enumerate(CHANGES) if word.strip() in change[0]]
+    return result
+
+
+def synchronise(scratch):
+    """Makes the files of this tree those of the scratch copy; files that are alike keep their time."""
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=TREE, stdout=subprocess.PIPE, check=True, universal_newlines=True).stdout
+    names = [name for name in listed.split("\n") if name and os.path.exists(os.path.join(TREE, name))]
+    for name in names:
+        source, target = os.path.join(TREE, name), os.path.join(scratch, name)
+        os.makedirs(os.path.dirname(target), exist_ok=True)
+        with open(source, "rb") as file:
+            text = file.read()
+        if os.path.exists(target):
+            with open(target, "rb") as file:
+                if file.read() == text:
+                    continue
+        shutil.copy(source, target)
+    for top in "source", "include", "tests", "parameters":
+        for folder, _, files in os.walk(os.path.join(scratch, top)):
+            for file in files:
+                name = os.path.relpath(os.path.join(folder, file), scratch)
+                if name not in names and "__pycache__" not in name:
+                    os.remove(os.path.join(scratch, name))
+
+
+class Scratch:
+    def __init__(self, folder, jobs):
+        self.folder, self.build, self.jobs = folder, os.path.join(folder, "build"), jobs
+
+    def run(self, command, timeout=None):
+        """Exit code (None: not done in time) and output; nothing is left running."""
+        process = subprocess.Popen(command, cwd=self.build, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+        try:
+            text = process.communicate(timeout=timeout)[0]
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.communicate()
+            return None, ""
+        return process.returncode, text.decode(errors="replace")
+
+    def tests(self, regex):
+        """[(name, command, target)], unit tests first."""
+        with open(os.path.join(self.build, "tests", "CTestTestfile.cmake")) as stream:  # ctest itself says no commands of what is not built yet
+            lines = re.findall(r'(?m)^add_test\((?:\[=\[)?(.*?)(?:\]=\])? ("(?:[^"\\]|\\.)*"(?: "(?:[^"\\]|\\.)*")*)\)$', stream.read())
+        result = []
+        for name, words in lines:
+            if not re.search(regex, name):
+                continue
+            command = [re.sub(r"\\(.)", r"\1", word) for word in re.findall(r'"((?:[^"\\]|\\.)*)"', words)]
+            programs = [word for word in command if os.path.dirname(word) in (self.build, os.path.join(self.build, "tests"))]
+            result.append((name, command, os.path.basename(programs[0]) if programs else None))
+        return sorted(result, key=lambda test: (test[0].startswith("scenes/"), test[0]))
+
+    def make(self, targets):
+        return self.run(["ninja", f"-j{self.jobs}"] + sorted({t for t in targets if t}))
+
+    def first_failure(self, tests):
+        """Name of a test that fails, or None."""
+        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
+            running = {pool.submit(self.run, command, SECONDS): name for name, command, _ in tests}
+            for done in concurrent.futures.as_completed(running):
+                if not done.cancelled() and done.result()[0] != 0:
+                    for other in running:
+                        other.cancel()
+                    return running[done]
+        return None
+
+
+def try_change(scratch, change):
+    """(verdict, what): noticed, unnoticed, "does not compile", "no longer there", "no tests"."""
+    _, file, old, new, regex = change
+    path = os.path.join(scratch.folder, "source", file)
+    with open(path) as stream:
+        text = stream.read()
+    if text.count(old) != 1:
+        return "no longer there", f"{text.count(old)} times in {file}"
+    tests = scratch.tests(regex)
+    if not tests:
+        return "no tests", regex
+    with open(path, "w") as stream:
+        stream.write(text.replace(old, new))
+    try:
+        # unit tests alone, as long as they notice
+        for part in [t for t in tests if not t[0].startswith("scenes/")], [t for t in tests if t[0].startswith("scenes/")]:
+            code, output = scratch.make(t[2] for t in part) if part else (0, "")
+            if code != 0:
+                return "does not compile", output[-1500:]
+            failure = scratch.first_failure(part)
+            if failure:
+                return "noticed", failure
+        return "unnoticed", f"{len(tests)} tests"
+    finally:
+        with open(path, "w") as stream:
+            stream.write(text)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--scratch", default=os.path.join(tempfile.gettempdir(), "amontons-mutation"))
+    parser.add_argument("-j", type=int, default=2)
+    parser.add_argument("--only", default="")
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("--unchecked", action="store_true")
+    arguments = parser.parse_args()
+    numbers = chosen(arguments.only)
+    if arguments.list:
+        for i in numbers:
+            print(f"{i + 1:3} {CHANGES[i][0]:45} {CHANGES[i][1]}")
+        return
+    folder = os.path.abspath(arguments.scratch)
+    if os.path.exists(folder) and os.path.samefile(folder, TREE) or folder.startswith(TREE + os.sep):
+        sys.exit("the scratch copy must lie outside of the working tree")
+    scratch = Scratch(folder, arguments.j)
+    os.makedirs(scratch.build, exist_ok=True)
+    synchronise(folder)
+    code, text = scratch.run(["cmake", "-S", folder, "-B", scratch.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"])
+    if code != 0:
+        sys.exit(text)
+    # what stands in the list must pass unchanged
+    every = {test[0]: test for i in numbers for test in scratch.tests(CHANGES[i][4])}
+    code, text = scratch.make(test[2] for test in every.values())
+    if code != 0:
+        sys.exit(text)
+    failure = None if arguments.unchecked else scratch.first_failure(list(every.values()))
+    if failure:
+        sys.exit(f"{failure} fails without any change")
+    score = {}
+    for i in numbers:
+        start = time.time()
+        verdict, what = try_change(scratch, CHANGES[i])
+        score.setdefault(verdict, []).append(i)
+        print(f"{verdict.upper() if verdict != 'noticed' else verdict:16} {i + 1:3} {CHANGES[i][0]:45} {what} ({time.time() - start:.0f} s)", flush=True)
+    tried = len(score.get("noticed", [])) + len(score.get("unnoticed", []))
+    print(f"\n{len(score.get('noticed', []))} of {tried} changes noticed" + "".join(f"; {len(v)} {k}" for k, v in score.items() if k not in ("noticed", "unnoticed")))
+    sys.exit(0 if len(score.get("noticed", [])) == len(numbers) else 1)
+
+
+if __name__ == "__main__":
+    main()

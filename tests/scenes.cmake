@@ -1,5 +1,7 @@
 # Scenes with the checks of their answers: add_scene_test(NAME name SCENE file RANKS n SET "Section/Name=value"... CHECK "path OP value"... [FAILS] [READ_BACK])
-# and add_comparison_test(NAME name SCENE file SET ... RUN "ranks | Section/Name=value"... OPTIONS ...). Files are relative to parameters/.
+# and add_comparison_test(NAME name SCENE file SET ... RUN "ranks | Section/Name=value"... CHECK (of the first run) OPTIONS ...). Files are relative to
+# parameters/. Starting the program costs as much as a small scene takes: one run is checked for all that it shows, and what varies (degree, side of the
+# slave, angle, ...) is varied once for each thing that may depend on it, not in all combinations.
 # READ_BACK: all that is written is read and compared with the summary (tests/read_back.py); else neither VTU nor report are written.
 set(SCENE_QUIET "Output/VTU=false" "Output/Report=false")
 
@@ -28,7 +30,7 @@ function(add_scene_test)
 endfunction()
 
 function(add_comparison_test)
-  cmake_parse_arguments(T "" "NAME;SCENE" "SET;RUN;OPTIONS" ${ARGN})
+  cmake_parse_arguments(T "" "NAME;SCENE" "SET;RUN;CHECK;OPTIONS" ${ARGN})
   set(arguments ${T_OPTIONS})
   foreach(text IN LISTS SCENE_QUIET T_SET)
     list(APPEND arguments --set "${text}")
@@ -36,10 +38,13 @@ function(add_comparison_test)
   foreach(text IN LISTS T_RUN)
     list(APPEND arguments --run "${text}")
   endforeach()
+  foreach(text IN LISTS T_CHECK)
+    list(APPEND arguments --check "${text}")
+  endforeach()
   add_test(NAME scenes/${T_NAME}
            COMMAND python3 ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/compare_runs.py $<TARGET_FILE:amontons> ${CMAKE_BINARY_DIR}/scenes/${T_NAME}
                    ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../parameters/${T_SCENE} ${arguments})
-  set_tests_properties(scenes/${T_NAME} PROPERTIES PROCESSORS 2 TIMEOUT 400)
+  set_tests_properties(scenes/${T_NAME} PROPERTIES PROCESSORS 2 TIMEOUT 400 COST 5)
 endfunction()
 
 set(EXACT "reference.errors.pressure_l2 <= 1e-10" "reference.errors.nodal_peak_pressure <= 1e-10" "checks.force_balance <= 1e-8")
@@ -50,32 +55,44 @@ set(ITERATIONS "newton.0.iterations <= 12" "newton.1:.iterations <= 4")
 foreach(degree 1 2)
   foreach(slave first second)
     set(both "Discretization/Degree=${degree}" "Contact interface/Slave=${slave}")
-    foreach(angle 17 45)
-      add_scene_test(NAME patch_q${degree}_${slave}_turned_${angle} SCENE verification/patch_pressure.prm
-                     SET ${both} "Body upper/Rotate=${angle}" "Body lower/Rotate=${angle}" CHECK ${EXACT})
-    endforeach()
-    add_scene_test(NAME patch_q${degree}_${slave}_1_to_10 SCENE verification/patch_pressure.prm
-                   SET ${both} "Body upper/Cells=1,3" "Body lower/Cells=10,5" "Body upper/Rotate=17" "Body lower/Rotate=17" CHECK ${EXACT})
-    add_scene_test(NAME patch_q${degree}_${slave}_10_to_1 SCENE verification/patch_pressure.prm
-                   SET ${both} "Body upper/Cells=10,3" "Body lower/Cells=1,5" CHECK ${EXACT})
+    # Ten faces on one, or one on ten, turned.
+    set(ratio 1_to_10 "Body upper/Cells=1,3" "Body lower/Cells=10,5")
+    if(degree EQUAL 2)
+      set(ratio 10_to_1 "Body upper/Cells=10,3" "Body lower/Cells=1,5")
+    endif()
+    list(POP_FRONT ratio name)
+    add_scene_test(NAME patch_q${degree}_${slave}_${name} SCENE verification/patch_pressure.prm
+                   SET ${both} ${ratio} "Body upper/Rotate=17" "Body lower/Rotate=17" CHECK ${EXACT})
+    # The error estimate of an exact solution is rounding: it refines here and there.
     add_scene_test(NAME patch_q${degree}_${slave}_hanging_nodes SCENE verification/patch_hanging_nodes.prm
                    SET ${both} "Refinement/Cycles=1" CHECK ${EXACT})
     add_scene_test(NAME patch_q${degree}_${slave}_punch SCENE verification/patch_punch.prm SET ${both} CHECK ${EXACT})
     # The punch ends a little beyond a node of the foundation.
-    foreach(sliver 1.200000001 1.20001)
+    set(slivers 1.200000001 1.20001)
+    if(slave STREQUAL first)
+      math(EXPR k "${degree}-1")
+      list(GET slivers ${k} slivers)
+    endif()
+    foreach(sliver ${slivers})
       add_scene_test(NAME patch_q${degree}_${slave}_sliver_${sliver} SCENE verification/patch_punch.prm
                      SET ${both} "Body punch/Lower corner=0.6,0" "Body punch/Upper corner=${sliver},1" "Body foundation/Cells=10,5"
                          "Reference/Solution=uniform(p=5,x=0.9,width=0.3)"
                      CHECK ${EXACT})
     endforeach()
   endforeach()
-  add_scene_test(NAME patch_q${degree}_displacement SCENE patch_test.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
-  add_scene_test(NAME patch_q${degree}_plane_stress SCENE verification/patch_pressure.prm
-                 SET "Kind=plane stress" "Discretization/Degree=${degree}" CHECK ${EXACT})
-  add_scene_test(NAME patch_q${degree}_confined SCENE verification/patch_confined.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
-  add_scene_test(NAME two_punches_q${degree} SCENE verification/two_punches.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
-  add_scene_test(NAME three_blocks_q${degree} SCENE three_blocks.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
 endforeach()
+# Both components of the normals are alike.
+foreach(case "1;first" "2;second")
+  list(GET case 0 degree)
+  list(GET case 1 slave)
+  add_scene_test(NAME patch_q${degree}_${slave}_turned_45 SCENE verification/patch_pressure.prm
+                 SET "Discretization/Degree=${degree}" "Contact interface/Slave=${slave}" "Body upper/Rotate=45" "Body lower/Rotate=45" CHECK ${EXACT})
+endforeach()
+add_scene_test(NAME patch_q1_displacement SCENE patch_test.prm SET "Discretization/Degree=1" CHECK ${EXACT})
+add_scene_test(NAME patch_q2_plane_stress SCENE verification/patch_pressure.prm SET "Kind=plane stress" "Discretization/Degree=2" CHECK ${EXACT})
+add_scene_test(NAME patch_q2_confined SCENE verification/patch_confined.prm SET "Discretization/Degree=2" CHECK ${EXACT})
+add_scene_test(NAME two_punches_q1 SCENE verification/two_punches.prm SET "Discretization/Degree=1" CHECK ${EXACT})
+add_scene_test(NAME three_blocks_q1 SCENE three_blocks.prm SET "Discretization/Degree=1" CHECK ${EXACT})
 add_scene_test(NAME patch_stiffness_1e6 SCENE verification/patch_pressure.prm
                SET "Body upper/Young modulus=1e3" "Body lower/Young modulus=1e9" CHECK ${EXACT})
 # The stiff body rides on the soft one by 1e7 of its own deformation, which a double knows to 2e-9: each difference across its cells is wrong by 2e-9, and a
@@ -87,7 +104,6 @@ add_scene_test(NAME patch_stiffness_1e-6 SCENE verification/patch_pressure.prm
 # ---- Patch tests in space
 
 set(AXIS "Rotation axis=1,2,3")
-set(TURNED_17 "Body upper/Rotate=17" "Body upper/${AXIS}" "Body lower/Rotate=17" "Body lower/${AXIS}")
 set(TURNED_45 "Body upper/Rotate=45" "Body upper/${AXIS}" "Body lower/Rotate=45" "Body lower/${AXIS}")
 # The nodal peak is a value of the projected pressure where nothing covers the face: it continues a pressure that is known on a small part of
 # it, which magnifies rounding (2e-7 measured).
@@ -96,55 +112,58 @@ foreach(degree 1 2)
   foreach(slave first second)
     set(both "Discretization/Degree=${degree}" "Linear solver/Type=direct" "Contact interface/Slave=${slave}")
     set(name patch_3d_q${degree}_${slave})
-    add_scene_test(NAME ${name}_turned_17 SCENE verification/patch_3d_pressure.prm SET ${both} ${TURNED_17} CHECK ${EXACT})
     # 1e-12 to 7e-11 measured on meshes of this kind: the formula follows the distortion
     add_scene_test(NAME ${name}_irregular_turned_45 SCENE verification/patch_3d_irregular.prm SET ${both} ${TURNED_45} CHECK ${EXACT})
-    add_scene_test(NAME ${name}_1_to_10 SCENE verification/patch_3d_pressure.prm
-                   SET ${both} "Body upper/Cells=1,1,1" "Body lower/Cells=10,8,1" ${TURNED_45} CHECK ${EXACT})
-    add_scene_test(NAME ${name}_10_to_1 SCENE verification/patch_3d_pressure.prm
-                   SET ${both} "Body upper/Cells=10,8,1" "Body lower/Cells=1,1,1" CHECK ${EXACT})
+    if(degree EQUAL 1)
+      add_scene_test(NAME ${name}_1_to_10 SCENE verification/patch_3d_pressure.prm
+                     SET ${both} "Body upper/Cells=1,1,1" "Body lower/Cells=10,8,1" ${TURNED_45} CHECK ${EXACT})
+    else()
+      add_scene_test(NAME ${name}_10_to_1 SCENE verification/patch_3d_pressure.prm
+                     SET ${both} "Body upper/Cells=10,8,1" "Body lower/Cells=1,1,1" CHECK ${EXACT})
+    endif()
     add_scene_test(NAME ${name}_hanging_nodes SCENE verification/patch_3d_hanging_nodes.prm
                    SET ${both} "Refinement/Cycles=1" CHECK ${EXACT})
-    # The lower sphere refines a corner far from the contact.
-    add_scene_test(NAME ${name}_hanging_nodes_upper SCENE verification/patch_3d_hanging_nodes.prm
-                   SET ${both} "Obstacle beside lower/Centre=0.7,2.1,-1.9" CHECK ${EXACT})
     # In the directions z, y and beyond two edges of the foundation.
     add_scene_test(NAME ${name}_punch SCENE verification/patch_3d_punch.prm SET ${both} CHECK ${EXACT_WHERE_COVERED})
-    add_scene_test(NAME ${name}_punch_along_y SCENE verification/patch_3d_punch.prm
-                   SET ${both} "Body punch/Lower corner=0.9,0,0.7" "Body punch/Upper corner=2.13,1,1.57" "Body punch/Cells=3,2,2"
-                       "Body foundation/Lower corner=0,-2,0" "Body foundation/Upper corner=3,0,2" "Body foundation/Cells=5,2,4"
-                       "Boundary condition load/Boundaries=punch/back, foundation/back"
-                       "Boundary condition planes/Boundaries=punch/left, foundation/left, punch/bottom, foundation/bottom, foundation/front"
-                       "Contact interface/First=punch/front" "Contact interface/Second=foundation/back"
-                       "Reference/Solution=uniform(p = 5, x = 1.515, z = 1.135, width = 0.435)"
-                   CHECK ${EXACT_WHERE_COVERED})
-    add_scene_test(NAME ${name}_overhang SCENE verification/patch_3d_punch.prm
-                   SET ${both} "Body foundation/Upper corner=1.6,1.2,0" "Boundary condition load/Boundaries=punch/top, foundation/top, punch/bottom"
-                       "Reference/Solution=uniform(p = 5, x = 1.25, y = 0.95, width = 0.25)"
-                   CHECK ${EXACT_WHERE_COVERED})
+    if("${degree} ${slave}" MATCHES "1 first|2 second")
+      add_scene_test(NAME ${name}_punch_along_y SCENE verification/patch_3d_punch.prm
+                     SET ${both} "Body punch/Lower corner=0.9,0,0.7" "Body punch/Upper corner=2.13,1,1.57" "Body punch/Cells=3,2,2"
+                         "Body foundation/Lower corner=0,-2,0" "Body foundation/Upper corner=3,0,2" "Body foundation/Cells=5,2,4"
+                         "Boundary condition load/Boundaries=punch/back, foundation/back"
+                         "Boundary condition planes/Boundaries=punch/left, foundation/left, punch/bottom, foundation/bottom, foundation/front"
+                         "Contact interface/First=punch/front" "Contact interface/Second=foundation/back"
+                         "Reference/Solution=uniform(p = 5, x = 1.515, z = 1.135, width = 0.435)"
+                     CHECK ${EXACT_WHERE_COVERED})
+    else()
+      # The lower sphere refines a corner far from the contact.
+      add_scene_test(NAME ${name}_hanging_nodes_upper SCENE verification/patch_3d_hanging_nodes.prm
+                     SET ${both} "Obstacle beside lower/Centre=0.7,2.1,-1.9" CHECK ${EXACT})
+      add_scene_test(NAME ${name}_overhang SCENE verification/patch_3d_punch.prm
+                     SET ${both} "Body foundation/Upper corner=1.6,1.2,0" "Boundary condition load/Boundaries=punch/top, foundation/top, punch/bottom"
+                         "Reference/Solution=uniform(p = 5, x = 1.25, y = 0.95, width = 0.25)"
+                     CHECK ${EXACT_WHERE_COVERED})
+    endif()
   endforeach()
   add_scene_test(NAME patch_3d_q${degree}_step SCENE verification/patch_3d_step.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT_WHERE_COVERED})
-  add_scene_test(NAME patch_3d_q${degree}_displacement SCENE patch_test_3d.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
-  add_scene_test(NAME patch_3d_q${degree}_interference SCENE patch_test_3d.prm
-                 SET "Discretization/Degree=${degree}" "Boundary condition top/Type=symmetry" "Boundary condition top/Value=" "Contact interface/Initial gap=-0.01"
-                 CHECK ${EXACT})
-  add_scene_test(NAME patch_3d_q${degree}_confined SCENE patch_test_3d.prm
-                 SET "Discretization/Degree=${degree}"
-                     "Boundary condition planes/Boundaries=upper/left, lower/left, upper/front, lower/front, upper/right, lower/right, upper/back, lower/back"
-                     "Reference/Solution=two_block_patch(E1 = 1000, nu1 = 0.3, h1 = 1, E2 = 100, nu2 = 0.2, h2 = 2, delta = 0.01, width = 10, confined = 1)"
-                 CHECK ${EXACT})
-  add_scene_test(NAME tied_patch_3d_q${degree} SCENE verification/tied_patch_3d.prm SET "Discretization/Degree=${degree}"
-                 CHECK "probes.0.points.0.displacement.0 ~ -0.0045 1e-10" "probes.0.points.0.displacement.1 ~ -0.003 1e-10"
-                       "probes.0.points.0.displacement.2 ~ 0.015 1e-10")
-  add_scene_test(NAME three_blocks_3d_q${degree} SCENE three_blocks_3d.prm SET "Discretization/Degree=${degree}" CHECK ${EXACT})
 endforeach()
+add_scene_test(NAME patch_3d_q1_displacement SCENE patch_test_3d.prm SET "Discretization/Degree=1" CHECK ${EXACT})
+add_scene_test(NAME patch_3d_q2_interference SCENE patch_test_3d.prm
+               SET "Discretization/Degree=2" "Boundary condition top/Type=symmetry" "Boundary condition top/Value=" "Contact interface/Initial gap=-0.01"
+               CHECK ${EXACT})
+add_scene_test(NAME patch_3d_q2_confined SCENE patch_test_3d.prm
+               SET "Discretization/Degree=2"
+                   "Boundary condition planes/Boundaries=upper/left, lower/left, upper/front, lower/front, upper/right, lower/right, upper/back, lower/back"
+                   "Reference/Solution=two_block_patch(E1 = 1000, nu1 = 0.3, h1 = 1, E2 = 100, nu2 = 0.2, h2 = 2, delta = 0.01, width = 10, confined = 1)"
+               CHECK ${EXACT})
+add_scene_test(NAME tied_patch_3d_q2 SCENE verification/tied_patch_3d.prm SET "Discretization/Degree=2"
+               CHECK "probes.0.points.0.displacement.0 ~ -0.0045 1e-10" "probes.0.points.0.displacement.1 ~ -0.003 1e-10"
+                     "probes.0.points.0.displacement.2 ~ 0.015 1e-10")
 add_scene_test(NAME patch_3d_stiffness_1e6 SCENE verification/patch_3d_pressure.prm
                SET "Body upper/Young modulus=1" "Body lower/Young modulus=1e6" CHECK ${EXACT})
 
 # ---- Closed forms; the tolerances are the floors of the models
 
 set(HERTZ ${ITERATIONS} "reference.errors.contact_size <= 0.003" "reference.errors.peak_pressure <= 0.003")
-add_scene_test(NAME cylinder_1a SCENE hertz_cylinder.prm CHECK ${HERTZ} "reference.errors.pressure_l2 <= 0.02")
 add_scene_test(NAME cylinders_1b SCENE verification/two_cylinders.prm SET "Refinement/Cycles=7" CHECK ${HERTZ} "reference.errors.pressure_l2 <= 0.02"
                "reference.errors.normal_force <= 1e-4")
 add_scene_test(NAME cylinders_1b_slave_upper_finer SCENE verification/two_cylinders.prm
@@ -157,14 +176,12 @@ add_scene_test(NAME roller_1d SCENE nafems_roller.prm
                CHECK ${ITERATIONS} "pairs.0.contact_size ~ 6.197 0.002" "reference.values.peak_pressure.0 ~ 3595.5 0.002"
                      "probes.0.points.0.displacement.1 ~ -1.2812 0.001" "probes.1.points.0.displacement.1 ~ -1.5686 0.002")
 add_scene_test(NAME sphere_2a SCENE hertz_sphere_axisymmetric.prm READ_BACK CHECK ${HERTZ} "reference.errors.pressure_l2 <= 0.01")
-add_scene_test(NAME flat_punch_3a SCENE verification/flat_punch_line.prm
-               CHECK ${ITERATIONS} "reference.errors.pressure_l2 <= 0.02" "reference.errors.normal_force <= 1e-8")
 add_scene_test(NAME flat_punch_3a_fine SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=10"
-               CHECK ${ITERATIONS} "reference.errors.pressure_l2 <= 0.02")
-add_scene_test(NAME flat_punch_3b SCENE verification/flat_punch_axisymmetric.prm
-               CHECK ${ITERATIONS} "reference.errors.pressure_l2 <= 0.02" "reference.errors.normal_force <= 0.005")
+               CHECK ${ITERATIONS} "reference.errors.pressure_l2 <= 0.02" "reference.errors.normal_force <= 1e-8"
+                     "meshes.6.reference.errors.pressure_l2 <= 0.02" "meshes.6.reference.errors.normal_force <= 1e-8")
 add_scene_test(NAME flat_punch_3b_fine SCENE verification/flat_punch_axisymmetric.prm SET "Refinement/Cycles=10"
-               CHECK ${ITERATIONS} "reference.errors.pressure_l2 <= 0.02" "reference.errors.normal_force <= 0.003")
+               CHECK ${ITERATIONS} "reference.errors.pressure_l2 <= 0.02" "reference.errors.normal_force <= 0.003"
+                     "meshes.7.reference.errors.pressure_l2 <= 0.02" "meshes.7.reference.errors.normal_force <= 0.005")
 add_scene_test(NAME cone_3c SCENE verification/cone.prm
                CHECK ${ITERATIONS} "reference.errors.pressure_l2 <= 0.01" "reference.errors.contact_size <= 0.003")
 add_scene_test(NAME half_plane_box SCENE half_plane_box.prm CHECK ${HERTZ} "reference.errors.normal_force <= 1e-3" "reference.errors.pressure_l2 <= 0.01")
@@ -199,11 +216,11 @@ add_scene_test(NAME hertz_sphere SCENE hertz_sphere.prm
 add_scene_test(NAME hertz_sphere_q2 SCENE hertz_sphere.prm SET "Discretization/Degree=2" "Refinement/Cycles=4"
                CHECK ${ITERATIONS_3D} "reference.errors.contact_size <= 0.001" "reference.errors.peak_pressure <= 0.002"
                      "reference.values.approach.0 ~ 0.010343 0.002")
-add_scene_test(NAME two_spheres_3d SCENE two_spheres.prm
+add_scene_test(NAME two_spheres_3d SCENE two_spheres.prm SET "Refinement/Cycles=4"
                CHECK ${ITERATIONS_3D} "reference.errors.contact_size <= 0.005" "reference.errors.peak_pressure <= 0.01" "reference.errors.approach <= 0.02")
 add_scene_test(NAME two_spheres_3d_q2 SCENE two_spheres.prm SET "Discretization/Degree=2" "Refinement/Cycles=3"
                CHECK ${ITERATIONS_3D} "reference.errors.contact_size <= 0.003" "reference.errors.peak_pressure <= 0.005" "reference.errors.approach <= 0.01")
-add_scene_test(NAME crossed_cylinders SCENE crossed_cylinders.prm SET "Refinement/Cycles=5"
+add_scene_test(NAME crossed_cylinders SCENE crossed_cylinders.prm SET "Refinement/Cycles=4"
                CHECK ${ITERATIONS_3D} "reference.errors.contact_size <= 0.005" "reference.errors.contact_size_2 <= 0.005" "reference.errors.peak_pressure <= 0.01")
 add_scene_test(NAME shrink_fit_spheres_3d SCENE verification/shrink_fit_spheres_3d.prm
                CHECK "reference.errors.pressure_l2 <= 0.01")
@@ -211,7 +228,7 @@ add_scene_test(NAME shrink_fit_spheres_3d_q1 SCENE verification/shrink_fit_spher
                CHECK "reference.errors.pressure_l2 <= 0.01")
 add_scene_test(NAME step_file SCENE step_file.prm SET "Refinement/Cycles=6"
                CHECK ${ITERATIONS_3D} "reference.errors.contact_size <= 0.005" "reference.errors.contact_size_2 <= 0.005" "reference.errors.peak_pressure <= 0.005")
-add_scene_test(NAME half_space_box SCENE half_space_box.prm
+add_scene_test(NAME half_space_box SCENE half_space_box.prm SET "Refinement/Cycles=2"
                CHECK ${ITERATIONS_3D} "reference.errors.normal_force <= 1e-3" "reference.errors.contact_size <= 1e-3" "reference.errors.pressure_l2 <= 0.06"
                      "reference.errors.energy <= 0.06")
 add_scene_test(NAME half_space_box_axisymmetric SCENE verification/half_space_box_axisymmetric.prm
@@ -225,14 +242,14 @@ add_scene_test(NAME sphere_on_block_scaling SCENE sphere_on_block_scaling.prm SE
 add_scene_test(NAME tied_patch SCENE verification/tied_patch.prm RANKS 2 READ_BACK
                CHECK "probes.0.points.0.displacement.0 ~ -0.00585 1e-10" "probes.0.points.0.displacement.1 ~ 0.01365 1e-10")
 # The load of 0.01 at 9 from the wall, on which the forces across make a couple.
-add_scene_test(NAME tied_beam SCENE verification/tied_beam.prm
+add_scene_test(NAME tied_beam SCENE verification/tied_beam.prm RANKS 2 SET "Boundary condition load/Type=total force"
                CHECK "probes.0.points.0.displacement.1 ~ -0.0267074 5e-4" "reactions.0.force.0 abs<= 1e-10" "reactions.0.force.1 ~ 0.01 1e-8"
                      "reactions.0.moment.0 ~ 0.09 1e-8")
 add_scene_test(NAME beam_in_one_piece SCENE verification/beam_in_one_piece.prm CHECK "probes.0.points.0.displacement.1 ~ -0.0267074 5e-4")
 
 # ---- Bodies that only contact holds, no contact
 
-foreach(scene disk_above_block disk_weight disk_platen)
+foreach(scene disk_above_block disk_platen)
   add_scene_test(NAME ${scene} SCENE verification/${scene}.prm CHECK ${ITERATIONS} "reference.errors.normal_force <= 1e-4"
                  "reference.errors.contact_size <= 0.005")
 endforeach()
@@ -262,30 +279,43 @@ foreach(degree 1 2)
       set(q -1.5)
       set(below -1.35)
     endif()
-    add_scene_test(NAME ${name}_sticks SCENE verification/patch_friction.prm SET ${both} ${STICKS} CHECK ${STUCK} "contact.:.tx ~ ${below} 1e-10")
-    add_scene_test(NAME ${name}_slips SCENE verification/patch_friction.prm SET ${both}
-                   CHECK ${SLID} "contact.:.tx ~ ${q} 1e-10" "contact.:.slip_y abs<= 1e-12" "meshes.:2.pairs.0.n_slip == 0")
-    add_scene_test(NAME ${name}_held_by_friction SCENE verification/patch_friction.prm
-                   SET ${both} ${STICKS} "Boundary condition top/Type=traction" "Boundary condition top/Value=1.35*t|-5*t" CHECK ${STUCK})
-    add_scene_test(NAME ${name}_1_to_10 SCENE verification/patch_friction.prm SET ${both} "Body upper/Cells=1,3" "Body lower/Cells=10,5"
-                   CHECK ${SLID} "contact.:.tx ~ ${q} 1e-10")
-    add_scene_test(NAME ${name}_10_to_1 SCENE verification/patch_friction.prm SET ${both} "Body upper/Cells=10,3" "Body lower/Cells=1,5"
-                   CHECK ${SLID} "contact.:.tx ~ ${q} 1e-10")
-    foreach(angle 17 45)
-      set(c "cos(${angle}*pi/180)")
-      set(s "sin(${angle}*pi/180)")
-      set(U "table(0: 0, 1: 0.06831, 1.5: 0.0758241, 2: 0.1259)")
-      set(V "table(0: 0, 1: 0.09371428571428571)")
-      set(turned "Body upper/Rotate=${angle}" "Body lower/Rotate=${angle}" "Boundary condition top/Value=${c}*${U}+${s}*${V}|${s}*${U}-${c}*${V}"
-          "Boundary condition right/Value=-${s}*${TO_MU}|${c}*${TO_MU}" "Boundary condition left/Value=${s}*${TO_MU}|-${c}*${TO_MU}")
+    # Each of the other cases with two of the four: one of either degree and with either slave.
+    set(case "${degree} ${slave}")
+    if(case MATCHES "1 first|2 second")
+      add_scene_test(NAME ${name}_slips SCENE verification/patch_friction.prm SET ${both}
+                     CHECK ${SLID} "contact.:.tx ~ ${q} 1e-10" "contact.:.slip_y abs<= 1e-12" "meshes.:2.pairs.0.n_slip == 0")
+      add_scene_test(NAME ${name}_held_by_friction SCENE verification/patch_friction.prm
+                     SET ${both} ${STICKS} "Boundary condition top/Type=traction" "Boundary condition top/Value=1.35*t|-5*t" CHECK ${STUCK})
+    else()
+      add_scene_test(NAME ${name}_sticks SCENE verification/patch_friction.prm SET ${both} ${STICKS} CHECK ${STUCK} "contact.:.tx ~ ${below} 1e-10")
+    endif()
+    if(degree EQUAL 1)
+      add_scene_test(NAME ${name}_1_to_10 SCENE verification/patch_friction.prm SET ${both} "Body upper/Cells=1,3" "Body lower/Cells=10,5"
+                     CHECK ${SLID} "contact.:.tx ~ ${q} 1e-10")
+    else()
+      add_scene_test(NAME ${name}_10_to_1 SCENE verification/patch_friction.prm SET ${both} "Body upper/Cells=10,3" "Body lower/Cells=1,5"
+                     CHECK ${SLID} "contact.:.tx ~ ${q} 1e-10")
+    endif()
+    set(angle 17)
+    if(slave STREQUAL second)
+      set(angle 45)
+    endif()
+    set(c "cos(${angle}*pi/180)")
+    set(s "sin(${angle}*pi/180)")
+    set(U "table(0: 0, 1: 0.06831, 1.5: 0.0758241, 2: 0.1259)")
+    set(V "table(0: 0, 1: 0.09371428571428571)")
+    set(turned "Body upper/Rotate=${angle}" "Body lower/Rotate=${angle}" "Boundary condition top/Value=${c}*${U}+${s}*${V}|${s}*${U}-${c}*${V}"
+        "Boundary condition right/Value=-${s}*${TO_MU}|${c}*${TO_MU}" "Boundary condition left/Value=${s}*${TO_MU}|-${c}*${TO_MU}")
+    if(case MATCHES "1 first|2 second")
       add_scene_test(NAME ${name}_sticks_turned_${angle} SCENE verification/patch_friction.prm SET ${both} ${STICKS} ${turned} CHECK ${STUCK})
+      set(history transfer)
+    else()
       add_scene_test(NAME ${name}_slips_turned_${angle} SCENE verification/patch_friction.prm SET ${both} ${turned} CHECK ${SLID})
-    endforeach()
+      set(history replay)
+    endif()
     # The error estimate of an exact solution is rounding: it refines here and there.
-    foreach(history replay transfer)
-      add_scene_test(NAME ${name}_hanging_nodes_${history} SCENE verification/patch_friction.prm
-                     SET ${both} "Refinement/Cycles=2" "Refinement/History=${history}" CHECK ${SLID} "contact.:.tx ~ ${q} 1e-10")
-    endforeach()
+    add_scene_test(NAME ${name}_hanging_nodes_${history} SCENE verification/patch_friction.prm
+                   SET ${both} "Refinement/Cycles=2" "Refinement/History=${history}" CHECK ${SLID} "contact.:.tx ~ ${q} 1e-10")
 
     # In space; slip of 0.05 over an area of 3. The direction of slip makes the problem nonlinear: solved to 1e-12, since the tolerance of 1e-9
     # would leave 1e-9 in the pressure.
@@ -305,7 +335,9 @@ foreach(degree 1 2)
            "contact.state=slip.slip_y ~ -0.025 1e-9")
     endif()
     set(name patch_friction_3d_q${degree}_${slave})
-    add_scene_test(NAME ${name}_sticks SCENE verification/patch_friction_3d.prm SET ${both} ${STICKS} CHECK ${STUCK})
+    if(case MATCHES "1 first|2 second")
+      add_scene_test(NAME ${name}_sticks SCENE verification/patch_friction_3d.prm SET ${both} ${STICKS} CHECK ${STUCK})
+    endif()
     add_scene_test(NAME ${name}_slips SCENE verification/patch_friction_3d.prm READ_BACK SET ${both} CHECK ${collinear})
     if(degree EQUAL 1)
       add_scene_test(NAME ${name}_hanging_nodes SCENE verification/patch_friction_3d.prm SET ${both} "Refinement/Cycles=2" CHECK ${collinear})
@@ -320,10 +352,10 @@ add_scene_test(NAME greco SCENE greco.prm
                      "probes.0.points.1.displacement.0 ~ 27.226e-3 3e-3" "probes.0.points.4.displacement.0 ~ 22.868e-3 3e-3"
                      "probes.0.points.6.displacement.0 ~ 19.8075e-3 3e-3" "probes.0.points.9.displacement.0 ~ 15.414e-3 3e-3"
                      "contact.state=open.X <= 3.35" "contact.state=slip.X >= 3.25" "contact.state=slip.X <= 30" "contact.state=stick.X >= 29.6")
-add_comparison_test(NAME greco_1_5_50_increments SCENE greco.prm SET "Refinement/Cycles=2" OPTIONS --any-iterations
-                    RUN 1 "1 | Increments=5" "1 | Increments=50")
-foreach(mu 0 0.1 0.3 0.5 0.6 0.7 1.2 1.5 2)
-  add_scene_test(NAME greco_mu_${mu} SCENE greco.prm SET "Contact base/Friction coefficient=${mu}" "Refinement/Cycles=6"
+add_comparison_test(NAME greco_1_20_increments SCENE greco.prm SET "Refinement/Cycles=2" OPTIONS --any-iterations
+                    RUN 1 "1 | Increments=20")
+foreach(mu 0 0.1 0.5 2)
+  add_scene_test(NAME greco_mu_${mu} SCENE greco.prm SET "Contact base/Friction coefficient=${mu}" "Refinement/Cycles=4"
                  CHECK "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "checks.force_balance <= 1e-8" "status is converged")
 endforeach()
 
@@ -335,7 +367,7 @@ foreach(mu "1/(1+p/50)" "0.2+p/100" "exp(-p/30)" "if(x<10, 0.2, 1)")
                  CHECK ${LAWS} "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "pairs.0.normal_force.1 ~ 2000 1e-8")
 endforeach()
 
-foreach(mu 0.15001 0.1501 0.2 0.3 0.5 1 2)
+foreach(mu 0.15001 0.2 2)
   add_scene_test(NAME floating_slab_mu_${mu} SCENE floating_slab.prm SET "Contact base/Friction coefficient=${mu}"
                  CHECK ${LAWS} "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "pairs.0.normal_force.1 ~ 800 1e-8"
                        "pairs.0.tangential_force.0 ~ -120 1e-8")
@@ -343,16 +375,20 @@ endforeach()
 # The reference has four digits: half a unit of the last is 3e-4.
 add_scene_test(NAME floating_slab_pressures SCENE floating_slab.prm SET "Refinement/Strategy=uniform"
                CHECK "contact.X=1.pressure ~ 184.2 3e-4" "contact.X=2.pressure ~ 186.45 3e-4" "contact.X=3.pressure ~ 196.4 3e-4")
-foreach(mu 0.01 0.14 0.1499 0.14999)
+foreach(mu 0.01 0.14999)
   add_scene_test(NAME floating_slab_mu_${mu} SCENE floating_slab.prm FAILS SET "Contact base/Friction coefficient=${mu}"
                  CHECK "status has not converged" "message has friction cannot hold the rigid motion along x")
 endforeach()
 
-foreach(mu 0.185 0.19 0.2 0.25 0.3 0.5 2)
+foreach(mu 0.185 0.2 0.3 2)
+  set(superlinear)
+  if("${mu}" MATCHES "0.2|0.3")
+    set(superlinear "slowdown <= 0.1")
+  endif()
   add_scene_test(NAME floating_slab_3d_mu_${mu} SCENE verification/floating_slab_3d.prm
                  SET "Contact base/Friction coefficient=${mu}" "Refinement/Cycles=2"
                  CHECK ${LAWS} "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "pairs.0.normal_force.2 ~ 2400 1e-8"
-                       "pairs.0.tangential_force.0 ~ -360 1e-8" "pairs.0.tangential_force.1 ~ -240 1e-8")
+                       "pairs.0.tangential_force.0 ~ -360 1e-8" "pairs.0.tangential_force.1 ~ -240 1e-8" ${superlinear})
 endforeach()
 # 0.4 % above the limit: 11 iterations measured.
 add_scene_test(NAME floating_slab_3d_mu_0.181 SCENE verification/floating_slab_3d.prm SET "Contact base/Friction coefficient=0.181"
@@ -360,14 +396,14 @@ add_scene_test(NAME floating_slab_3d_mu_0.181 SCENE verification/floating_slab_3
 # From both sides of the limit 0.1802776, whatever the mesh and the rounding: what cannot be held is told after one iteration.
 add_scene_test(NAME floating_slab_3d_mu_0.1803 SCENE verification/floating_slab_3d.prm SET "Contact base/Friction coefficient=0.1803"
                CHECK ${LAWS} "pairs.0.tangential_force.0 ~ -360 1e-8" "pairs.0.tangential_force.1 ~ -240 1e-8")
-foreach(mu 0.01 0.17 0.171 0.1802)
+foreach(mu 0.01 0.1802)
   add_scene_test(NAME floating_slab_3d_mu_${mu} SCENE verification/floating_slab_3d.prm FAILS SET "Contact base/Friction coefficient=${mu}"
                  CHECK "status has not converged" "message has friction cannot hold the rigid motion along x" "newton.:.iterations <= 1")
 endforeach()
 # The same where the bodies may move far. Normals turn by the strain, at most p/E = 3.7e-4, and with them 2400 of normal force;
 # so much the work of forces is known in one increment, too (energy balance 4e-5).
 set(finite "Kinematics=finite strain" "Body slab/Young modulus=1e6")
-add_scene_test(NAME floating_slab_3d_finite_mu_0.17 SCENE verification/floating_slab_3d.prm FAILS SET ${finite} "Contact base/Friction coefficient=0.17"
+add_scene_test(NAME floating_slab_3d_finite_mu_0.17 SCENE verification/floating_slab_3d.prm FAILS SET ${finite} "Body slab/Cells=3,2,1" "Contact base/Friction coefficient=0.17"
                CHECK "status has not converged" "message has friction cannot hold the rigid motion along x")
 add_scene_test(NAME floating_slab_3d_finite_mu_0.19 SCENE verification/floating_slab_3d.prm SET ${finite} "Contact base/Friction coefficient=0.19"
                CHECK "checks.coulomb_cone <= 1e-6" "checks.force_balance <= 1e-8" "checks.negative_dissipation <= 1e-9"
@@ -400,7 +436,7 @@ add_scene_test(NAME floating_slab_3d_turning_mu_0.17 SCENE verification/floating
 set(CM "P = 1000, R = 10, E1 = 200e3, nu1 = 0.3, E2 = 200e3, nu2 = 0.3, friction = 0.3")
 set(MINUS_P "-1000*table(0: 0, 1: 1)")
 set(KEPT ${LAWS} "newton.0:5.iterations <= 10" "newton.5:.iterations <= 5")
-foreach(case "75 0.866025 0.20" "150 0.707107 0.06" "225 0.5 0.07" "270 0.316228 0.05")
+foreach(case "75 0.866025 0.20" "270 0.316228 0.05")
   separate_arguments(case)
   list(GET case 0 Q)
   list(GET case 1 ratio)
@@ -410,9 +446,11 @@ foreach(case "75 0.866025 0.20" "150 0.707107 0.06" "225 0.5 0.07" "270 0.316228
                  SET ${load} "Reference/Solution=cattaneo_mindlin(${CM}, Q = ${Q}, Q_max = ${Q}, reversals = 2)"
                  CHECK ${KEPT} "reference.errors.stick_size <= 0.005" "reference.errors.dissipation <= 0.01" "reference.errors.shear_l2 <= 0.03"
                        "reference.errors.contact_size <= 1e-3" "reference.errors.tangential_force <= 1e-8")
-  add_scene_test(NAME cattaneo_mindlin_${Q}_back_at_0 SCENE cattaneo_mindlin.prm
-                 SET ${load} "End time=2.5" "Increments=3" "Reference/Solution=cattaneo_mindlin(${CM}, Q = 0, Q_max = ${Q}, reversals = 1)"
-                 CHECK ${LAWS} "reference.errors.shear_l2 <= ${back}")
+  if(Q EQUAL 270)
+    add_scene_test(NAME cattaneo_mindlin_${Q}_back_at_0 SCENE cattaneo_mindlin.prm
+                   SET ${load} "End time=2.5" "Increments=3" "Reference/Solution=cattaneo_mindlin(${CM}, Q = 0, Q_max = ${Q}, reversals = 1)"
+                   CHECK ${LAWS} "reference.errors.shear_l2 <= ${back}")
+  endif()
 endforeach()
 add_scene_test(NAME cattaneo_mindlin_disks SCENE verification/cattaneo_mindlin_disks.prm
                CHECK ${LAWS} "newton.:.iterations <= 5" "reference.errors.stick_size <= 0.005" "reference.errors.dissipation <= 0.01"
@@ -425,31 +463,30 @@ foreach(case "0.1 0.20202020202020204" "0.2 0.3061224489795919" "0.3 0.412371134
   list(GET case 1 limit)
   set(weight "-0.5*table(0: 0, 1: 1)")
   set(at_mu "Contact base/Friction coefficient=${mu}")
-  foreach(factor 0.99 0.999)
-    add_scene_test(NAME incline_mu_${mu}_at_${factor} SCENE incline.prm
-                   SET ${at_mu} "Body block/Body force=${factor}*${limit}/2*table(1: 0, 2: 1)|${weight}"
+  if(mu EQUAL 0.2)
+    # The load reaches the limit at t = 1.8: increments are cut back to 2e-4 there.
+    add_scene_test(NAME incline_mu_${mu}_sought SCENE incline.prm FAILS
+                   SET ${at_mu} "Body block/Body force=1.25*${limit}/2*table(1: 0, 2: 1)|${weight}"
+                   CHECK "status has not converged" "message has friction cannot hold" "history.-1.t ~ 1.8 3e-4")
+  else()
+    add_scene_test(NAME incline_mu_${mu}_at_0.999 SCENE incline.prm
+                   SET ${at_mu} "Body block/Body force=0.999*${limit}/2*table(1: 0, 2: 1)|${weight}"
                    CHECK ${LAWS} "newton.:.iterations <= 10" "pairs.0.n_slip >= 10" "pairs.0.n_stick >= 1")
-  endforeach()
-  add_scene_test(NAME incline_mu_${mu}_at_1.001 SCENE incline.prm FAILS
-                 SET ${at_mu} "Body block/Body force=1.001*${limit}/2*table(1: 0, 2: 1)|${weight}"
-                 CHECK "status has not converged" "message has friction cannot hold the rigid motion along x")
-  # The load reaches the limit at t = 1.8: increments are cut back to 2e-4 there.
-  add_scene_test(NAME incline_mu_${mu}_sought SCENE incline.prm FAILS
-                 SET ${at_mu} "Body block/Body force=1.25*${limit}/2*table(1: 0, 2: 1)|${weight}"
-                 CHECK "message has friction cannot hold" "history.-1.t ~ 1.8 3e-4")
+    add_scene_test(NAME incline_mu_${mu}_at_1.001 SCENE incline.prm FAILS
+                   SET ${at_mu} "Body block/Body force=1.001*${limit}/2*table(1: 0, 2: 1)|${weight}"
+                   CHECK "status has not converged" "message has friction cannot hold the rigid motion along x")
+  endif()
 endforeach()
 
 # NAFEMS R0094-1 and -2 with mu = 0.1. The stick zone ends between two nodes, 0.2 apart; shear has its peak there, on one node.
 add_scene_test(NAME roller_friction_20_increments SCENE nafems_roller_friction.prm
                CHECK ${LAWS} "newton.:20.iterations <= 10" "newton.22:.iterations <= 5" "pairs.0.peak_pressure ~ 3663 2e-3"
                      "peak(contact.pair=roller.tx) ~ 339 0.02" "contact.pair=roller,state=stick.X <= 2.2" "contact.pair=roller,state=slip.X >= 2.1")
-add_scene_test(NAME roller_friction_5_increments SCENE nafems_roller_friction.prm SET "Increments=5"
-               CHECK ${LAWS} "pairs.0.peak_pressure ~ 3663 2e-3" "contact.pair=roller,state=stick.X <= 2.2" "contact.pair=roller,state=slip.X >= 2.1")
 # One increment is wrong, as it is said to be.
 add_scene_test(NAME roller_friction_1_increment SCENE nafems_roller_friction.prm SET "Increments=1"
                CHECK ${LAWS} "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "contact.pair=roller,state=stick.X <= 1" "contact.pair=roller,state=slip.X >= 0.8")
 # Nodes of the stick zone are 1.56 apart.
-foreach(increments 1 5)
+foreach(increments 5)
   add_scene_test(NAME punch_friction_${increments}_increments SCENE nafems_punch_friction.prm SET "Increments=${increments}"
                  CHECK ${LAWS} "newton.0:${increments}.iterations <= 10" "newton.${increments}:.iterations <= 5"
                        "probes.0.points.0.displacement.1 ~ -0.13178 1e-3" "contact.state=stick.X <= 17.2" "contact.state=slip.X >= 16.9")
@@ -479,10 +516,14 @@ foreach(nu 0 0.3)
                  CHECK ${LAWS} "newton.:4.iterations <= 10" "newton.4:.iterations <= 5" "reference.errors.stick_size <= 0.02"
                        "reference.errors.dissipation <= 0.03" "reference.errors.tangential_force <= 1e-8"
                        "checks.slip_direction <= 1e-6")
+  set(superlinear)
+  if(nu EQUAL 0)
+    set(superlinear "newton.:.iterations <= 5" "slowdown <= 0.1")
+  endif()
   # The traction of the skew is a projected one, for which the mean is exact and single nodes of the edge are not.
   add_scene_test(NAME oblique_drag_nu_${nu} SCENE verification/oblique_drag.prm SET ${material}
                  CHECK ${LAWS} "newton.:2.iterations <= 10" "newton.2:.iterations <= 5" "pairs.0.n_stick == 0" "skew <= 1e-3" "checks.slip_direction <= 1e-9"
-                       "pairs.0.tangential_force.0 ~ 259.808 1e-4" "pairs.0.tangential_force.1 ~ 150 1e-4")
+                       "pairs.0.tangential_force.0 ~ 259.808 1e-4" "pairs.0.tangential_force.1 ~ 150 1e-4" ${superlinear})
 endforeach()
 
 # Thickness and stiff ends of the strip: 1 %. Slip and peeling run along all of its 159 nodes in one increment.
@@ -500,13 +541,13 @@ endforeach()
 
 # Iterations, for small and large coefficients, many increments and many nodes: at most 10 on the first mesh, at most 5 later; residuals fall
 # superlinearly in the end. (The capstan with mu = 2 and 8 increments: states circle where the load turns, and that increment is cut.)
-foreach(mu 0.05 0.3 1 2)
+foreach(mu 0.05 2)
   add_scene_test(NAME iterations_capstan_mu_${mu} SCENE capstan.prm SET "Contact drum/Friction coefficient=${mu}" "Increments=20"
                  CHECK ${LAWS} "newton.:.iterations <= 10" "slowdown <= 0.01")
-  add_scene_test(NAME iterations_punch_mu_${mu} SCENE nafems_punch_friction.prm SET "Contact punch/Friction coefficient=${mu}" "Refinement/Cycles=2"
+  add_scene_test(NAME iterations_punch_mu_${mu} SCENE nafems_punch_friction.prm SET "Contact punch/Friction coefficient=${mu}" "Refinement/Cycles=1"
                  CHECK ${LAWS} "newton.:20.iterations <= 10" "newton.20:.iterations <= 5" "slowdown <= 0.01")
 endforeach()
-add_scene_test(NAME iterations_punch_40_increments SCENE nafems_punch_friction.prm SET "Increments=40"
+add_scene_test(NAME iterations_punch_40_increments SCENE nafems_punch_friction.prm SET "Increments=40" "Refinement/Cycles=1"
                CHECK ${LAWS} "newton.:40.iterations <= 10" "newton.40:.iterations <= 5" "slowdown <= 0.01")
 foreach(bound "Contact base/Tresca bound=1" "Contact base/Tresca bound= & Contact base/Friction coefficient=0.01")
   string(REPLACE " & " ";" bound "${bound}")
@@ -514,41 +555,28 @@ foreach(bound "Contact base/Tresca bound=1" "Contact base/Tresca bound= & Contac
   add_scene_test(NAME iterations_bar_law_${law} SCENE microslip_bar.prm SET ${bound} "Body bar/Cells=200,2" "Refinement/Cycles=1"
                  CHECK ${LAWS} "newton.0:3.iterations <= 10" "newton.3:.iterations <= 5" "slowdown <= 0.01")
 endforeach()
-foreach(mu 0.2 0.3)
-  add_scene_test(NAME iterations_floating_slab_3d_mu_${mu} SCENE verification/floating_slab_3d.prm
-                 SET "Contact base/Friction coefficient=${mu}" "Refinement/Cycles=2" CHECK "slowdown <= 0.1")
-endforeach()
-add_scene_test(NAME iterations_oblique_drag SCENE verification/oblique_drag.prm CHECK "newton.:.iterations <= 5" "slowdown <= 0.1")
-
-# A whole load history on 1 to 4 ranks, in space as well.
-foreach(scene greco floating_slab microslip_bar cattaneo_mindlin nafems_roller_friction mindlin_sphere verification/patch_friction_3d)
-  get_filename_component(name ${scene} NAME)
-  set(smaller)
-  if(scene MATCHES "greco|cattaneo|roller")
-    set(smaller "Refinement/Cycles=2")
-  elseif(scene STREQUAL mindlin_sphere)
-    set(smaller "Refinement/Cycles=1" "Refinement/Fraction=0.9" "Linear solver/Type=direct")
-  endif()
-  if(scene MATCHES roller)
-    list(APPEND smaller "Increments=5")
-  endif()
-  add_comparison_test(NAME ranks_${name} SCENE ${scene}.prm SET ${smaller} RUN 1 2 3 4)
-endforeach()
-foreach(scene cattaneo_mindlin)
-  add_comparison_test(NAME ranks_transfer_${scene} SCENE ${scene}.prm SET "Refinement/History=transfer" "Refinement/Cycles=3" "Increments=4" RUN 1 2 3 4)
-endforeach()
+# A whole load history on several ranks, in space as well.
+add_comparison_test(NAME ranks_greco SCENE greco.prm SET "Refinement/Cycles=1" RUN 1 3)
+add_comparison_test(NAME ranks_floating_slab SCENE floating_slab.prm RUN 1 3)
+add_comparison_test(NAME ranks_microslip_bar SCENE microslip_bar.prm RUN 1 2)
+add_comparison_test(NAME ranks_cattaneo_mindlin SCENE cattaneo_mindlin.prm SET "Refinement/Cycles=1" "End time=2" "Increments=2" "Output times=" RUN 1 3)
+add_comparison_test(NAME ranks_nafems_roller_friction SCENE nafems_roller_friction.prm SET "Refinement/Cycles=1" "Increments=3" RUN 1 3)
+add_comparison_test(NAME ranks_mindlin_sphere SCENE mindlin_sphere.prm
+                    SET "Refinement/Initial refinements=3" "Refinement/Cycles=1" "Refinement/Fraction=0.9" "Linear solver/Type=direct" "End time=2" "Increments=2" RUN 1 2)
+add_comparison_test(NAME ranks_patch_friction_3d SCENE verification/patch_friction_3d.prm RUN 1 3)
+add_comparison_test(NAME ranks_transfer_cattaneo_mindlin SCENE cattaneo_mindlin.prm
+                    SET "Refinement/History=transfer" "Refinement/Cycles=2" "End time=2" "Increments=2" "Output times=" RUN 1 2)
 
 # Cattaneo without a model error.
-foreach(case "1 12" "2 8")
+foreach(case "1 10 2" "2 7 4")
   separate_arguments(case)
   list(GET case 0 degree)
   list(GET case 1 cycles)
-  foreach(legs 2 4)
-    add_scene_test(NAME half_plane_box_friction_q${degree}_${legs} SCENE half_plane_box_friction.prm
-                   SET "Discretization/Degree=${degree}" "Refinement/Cycles=${cycles}" "End time=${legs}" "Increments=${legs}"
-                   CHECK ${LAWS} "newton.:${legs}.iterations <= 10" "newton.${legs}:.iterations <= 5" "reference.errors.stick_size <= 1e-3"
-                         "reference.errors.shear_l2 <= 0.02" "reference.errors.dissipation <= 0.005" "reference.errors.contact_size <= 1e-4")
-  endforeach()
+  list(GET case 2 legs)
+  add_scene_test(NAME half_plane_box_friction_q${degree}_${legs} SCENE half_plane_box_friction.prm
+                 SET "Discretization/Degree=${degree}" "Refinement/Cycles=${cycles}" "End time=${legs}" "Increments=${legs}"
+                 CHECK ${LAWS} "newton.:${legs}.iterations <= 10" "newton.${legs}:.iterations <= 5" "reference.errors.stick_size <= 1e-3"
+                       "reference.errors.shear_l2 <= 0.02" "reference.errors.dissipation <= 0.005" "reference.errors.contact_size <= 1e-4")
 endforeach()
 
 # Histories carried over to refined meshes end where replayed ones do (4e-5 of the shear on GRECO, 8e-4 of c/a after Cattaneo's cycle measured).
@@ -586,12 +614,14 @@ foreach(case "plane strain;NEO;-0.386106830428142;508.036425861104;819.916517590
   if(kind STREQUAL axisymmetric)
     set(along zz)
   endif()
-  foreach(degree 1 2)
-    add_scene_test(NAME ${name}_q${degree} SCENE verification/uniaxial_finite.prm
-                   SET "Kind=${kind}" "Body block/Law=${${law}}" "Discretization/Degree=${degree}" "Contact solver/Tolerance=1e-12"
-                   CHECK "probes.0.points.0.displacement.0 ~ ${lateral} 1e-9" "probes.0.points.0.stress.${along} ~ ${stress} 1e-9"
-                         "reactions.0.force.1 ~ ${force} 1e-9" "newton.:.iterations <= 6")
-  endforeach()
+  set(degree 2)
+  if("${law}" STREQUAL "SVK")
+    set(degree 1)
+  endif()
+  add_scene_test(NAME ${name}_q${degree} SCENE verification/uniaxial_finite.prm
+                 SET "Kind=${kind}" "Body block/Law=${${law}}" "Discretization/Degree=${degree}" "Contact solver/Tolerance=1e-12"
+                 CHECK "probes.0.points.0.displacement.0 ~ ${lateral} 1e-9" "probes.0.points.0.stress.${along} ~ ${stress} 1e-9"
+                       "reactions.0.force.1 ~ ${force} 1e-9" "newton.:.iterations <= 6")
 endforeach()
 add_scene_test(NAME uniaxial_compression SCENE verification/uniaxial_finite.prm SET "Boundary condition top/Value=free|-0.3*t" "Contact solver/Tolerance=1e-12"
                CHECK "probes.0.points.0.displacement.0 ~ 0.26248314506838 1e-9" "reactions.0.force.1 ~ -867.81043453804 1e-9")
@@ -625,28 +655,30 @@ foreach(degree 1 2)
     set(both "Discretization/Degree=${degree}" "Contact interface/Slave=${slave}")
     set(name patch_finite_q${degree}_${slave})
     add_scene_test(NAME ${name} SCENE verification/patch_finite.prm SET ${both} CHECK ${EXACT_FINITE})
-    add_scene_test(NAME ${name}_axisymmetric SCENE verification/patch_finite.prm SET ${both} "Kind=axisymmetric" CHECK ${EXACT_FINITE})
-    add_scene_test(NAME ${name}_svk SCENE verification/patch_finite.prm SET ${both} ${SVK_BOTH} CHECK ${EXACT_FINITE})
-    add_scene_test(NAME ${name}_mixed SCENE verification/patch_finite.prm SET ${both} ${SVK_LOWER} CHECK ${EXACT_FINITE})
-    add_scene_test(NAME ${name}_mesh_turned SCENE verification/patch_finite.prm SET ${both} ${TURNED_40} CHECK ${EXACT_FINITE})
-    add_scene_test(NAME ${name}_turned SCENE verification/patch_finite_turned.prm SET ${both} CHECK ${EXACT_FINITE})
-    add_scene_test(NAME ${name}_turned_at_once SCENE verification/patch_finite_turned.prm SET ${both} ${AT_ONCE} CHECK ${EXACT_FINITE})
-    add_scene_test(NAME ${name}_turned_sticking SCENE verification/patch_finite_turned.prm READ_BACK SET ${both} "Contact interface/Friction coefficient=0.3"
-                   CHECK ${EXACT_FINITE} ${NO_SHEAR})
-    add_scene_test(NAME objectivity_q${degree}_${slave} SCENE verification/objectivity.prm SET ${both}
-                   CHECK ${KEPT_FINITE} "meshes.2:.energy ~ meshes.1.energy 1e-9" "meshes.2:.dissipation ~ meshes.1.dissipation 1e-8"
-                         "meshes.2:.pairs.0.peak_pressure ~ meshes.1.pairs.0.peak_pressure 1e-9" "meshes.1.dissipation >= 0.02")
+    # Each of the other cases with one of either degree and with either slave.
+    if("${degree} ${slave}" MATCHES "1 first|2 second")
+      add_scene_test(NAME ${name}_svk SCENE verification/patch_finite.prm SET ${both} ${SVK_BOTH} CHECK ${EXACT_FINITE})
+      add_scene_test(NAME ${name}_mesh_turned SCENE verification/patch_finite.prm SET ${both} ${TURNED_40} CHECK ${EXACT_FINITE})
+      add_scene_test(NAME ${name}_turned_at_once SCENE verification/patch_finite_turned.prm SET ${both} ${AT_ONCE} CHECK ${EXACT_FINITE})
+      add_scene_test(NAME ${name}_turned_sticking SCENE verification/patch_finite_turned.prm READ_BACK SET ${both} "Contact interface/Friction coefficient=0.3"
+                     CHECK ${EXACT_FINITE} ${NO_SHEAR})
+    else()
+      add_scene_test(NAME ${name}_axisymmetric SCENE verification/patch_finite.prm SET ${both} "Kind=axisymmetric" CHECK ${EXACT_FINITE})
+      add_scene_test(NAME ${name}_mixed SCENE verification/patch_finite.prm SET ${both} ${SVK_LOWER} CHECK ${EXACT_FINITE})
+      add_scene_test(NAME ${name}_turned SCENE verification/patch_finite_turned.prm SET ${both} CHECK ${EXACT_FINITE})
+      add_scene_test(NAME objectivity_q${degree}_${slave} SCENE verification/objectivity.prm SET ${both}
+                     CHECK ${KEPT_FINITE} "meshes.2:.energy ~ meshes.1.energy 1e-9" "meshes.2:.dissipation ~ meshes.1.dissipation 1e-8"
+                           "meshes.2:.pairs.0.peak_pressure ~ meshes.1.pairs.0.peak_pressure 1e-9" "meshes.1.dissipation >= 0.02")
+    endif()
   endforeach()
 endforeach()
-foreach(slave first second)
-  set(both "Discretization/Degree=1" "Contact interface/Slave=${slave}")
-  set(name patch_finite_3d_q1_${slave})
-  add_scene_test(NAME ${name} SCENE verification/patch_finite_3d.prm SET ${both} CHECK ${EXACT_FINITE})
-  add_scene_test(NAME ${name}_turned SCENE verification/patch_finite_turned_3d.prm SET ${both} CHECK ${EXACT_FINITE})
-  add_scene_test(NAME ${name}_turned_sticking SCENE verification/patch_finite_turned_3d.prm SET ${both} "Contact interface/Friction coefficient=0.3"
-                 CHECK ${EXACT_FINITE} ${NO_SHEAR} "pairs.0.tangential_force.2 abs<= 7e-7")
-  add_scene_test(NAME patch_finite_3d_q2_${slave} SCENE verification/patch_finite_3d.prm SET "Contact interface/Slave=${slave}" CHECK ${EXACT_FINITE})
-endforeach()
+add_scene_test(NAME patch_finite_3d_q1_first SCENE verification/patch_finite_3d.prm SET "Discretization/Degree=1" "Contact interface/Slave=first" CHECK ${EXACT_FINITE})
+add_scene_test(NAME patch_finite_3d_q2_second SCENE verification/patch_finite_3d.prm SET "Contact interface/Slave=second" CHECK ${EXACT_FINITE})
+add_scene_test(NAME patch_finite_3d_q1_second_turned SCENE verification/patch_finite_turned_3d.prm
+               SET "Discretization/Degree=1" "Contact interface/Slave=second" CHECK ${EXACT_FINITE})
+add_scene_test(NAME patch_finite_3d_q1_first_turned_sticking SCENE verification/patch_finite_turned_3d.prm
+               SET "Discretization/Degree=1" "Contact interface/Slave=first" "Contact interface/Friction coefficient=0.3"
+               CHECK ${EXACT_FINITE} ${NO_SHEAR} "pairs.0.tangential_force.2 abs<= 7e-7")
 add_scene_test(NAME patch_finite_3d_q2_turned_sticking SCENE verification/patch_finite_turned_3d.prm SET "Contact interface/Friction coefficient=0.3"
                CHECK ${EXACT_FINITE} ${NO_SHEAR})
 
@@ -664,15 +696,14 @@ foreach(slave first second)
                        "peak(history.:.interface.normal_force_y) ~ 45.8 0.02")
 endforeach()
 # With friction, too, no increment is cut back.
-foreach(slave first second)
-  set(friction "Contact interface/Slave=${slave}" "Contact interface/Friction coefficient=0.3")
-  add_scene_test(NAME slide_off_edge_friction_${slave} SCENE verification/slide_off_edge.prm SET ${friction}
-                 CHECK "status is converged" "newton.:.iterations <= 7" "kink(history.:.interface.normal_force_y) <= 0.1" "checks.negative_dissipation <= 1e-9"
-                       "meshes.-1.dissipation ~ 47.3 0.01")
-  add_scene_test(NAME slide_over_edges_friction_${slave} SCENE verification/slide_over_edges.prm SET ${friction}
-                 CHECK "status is converged" "newton.:.iterations <= 8" "kink(history.:.interface.normal_force_y) <= 0.2" "checks.negative_dissipation <= 1e-9"
-                       "peak(history.:.interface.normal_force_y) ~ 45.8 0.02" "meshes.-1.dissipation ~ 49.1 0.02")
-endforeach()
+add_scene_test(NAME slide_off_edge_friction_first SCENE verification/slide_off_edge.prm
+               SET "Contact interface/Slave=first" "Contact interface/Friction coefficient=0.3"
+               CHECK "status is converged" "newton.:.iterations <= 7" "kink(history.:.interface.normal_force_y) <= 0.1" "checks.negative_dissipation <= 1e-9"
+                     "meshes.-1.dissipation ~ 47.3 0.01")
+add_scene_test(NAME slide_over_edges_friction_second SCENE verification/slide_over_edges.prm
+               SET "Contact interface/Slave=second" "Contact interface/Friction coefficient=0.3"
+               CHECK "status is converged" "newton.:.iterations <= 8" "kink(history.:.interface.normal_force_y) <= 0.2" "checks.negative_dissipation <= 1e-9"
+                     "peak(history.:.interface.normal_force_y) ~ 45.8 0.02" "meshes.-1.dissipation ~ 49.1 0.02")
 
 # Small strain and finite strain agree to the order of the strain.
 foreach(mu 0 0.3)
@@ -694,7 +725,7 @@ endforeach()
 # touch lets the upper body rise by 4e-4, a million times its deformation: forces are balanced to the rounding of that.
 foreach(mu 0 0.3)
   foreach(degree 1 2)
-    foreach(force -2.5e-4 -2.5e-2 -2.5)
+    foreach(force -2.5e-4 -2.5)
       add_scene_test(NAME cylinders_finite_force_${force}_q${degree}_mu_${mu} SCENE verification/two_cylinders.prm
                      SET "Kinematics=finite strain" "Increments=1" "Refinement/Cycles=0" "Boundary condition load/Force=0|${force}" "Discretization/Degree=${degree}"
                          "Contact line/Friction coefficient=${mu}"
@@ -724,12 +755,12 @@ foreach(degree 1 2)
 endforeach()
 # Ten increments, none cut, as few iterations as for nu = 0.3; also on meshes refined under way.
 set(TEN_INCREMENTS ${KEPT_FINITE} "newton.9.increment ~ 10 0" "meshes.9.t ~ 1 1e-12" "newton.:.iterations <= 6")
-add_scene_test(NAME rubber_indentation_q1 SCENE verification/rubber_indentation.prm SET "Discretization/Degree=1"
-               CHECK ${TEN_INCREMENTS} "pairs.0.normal_force.1 ~ -0.443 0.01")
-add_scene_test(NAME rubber_indentation_q2 SCENE verification/rubber_indentation.prm CHECK ${TEN_INCREMENTS} "pairs.0.normal_force.1 ~ -0.443 0.03")
-foreach(degree 1 2)
+foreach(case "1 0.01" "2 0.03")
+  separate_arguments(case)
+  list(GET case 0 degree)
+  list(GET case 1 coarse)
   add_scene_test(NAME rubber_indentation_refined_q${degree} SCENE verification/rubber_indentation.prm SET "Discretization/Degree=${degree}" "Refinement/Cycles=2"
-                 CHECK ${TEN_INCREMENTS} "meshes.11.t ~ 1 1e-12" "pairs.0.normal_force.1 ~ -0.443 0.01")
+                 CHECK ${TEN_INCREMENTS} "meshes.9.pairs.0.normal_force.1 ~ -0.443 ${coarse}" "meshes.11.t ~ 1 1e-12" "pairs.0.normal_force.1 ~ -0.443 0.01")
 endforeach()
 add_scene_test(NAME rubber_indentation_at_once SCENE verification/rubber_indentation.prm SET "Discretization/Degree=1" "Increments=1"
                CHECK ${KEPT_FINITE} "newton.0.iterations <= 8" "pairs.0.normal_force.1 ~ -0.443 0.01")
@@ -744,22 +775,34 @@ add_scene_test(NAME auto_tried SCENE hertz_sphere_axisymmetric.prm SET "Kinemati
                CHECK "checks.neglected_strain ~ 0.0139 0.1" "checks.change_of_answer <= 0.01" "notes.0 has small strain is enough")
 add_scene_test(NAME auto_finite SCENE verification/patch_finite.prm SET "Kinematics=auto"
                CHECK ${EXACT_FINITE} "checks.neglected_strain ~ 0.16 0.1" "checks.change_of_answer ~ 0.22 0.1" "notes.0 has finite strain is used")
+add_scene_test(NAME target_error SCENE hertz_cylinder.prm SET "Refinement/Cycles=9" "Refinement/Target error=0.03"
+               CHECK "error_estimate.contact <= 0.03" "meshes.-2.error_estimate.contact >= 0.03" "meshes.-1.mesh <= 8")
 add_scene_test(NAME auto_target SCENE hertz_cylinder.prm SET "Kinematics=auto" "Refinement/Cycles=3" "Refinement/Target error=0.0005"
                CHECK "status is converged" "checks.change_of_answer >= 0.0005" "notes.0 has finite strain is used")
 
-# The same on 1 to 4 ranks, in space too.
-add_comparison_test(NAME ranks_objectivity SCENE verification/objectivity.prm SET "Contact interface/Slave=first" "End time=2" "Increments=2" "Discretization/Degree=1" RUN 1 2 3 4)
+# The same on several ranks, in space too.
+add_comparison_test(NAME ranks_objectivity SCENE verification/objectivity.prm SET "Contact interface/Slave=first" "End time=2" "Increments=2" "Discretization/Degree=1" RUN 1 3)
 add_comparison_test(NAME ranks_patch_finite_turned_3d SCENE verification/patch_finite_turned_3d.prm
-                    SET "Discretization/Degree=1" "Contact interface/Friction coefficient=0.2" "End time=2" "Increments=2" RUN 1 2 3 4)
+                    SET "Discretization/Degree=1" "Contact interface/Friction coefficient=0.2" "End time=2" "Increments=2" RUN 1 3)
+# Open gaps, of which ranks know parts.
+add_comparison_test(NAME ranks_ironing SCENE ironing.prm SET "End time=0.3" "Increments=20" "Body block/Cells=24,4" RUN 1 2)
 
 # ---- The same answer: ranks, complementarity factor
 
-foreach(scene three_blocks hertz_cylinder verification/two_punches verification/two_cylinders verification/patch_hanging_nodes verification/disk_weight
-        three_blocks_3d verification/patch_3d_hanging_nodes hertz_sphere)
-  get_filename_component(name ${scene} NAME)
-  add_comparison_test(NAME ranks_${name} SCENE ${scene}.prm RUN 1 2 3 4)
-endforeach()
-foreach(scene hertz_cylinder nafems_roller verification/two_cylinders verification/disk_above_block)
+# The first run of a comparison is also checked for what the scene pins down.
+add_comparison_test(NAME ranks_three_blocks SCENE three_blocks.prm SET "Discretization/Degree=2" RUN 1 3 CHECK ${EXACT})
+add_comparison_test(NAME ranks_hertz_cylinder SCENE hertz_cylinder.prm RUN 1 3 CHECK ${HERTZ} "reference.errors.pressure_l2 <= 0.02")
+add_comparison_test(NAME ranks_two_punches SCENE verification/two_punches.prm SET "Discretization/Degree=2" RUN 1 2 CHECK ${EXACT})
+add_comparison_test(NAME ranks_two_cylinders SCENE verification/two_cylinders.prm SET "Refinement/Cycles=3" RUN 1 3)
+add_comparison_test(NAME ranks_patch_hanging_nodes SCENE verification/patch_hanging_nodes.prm
+                    SET "Discretization/Degree=2" "Contact interface/Slave=first" RUN 1 2 4 CHECK ${EXACT})
+add_comparison_test(NAME ranks_disk_weight SCENE verification/disk_weight.prm RUN 1 3
+                    CHECK ${ITERATIONS} "reference.errors.normal_force <= 1e-4" "reference.errors.contact_size <= 0.005")
+add_comparison_test(NAME ranks_three_blocks_3d SCENE three_blocks_3d.prm SET "Discretization/Degree=1" RUN 1 3 CHECK ${EXACT})
+add_comparison_test(NAME ranks_patch_3d_hanging_nodes SCENE verification/patch_3d_hanging_nodes.prm
+                    SET "Discretization/Degree=1" "Contact interface/Slave=second" "Linear solver/Type=direct" RUN 1 3 CHECK ${EXACT})
+add_comparison_test(NAME ranks_hertz_sphere SCENE hertz_sphere.prm SET "Refinement/Cycles=2" RUN 1 3)
+foreach(scene nafems_roller verification/disk_above_block)
   get_filename_component(name ${scene} NAME)
   add_comparison_test(NAME complementarity_${name} SCENE ${scene}.prm OPTIONS --iterations 2
                       RUN 1 "1 | Contact solver/Complementarity factor=1e-3" "1 | Contact solver/Complementarity factor=1e3")
@@ -779,7 +822,7 @@ foreach(mu 0 0.3)
 endforeach()
 
 # Either side as slave: the same forces while it begins to slide (quadratic elements, a shorter block).
-add_comparison_test(NAME ironing_slaves SCENE ironing.prm SET "End time=1.05" "Increments=105" "Discretization/Degree=2" "Body block/Upper corner=4,0" "Body block/Cells=32,8"
+add_comparison_test(NAME ironing_slaves SCENE ironing.prm SET "End time=1.05" "Increments=42" "Discretization/Degree=2" "Body block/Upper corner=4,0" "Body block/Cells=24,6"
                     RUN "1 | Contact ironing/Slave=second" "1 | Contact ironing/Slave=first" OPTIONS --tolerance 0.01 --history 1)
 
 # The beam meets the wall and snaps along it; the arch leaves its indenter and is caught again.
@@ -787,8 +830,6 @@ foreach(scene wall_buckling snap_away)
   add_scene_test(NAME ${scene} SCENE ${scene}.prm CHECK "checks.tension <= 1e-9" "checks.penetration <= 1e-9" "checks.force_balance <= 1e-6"
                  "status is converged" "pairs.0.n_slip >= 1")
 endforeach()
-
-# ---- What is written besides the summary
 
 # A node that closes has come from somewhere: the distance counts (closed forms in the scene).
 add_scene_test(NAME oblique_touch SCENE verification/oblique_touch.prm
@@ -882,4 +923,9 @@ foreach(case "1 2 0.08 0.3" "5 3 0.03 0.15" "20 10 0.002 0.012")
                  SET "Contact line/Friction coefficient=0.3" "Refinement/Cycles=2" "Boundary condition load/Force=0|-250*t" "Increments=${n}"
                  CHECK "status is converged" "increments.number == ${n}" "increments.repeated_with == ${repeated}" "error_estimate.increments >= ${least}"
                        "error_estimate.increments <= ${most}" "increments.shear >= 0.002" "meshes.-1.increment == ${n}")
+
+# What takes longest is started first.
+foreach(name ironing_slaves half_space_box two_spheres_3d_q2 wall_buckling snap_away cattaneo_mindlin_75 cattaneo_mindlin_270 mindlin_sphere_nu_0 mindlin_sphere_nu_0.3
+        slide_over_edges_first iterations_punch_40_increments)
+  set_tests_properties(scenes/${name} PROPERTIES COST 10)
 endforeach()

@@ -923,6 +923,7 @@ foreach(case "1 2 0.08 0.3" "5 3 0.03 0.15" "20 10 0.002 0.012")
                  SET "Contact line/Friction coefficient=0.3" "Refinement/Cycles=2" "Boundary condition load/Force=0|-250*t" "Increments=${n}"
                  CHECK "status is converged" "increments.number == ${n}" "increments.repeated_with == ${repeated}" "error_estimate.increments >= ${least}"
                        "error_estimate.increments <= ${most}" "increments.shear >= 0.002" "meshes.-1.increment == ${n}")
+endforeach()
 
 # What takes longest is started first.
 foreach(name ironing_slaves half_space_box two_spheres_3d_q2 wall_buckling snap_away cattaneo_mindlin_75 cattaneo_mindlin_270 mindlin_sphere_nu_0 mindlin_sphere_nu_0.3

@@ -124,6 +124,7 @@ namespace Amontons
     integrate(const Discretization<dim>     &discretization,
               std::vector<OverlapPoint<dim>> points,
               const std::vector<bool>       &carries,
+              const bool                     stays,
               ContactInterface<dim>         &interface)
     {
       const bool faces_something = !points.empty();
@@ -135,9 +136,14 @@ namespace Amontons
       for (unsigned int i = 0; i < carries.size(); ++i)
         if (!carries[i] && interface.slave->nodes[i].parents.empty())
           ++interface.n_without_multiplier;
-      interface.coupling = integrate_coupling(
-          discretization, *interface.slave, interface.master, std::move(points), carries, interface.carried);
-      interface.carried = nodes_with_rows(interface);
+      interface.coupling = integrate_coupling(discretization,
+                                              *interface.slave,
+                                              interface.master,
+                                              std::move(points),
+                                              carries,
+                                              interface.carried,
+                                              stays);
+      interface.carried  = nodes_with_rows(interface);
       if (!faces_something || interface.slave->moved || !interface.coupling.rows.empty())
         return;
       if (any_carries && must_face(discretization, *interface.pair))
@@ -220,16 +226,21 @@ namespace Amontons
                       std::vector<ContactInterface<dim>> &interfaces,
                       const bool                          moved)
   {
+    const bool stays = !moved && discretization.scene.kinematics != Kinematics::finite_strain;
     std::vector<std::vector<bool>> carries;
     for (auto &interface : interfaces)
       {
         carries.push_back(find_carrying_nodes(*interface.slave, supports, interface.pair->tied));
-        integrate(discretization, find_partners(discretization, interface, moved), carries.back(), interface);
+        integrate(discretization,
+                  find_partners(discretization, interface, moved),
+                  carries.back(),
+                  stays,
+                  interface);
       }
     const auto again = settle_shared_nodes(interfaces, carries);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       if (again[i])
-        integrate(discretization, interfaces[i].coupling.points, carries[i], interfaces[i]);
+        integrate(discretization, interfaces[i].coupling.points, carries[i], stays, interfaces[i]);
   }
 
   template <int dim>

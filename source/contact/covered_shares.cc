@@ -28,7 +28,8 @@ namespace Amontons
       return faces;
     }
 
-    // Of one face: int B_i over the covered part, by unknown; the same over the whole face; both areas.
+    // Of one face: int B_i over the covered part, by place in the face; the same over the whole face; both
+    // areas.
     template <int dim>
     std::vector<double>
     covered_and_whole(const ContactSurface<dim> &slave,
@@ -36,11 +37,10 @@ namespace Amontons
                       const PointsView<dim>     &points,
                       const bool                 axisymmetric)
     {
-      const auto         &face = slave.faces[f];
-      const unsigned int  n    = face.unknowns.size();
+      const unsigned int  n = slave.faces[f].nodes.size();
       std::vector<double> sums(2 * n + 2, 0.);
       const auto          add = [&](const unsigned int part, const Point<dim - 1> &xi, const double weight) {
-        const auto B = traces_of_unknowns(bernstein_values<dim - 1>(slave.degree, xi), face.subdivision);
+        const auto B = bernstein_values<dim - 1>(slave.degree, xi);
         for (unsigned int j = 0; j < n; ++j)
           sums[part * n + j] += weight * B[j];
         sums[2 * n + part] += weight;
@@ -58,15 +58,39 @@ namespace Amontons
         }
       return sums;
     }
+
+    // From D_i = int B_i, with the Lagrange polynomials N = T^T B and int B_i = area/n on a plane face.
+    template <int dim>
+    bool
+    is_positive(const ContactSurface<dim> &slave,
+                const unsigned int         f,
+                const std::vector<double> &D,
+                const double               area,
+                const bool                 axisymmetric)
+    {
+      const auto         T = control_matrix(slave.degree, dim - 1);
+      const unsigned int n = T.size();
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          double N = 0, plane = 0;
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              N += T[i][j] * D[i];
+              plane += T[i][j] * area / n;
+            }
+          if (!(axisymmetric && is_on_axis(slave, slave.faces[f].nodes[j])) && N < 0.2 * plane)
+            return false;
+        }
+      return true;
+    }
   } // namespace
 
   template <int dim>
-  std::vector<double>
+  Coverage
   covered_shares(const ContactSurface<dim>  &slave,
                  const FacesWithPoints<dim> &points,
                  const bool                  axisymmetric,
-                 const MPI_Comm              communicator,
-                 std::set<unsigned int>     &whole_faces)
+                 const MPI_Comm              communicator)
   {
     const auto          faces = faces_around(slave, points);
     std::vector<double> mine, sums;
@@ -79,32 +103,37 @@ namespace Amontons
     for (const auto &part : gather_on_all(communicator, std::move(mine)))
       sums.insert(sums.end(), part.begin(), part.end());
 
-    std::vector<double> covered(slave.nodes.size(), 0.), whole(slave.nodes.size(), 0.);
-    auto                next = sums.begin();
+    Coverage            coverage;
+    std::vector<double> whole(slave.nodes.size(), 0.);
+    coverage.shares.assign(slave.nodes.size(), 0.);
+    coverage.positive_faces.assign(slave.faces.size(), false);
+    auto next = sums.begin();
     for (const unsigned int f : faces)
       {
-        for (auto *const by_node : {&covered, &whole})
-          for (const unsigned int i : slave.faces[f].unknowns)
-            (*by_node)[i] += *next++;
+        const auto         &face = slave.faces[f];
+        std::vector<double> covered_part;
+        for (auto *const by_node : {&coverage.shares, &whole})
+          {
+            const std::vector<double> D(next, next + face.nodes.size());
+            const auto                of_unknowns = traces_of_unknowns(D, face.subdivision);
+            for (unsigned int k = 0; k < D.size(); ++k)
+              (*by_node)[face.unknowns[k]] += of_unknowns[k];
+            if (covered_part.empty())
+              covered_part = D;
+            next += D.size();
+          }
         const double covered_area = *next++, face_area = *next++;
         if (covered_area > 0.999 * face_area)
-          whole_faces.insert(f);
+          coverage.whole_faces.insert(f);
+        coverage.positive_faces[f] = is_positive(slave, f, covered_part, face_area, axisymmetric);
       }
     for (unsigned int i = 0; i < whole.size(); ++i)
-      covered[i] /= std::max(whole[i], 1e-300);
-    return covered;
+      coverage.shares[i] /= std::max(whole[i], 1e-300);
+    return coverage;
   }
 
-  template std::vector<double>
-  covered_shares(const ContactSurface<2> &,
-                 const FacesWithPoints<2> &,
-                 const bool,
-                 const MPI_Comm,
-                 std::set<unsigned int> &);
-  template std::vector<double>
-  covered_shares(const ContactSurface<3> &,
-                 const FacesWithPoints<3> &,
-                 const bool,
-                 const MPI_Comm,
-                 std::set<unsigned int> &);
+  template Coverage
+  covered_shares(const ContactSurface<2> &, const FacesWithPoints<2> &, const bool, const MPI_Comm);
+  template Coverage
+  covered_shares(const ContactSurface<3> &, const FacesWithPoints<3> &, const bool, const MPI_Comm);
 } // namespace Amontons

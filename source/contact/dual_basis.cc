@@ -16,7 +16,8 @@ namespace Amontons
                   const std::vector<Point<fdim>> &points,
                   const std::vector<double>      &weights,
                   const std::vector<bool>        &carries_multiplier,
-                  const FullMatrix<double>       &subdivision)
+                  const FullMatrix<double>       &subdivision,
+                  const FullMatrix<double>       &change)
   {
     const unsigned int       n = Utilities::fixed_power<fdim>(degree + 1), n_q = points.size();
     const CoveredBasis<fdim> legendre(degree, points);
@@ -75,6 +76,17 @@ namespace Amontons
         const FullMatrix<double> product(RG);
         A_inverse.mmult(RG, product);
       }
+    FullMatrix<double> P{IdentityMatrix(n)};
+    if (!change.empty())
+      {
+        P = change;
+        FullMatrix<double> P_inverse(n, n);
+        P_inverse.invert(P);
+        const Vector<double> local(D);
+        P_inverse.Tvmult(D, local);
+        const FullMatrix<double> product(RG);
+        P.mmult(RG, product);
+      }
     result.psi.reinit(n, n_q);
     RG.mmult(result.psi, L);
     result.traces.reinit(n, n);
@@ -82,7 +94,8 @@ namespace Amontons
       {
         for (unsigned int q = 0; q < n_q; ++q)
           result.psi(i, q) *= D[i];
-        result.traces(i, i) = D[i];
+        for (unsigned int j = 0; j < n; ++j)
+          result.traces(i, j) = D[i] * P(i, j);
       }
 
     const unsigned int n_carrying = std::count(carries_multiplier.begin(), carries_multiplier.end(), true);
@@ -94,9 +107,11 @@ namespace Amontons
               {
                 for (unsigned int q = 0; q < n_q; ++q)
                   result.psi(i, q) += result.psi(f, q) / n_carrying;
-                result.traces(i, f) += D[f] / n_carrying;
+                for (unsigned int j = 0; j < n; ++j)
+                  result.traces(i, j) += result.traces(f, j) / n_carrying;
               }
-          result.traces(f, f) = 0;
+          for (unsigned int j = 0; j < n; ++j)
+            result.traces(f, j) = 0;
           for (unsigned int q = 0; q < n_q; ++q)
             result.psi(f, q) = 0;
         }
@@ -108,11 +123,13 @@ namespace Amontons
                   const std::vector<Point<1>> &,
                   const std::vector<double> &,
                   const std::vector<bool> &,
+                  const FullMatrix<double> &,
                   const FullMatrix<double> &);
   template DualBasis<2>
   make_dual_basis(const unsigned int,
                   const std::vector<Point<2>> &,
                   const std::vector<double> &,
                   const std::vector<bool> &,
+                  const FullMatrix<double> &,
                   const FullMatrix<double> &);
 } // namespace Amontons

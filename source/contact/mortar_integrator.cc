@@ -3,6 +3,7 @@
 #include <amontons/contact/dual_basis.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/contact/mortar_integrator.h>
+#include <amontons/contact/nodal_traces.h>
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/map.hpp>
@@ -165,7 +166,8 @@ namespace Amontons
     DualBasis<dim - 1>
     dual_basis_of(const ContactSurface<dim> &slave,
                   const PointsView<dim>     &points,
-                  const std::vector<bool>   &carries)
+                  const std::vector<bool>   &carries,
+                  const std::vector<bool>   &nodal)
     {
       const auto                 &face = slave.faces[points[0].slave_face];
       std::vector<Point<dim - 1>> xi;
@@ -178,7 +180,8 @@ namespace Amontons
         }
       for (const unsigned int node : face.unknowns)
         carries_here.push_back(carries[node]);
-      return make_dual_basis<dim - 1>(slave.degree, xi, weights, carries_here, face.subdivision);
+      return make_dual_basis<dim - 1>(
+          slave.degree, xi, weights, carries_here, face.subdivision, change_to_nodal(slave, face, nodal));
     }
 
     // Adds the integrals over the covered part of one face.
@@ -189,11 +192,12 @@ namespace Amontons
              const MasterSide<dim>     &master,
              const PointsView<dim>     &points,
              const std::vector<bool>   &carries,
+             const std::vector<bool>   &nodal,
              FaceSums<dim>             &sums)
     {
       const auto                 &face  = slave.faces[points[0].slave_face];
       const auto                 &nodes = face.unknowns;
-      const auto                  basis = dual_basis_of(slave, points, carries);
+      const auto                  basis = dual_basis_of(slave, points, carries, nodal);
       std::vector<RowSums<dim> *> rows;
       for (const unsigned int node : nodes)
         rows.push_back(carries[node] ? &sums.rows[node] : nullptr);
@@ -231,6 +235,25 @@ namespace Amontons
                 if (carries[j])
                   slivers[i].push_back(j);
       return slivers;
+    }
+
+    // int psi_i with Lagrange traces vanishes on the axis: such nodes carry nothing. Their pressure is that
+    // of the middle node in the sense of control values, so that it has no kink there.
+    template <int dim>
+    void
+    release_axis(const ContactSurface<dim> &slave,
+                 const std::vector<bool>   &nodal,
+                 std::vector<bool>         &carries,
+                 Coupling<dim>             &coupling)
+    {
+      for (const auto &face : slave.faces)
+        for (const unsigned int i : face.unknowns)
+          for (const unsigned int j : face.unknowns)
+            if (nodal[i] && is_on_axis(slave, j))
+              {
+                carries[j]          = false;
+                coupling.slivers[j] = {i};
+              }
     }
 
     // area = int psi_i,  area normal = int psi_i n,  area gap = normal . int psi_i g n (the normal that the
@@ -332,22 +355,28 @@ namespace Amontons
                      const MasterSide<dim>         &master,
                      std::vector<OverlapPoint<dim>> points,
                      const std::vector<bool>       &carries_multiplier,
-                     const std::vector<bool>       &carried)
+                     const std::vector<bool>       &carried,
+                     const bool                     stays)
   {
     const MPI_Comm             communicator = discretization.geometry.communicator;
     const FacesWithPoints<dim> points_of(slave.faces.size(), points, communicator);
     Coupling<dim>              coupling;
     const bool                 axisymmetric = discretization.scene.kind == Kind::axisymmetric;
-    const auto shares  = covered_shares(slave, points_of, axisymmetric, communicator, coupling.whole_faces);
-    auto       carries = carries_multiplier;
+    const auto                 coverage     = covered_shares(slave, points_of, axisymmetric, communicator);
+    auto                       carries      = carries_multiplier;
     for (unsigned int i = 0; i < carries.size(); ++i)
-      carries[i] = carries_multiplier[i] && shares[i] > smallest_share(slave.moved, carried, i);
-    coupling.slivers = find_slivers(slave, points_of, carries_multiplier, carries);
+      carries[i] = carries_multiplier[i] && coverage.shares[i] > smallest_share(slave.moved, carried, i);
+    coupling.whole_faces = coverage.whole_faces;
+    coupling.slivers     = find_slivers(slave, points_of, carries_multiplier, carries);
+    const auto nodal     = stays ? find_nodal_traces(slave, coverage.positive_faces)
+                                 : std::vector<bool>(slave.nodes.size(), false);
+    if (axisymmetric)
+      release_axis(slave, nodal, carries, coupling);
 
     FaceSums<dim> mine;
     for (unsigned int f = 0; f < slave.faces.size(); ++f)
       if (points_of.meets(f) && points_of.is_mine(f))
-        add_face(discretization, slave, master, points_of[f], carries, mine);
+        add_face(discretization, slave, master, points_of[f], carries, nodal, mine);
     auto sums = sum_over_ranks(std::move(mine), communicator);
 
     double closest = std::numeric_limits<double>::max();
@@ -374,12 +403,14 @@ namespace Amontons
                      const MasterSide<2> &,
                      std::vector<OverlapPoint<2>>,
                      const std::vector<bool> &,
-                     const std::vector<bool> &);
+                     const std::vector<bool> &,
+                     const bool);
   template Coupling<3>
   integrate_coupling(const Discretization<3> &,
                      const ContactSurface<3> &,
                      const MasterSide<3> &,
                      std::vector<OverlapPoint<3>>,
                      const std::vector<bool> &,
-                     const std::vector<bool> &);
+                     const std::vector<bool> &,
+                     const bool);
 } // namespace Amontons

@@ -1,3 +1,4 @@
+#include <amontons/contact/covered_shares.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/contact/surface_fields.h>
 
@@ -54,7 +55,8 @@ namespace Amontons
     }
 
     // Control values c of the projection: sum_j int B_i B_j c_j = sum_rows int psi_row B_i value_row over the
-    // overlap; `nonnegative`: with c >= 0 where no value around is negative (tied), which is closer to any pressure
+    // overlap; `nonnegative`: with c >= 0 where no value around is negative (tied), which is closer to any
+    // pressure
     // >= 0. Nodes of which next to nothing is covered take the mean of the others of their face.
     template <int dim>
     std::vector<double>
@@ -403,6 +405,10 @@ namespace Amontons
         fields.slip[row.node] = slip - (slip * row.normal) / row.normal.norm_square() * row.normal;
       }
     fill_hanging_nodes(slave, fields);
+    if (discretization.scene.kind == Kind::axisymmetric) // nodal traces: no row on the axis
+      for (const auto &[node, others] : interface.coupling.slivers)
+        if (is_on_axis(slave, node))
+          fields.state[node] = fields.state[others[0]];
     // Resultants need the projection that keeps all moments; what is shown and compared is >= 0 where the
     // multipliers are: the same for tied surfaces and for those that stick.
     fields.pressure = control_to_nodal(slave, project(interface, pressures));

@@ -49,7 +49,7 @@ namespace Amontons
     Tensor<1, dim> gap_vector; // int psi g n / area
     std::vector<std::pair<NodeDofs<dim>, double>> slave, master;
     std::vector<std::pair<unsigned int, double>>
-        traces; // int psi B_j dA, by slave node: traces of the control values
+        traces; // int psi B_j dA, by slave node: B_j are the traces of the control values
   };
 
   // Delta; u readable at relevant DoFs.
@@ -73,7 +73,9 @@ namespace Amontons
   {
     std::vector<CouplingRow<dim>>  rows;
     std::vector<OverlapPoint<dim>> points;
-    // Nodes of which next to nothing is covered, with those that take their share.
+    // Nodes without a row whose pressure is the mean of others': nodes of which next to nothing is covered,
+    // with those that take their share; under nodal traces (nodal_traces.h) nodes on the axis, with the
+    // middle node beside them.
     std::map<unsigned int, std::vector<unsigned int>> slivers;
     std::set<unsigned int> whole_faces; // slave faces that lie opposite of the other side as a whole
     // int B_i B_j dA over the overlap, by slave node

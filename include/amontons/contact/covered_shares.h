@@ -66,13 +66,28 @@ namespace Amontons
     const std::size_t                     rank, n_ranks;
   };
 
-  // int B_i over the covered part in proportion to that over the whole faces, by slave node; and the faces
-  // that are covered whole, up to quadrature on curved ones. Collective.
+  // Nodes on the axis of axisymmetric scenes.
   template <int dim>
-  std::vector<double>
+  bool
+  is_on_axis(const ContactSurface<dim> &slave, const unsigned int node)
+  {
+    return std::abs(slave.nodes[node].x[0]) < 1e-8 * slave.mean_size;
+  }
+
+  struct Coverage
+  {
+    std::vector<double>    shares;      // by slave node: int B_i, in proportion to that over the whole faces
+    std::set<unsigned int> whole_faces; // covered whole, up to quadrature on curved ones
+    // By face: int N_i of all its Lagrange polynomials is above a fifth of what a plane face has, covered
+    // whole. (On the axis the polynomial of the node there does not count: int N_i r = 0.)
+    std::vector<bool> positive_faces;
+  };
+
+  // Over the covered parts of all faces. Collective.
+  template <int dim>
+  Coverage
   covered_shares(const ContactSurface<dim>  &slave,
                  const FacesWithPoints<dim> &points,
                  const bool                  axisymmetric,
-                 const MPI_Comm              communicator,
-                 std::set<unsigned int>     &whole_faces);
+                 const MPI_Comm              communicator);
 } // namespace Amontons

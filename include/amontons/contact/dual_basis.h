@@ -20,11 +20,15 @@ namespace Amontons
   // values, see SurfaceFace). With D' = A^T D and M' = A^T M A,
   //   psi' = D' M'^-1 B' = D' A^-1 M^-1 B,
   // and the sum stays 1, for A 1 = 1. All results refer to the unknowns then.
+  //
+  // Multipliers may belong to other coefficients c'' = P c' of the same functions (P: `change`, rows of sum
+  // 1; see nodal_traces.h). With B' = P^T B'' and D'' = P^-T D',
+  //   psi'' = D'' P M'^-1 B',   int psi''_i B'_j = D''_i P_ij   (`traces`; D' where P is the identity).
   template <int fdim>
   struct DualBasis
   {
     dealii::FullMatrix<double> psi;    // (node, point); zero rows for nodes without a multiplier
-    dealii::FullMatrix<double> traces; // (node, node): int psi_i B_j
+    dealii::FullMatrix<double> traces; // (node, node): int psi_i B_j (the B of the control values)
     dealii::FullMatrix<double> mass;   // (node, node): int B_i B_j
   };
 
@@ -34,5 +38,6 @@ namespace Amontons
                   const std::vector<dealii::Point<fdim>> &points,
                   const std::vector<double>              &weights,
                   const std::vector<bool>                &carries_multiplier,
-                  const dealii::FullMatrix<double>       &subdivision = {});
+                  const dealii::FullMatrix<double>       &subdivision = {},
+                  const dealii::FullMatrix<double>       &change      = {});
 } // namespace Amontons

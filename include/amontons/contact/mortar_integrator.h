@@ -57,8 +57,9 @@ namespace Amontons
                std::vector<OverlapPoint<dim>> &points);
 
   // carries_multiplier: by slave node, false where supports own the node whole. `points` in the order of the
-  // slave faces. carried, for moved surfaces: which nodes did before. Collective: each rank integrates over
-  // its part of the points, and all get all rows, equal to the last digit.
+  // slave faces. carried, for moved surfaces: which nodes did before. stays: surfaces that are never moved
+  // may have nodal traces (nodal_traces.h). Collective: each rank integrates over its part of the points, and
+  // all get all rows, equal to the last digit.
   template <int dim>
   Coupling<dim>
   integrate_coupling(const Discretization<dim>     &discretization,
@@ -66,5 +67,6 @@ namespace Amontons
                      const MasterSide<dim>         &master,
                      std::vector<OverlapPoint<dim>> points,
                      const std::vector<bool>       &carries_multiplier,
-                     const std::vector<bool>       &carried = {});
+                     const std::vector<bool>       &carried = {},
+                     const bool                     stays   = false);
 } // namespace Amontons

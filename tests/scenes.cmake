@@ -930,3 +930,37 @@ foreach(name ironing_slaves half_space_box two_spheres_3d_q2 wall_buckling snap_
         slide_over_edges_first iterations_punch_40_increments)
   set_tests_properties(scenes/${name} PROPERTIES COST 10)
 endforeach()
+
+# ---- Curved surfaces that move along each other, quadratic elements: no saw-tooth (doc/introduction.md, "Curved slave surfaces")
+
+# A cap that has crossed its clearance and turned in its seat: the pressure stays uniform.
+add_scene_test(NAME cap_in_seat_first SCENE verification/cap_in_seat.prm SET "Contact seat/Slave=first" "Refinement/Cycles=1"
+               CHECK "reference.errors.pressure_l2 <= 0.006" "reference.errors.nodal_peak_pressure <= 0.05")
+add_scene_test(NAME cap_in_seat_second SCENE verification/cap_in_seat.prm SET "Contact seat/Slave=second" "Refinement/Cycles=2"
+               CHECK "reference.errors.pressure_l2 <= 0.016" "reference.errors.nodal_peak_pressure <= 0.035")
+foreach(slave first second)
+  add_scene_test(NAME cap_in_seat_3d_${slave} SCENE verification/cap_in_seat_3d.prm SET "Contact seat/Slave=${slave}" "Refinement/Cycles=1"
+                 CHECK "reference.errors.pressure_l2 <= 0.045")
+endforeach()
+
+# Persson's pin with a wide contact (69.7 degrees) and a narrow one (27.1): closed forms at 0, 11.25, 22.5 and 33.75 degrees. (The nodes of the
+# hole are listed from its other end.)
+set(at_first 0 4 8 12)
+set(at_second -1 -5 -9 -13)
+foreach(slave first second)
+  list(GET at_${slave} 0 a)
+  list(GET at_${slave} 1 b)
+  list(GET at_${slave} 2 c)
+  list(GET at_${slave} 3 d)
+  add_scene_test(NAME pin_in_hole_70_${slave} SCENE verification/pin_in_hole.prm SET "Contact hole/Slave=${slave}" "Contact hole/Initial gap=0.000455"
+                 CHECK "contact.${a}.pressure ~ 0.65084 0.01" "contact.${b}.pressure ~ 0.63998 0.01" "contact.${c}.pressure ~ 0.60713 0.01"
+                       "contact.${d}.pressure ~ 0.55119 0.01")
+  add_scene_test(NAME pin_in_hole_27_${slave} SCENE verification/pin_in_hole.prm
+                 SET "Contact hole/Slave=${slave}" "Contact hole/Initial gap=0.0091" "Body pin/Refinements=4" "Body plate/Refinements=4"
+                 CHECK "contact.${a}.pressure ~ 1.38384 0.02" "contact.${c}.pressure ~ 1.25846 0.02")
+endforeach()
+
+# A strip that slides around a drum: neighbouring nodes have the pressure exp(mu phi)/10 of their angles.
+add_scene_test(NAME capstan_pressure SCENE capstan.prm
+               CHECK "contact.59.pressure ~ 0.119236 0.01" "contact.60.pressure ~ 0.119591 0.01")
+

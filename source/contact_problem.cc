@@ -110,7 +110,10 @@ namespace Amontons
     interfaces = make_interfaces(*discretization, first_is_slave);
     reaches.resize(interfaces.size(), 0.);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      interfaces[i].reach = reaches[i];
+      {
+        interfaces[i].reach = reaches[i];
+        interfaces[i].t     = state.t;
+      }
     for (const auto &interface : interfaces)
       for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
         if (surface != nullptr)
@@ -124,10 +127,12 @@ namespace Amontons
   void
   ContactProblem<dim>::set_time(const double t)
   {
-    if (t == state.t) // rebuild() made the supports of this time
+    if (t == state.t) // rebuild() made the supports and gaps of this time
       return;
     state.t  = t;
     supports = discretization->make_supports(t);
+    if (!finite_strain)
+      redeclare_gaps(*discretization, t, interfaces);
   }
 
   // Points of faces where bodies lie on each other from the start: pressure does not act there.
@@ -148,7 +153,9 @@ namespace Amontons
     };
     for (const auto &interface : interfaces)
       for (const auto &p : interface.coupling.points)
-        if (std::abs(p.gap) <= 1e-6 * interface.slave->faces[p.slave_face].size)
+        if (std::abs(gap_grows(interface) && !finite_strain
+                         ? interface.pair->initial_gap->value(as_3d(p.x_slave), 0)
+                         : p.gap) <= 1e-6 * interface.slave->faces[p.slave_face].size)
           {
             add(*interface.slave, p.slave_face, p.xi_slave, p.weight);
             if (interface.master.surface != nullptr)

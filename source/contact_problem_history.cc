@@ -37,7 +37,7 @@ namespace Amontons
           }
         else if (incremental && (finite_strain || !failed_alike(failure)) && program.cut_back())
           {
-            failure       = {last_report, loads, prescribed_values()};
+            failure       = {last_report, loads, prescribed_values(), growing_gaps()};
             follow_motion = false;
             roll_back(state.t);
           }
@@ -63,8 +63,9 @@ namespace Amontons
     record = LoadRecord();
     if (!finite_strain && !is_repeat)
       neglected = NeglectedTermsOfHistory<dim>();
-    state.committed = LA::Vector();
-    last_converged  = SolutionState();
+    state.committed   = LA::Vector();
+    state.committed_t = 0;
+    last_converged    = SolutionState();
   }
 
   // The increment becomes history. Where the load path turns, slip stops: the next guess is stick.
@@ -89,7 +90,8 @@ namespace Amontons
     write_increment();
     if (program.finished())
       return;
-    state.committed = state.displacement;
+    state.committed   = state.displacement;
+    state.committed_t = state.t;
     if (has_history && parameters.refinement.history == "transfer")
       make_traction_field();
     last_converged = state;
@@ -140,8 +142,8 @@ namespace Amontons
         state              = SolutionState();
         state.displacement = discretization->make_relevant_vector();
       }
-    state.t = -1; // the supports are still those of the failed time
     move_surfaces();
+    state.t = -1; // the supports are still those of the failed time
   }
 
   // Values that supports prescribe, on the owned DoFs.
@@ -157,23 +159,41 @@ namespace Amontons
     return values;
   }
 
-  // A smaller increment is the same problem again if neither loads nor supports depend on t; or, from rest,
-  // if they all grow alike and the iteration went the same way.
+  template <int dim>
+  std::vector<double>
+  ContactProblem<dim>::growing_gaps() const
+  {
+    std::vector<double> gaps;
+    for (const auto &interface : interfaces)
+      if (gap_grows(interface))
+        for (const auto &row : interface.coupling.rows)
+          gaps.push_back(row.gap);
+    return gaps;
+  }
+
+  // A smaller increment is the same problem again if neither loads, supports nor declared gaps depend on t;
+  // or, from rest, if they all grow alike and the iteration went the same way.
   template <int dim>
   bool
   ContactProblem<dim>::failed_alike(const Failure &before) const
   {
     if (before.report.iterations.empty() || before.loads.size() != loads.size())
       return false;
-    const auto   values  = prescribed_values();
-    const double old     = before.loads.norm_sqr() + before.values.norm_sqr(),
-                 now     = loads.norm_sqr() + values.norm_sqr();
-    const double scale   = old > 0 ? std::sqrt(now / old) : 1;
+    const auto   values = prescribed_values();
+    const auto   gaps   = growing_gaps();
+    const auto   square = [](const auto &a) { return std::inner_product(a.begin(), a.end(), a.begin(), 0.); };
+    const double old    = before.loads.norm_sqr() + before.values.norm_sqr() + square(before.gaps),
+                 now    = loads.norm_sqr() + values.norm_sqr() + square(gaps);
+    const double scale  = old > 0 ? std::sqrt(now / old) : 1;
     const auto   differs = [&](const LA::Vector &a, LA::Vector b) {
       b.sadd(-scale, 1, a);
       return b.l2_norm() > 1e-10 * a.l2_norm();
     };
-    if (differs(loads, before.loads) || differs(values, before.values))
+    auto change = gaps;
+    for (unsigned int i = 0; i < change.size(); ++i)
+      change[i] -= scale * before.gaps[i];
+    if (differs(loads, before.loads) || differs(values, before.values) ||
+        square(change) > 1e-20 * square(gaps))
       return false;
     if (std::abs(scale - 1) < 1e-10)
       return true;
@@ -265,10 +285,11 @@ namespace Amontons
       }
     transfer_residual = std::max(transfer_residual, report.start_residual);
     work.rebase(answer());
-    state.committed = state.displacement;
-    last_converged  = state;
-    state.traction  = traction_at_end;
-    state.peaks     = peaks_at_end;
+    state.committed   = state.displacement;
+    state.committed_t = state.t;
+    last_converged    = state;
+    state.traction    = traction_at_end;
+    state.peaks       = peaks_at_end;
     set_time(t);
     carry_active_set();
     return true;

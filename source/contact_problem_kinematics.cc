@@ -116,7 +116,7 @@ namespace Amontons
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       if (i < state.carried.size() && state.carried[i].size() == interfaces[i].slave->nodes.size())
         interfaces[i].carried = state.carried[i];
-    couple_moved(*discretization, supports, state.displacement, interfaces);
+    couple_moved(*discretization, supports, state.displacement, state.t, interfaces);
     fit_states(interfaces, state);
   }
 
@@ -131,7 +131,7 @@ namespace Amontons
     const auto              before = contact_answer(interfaces, trial);
     ElasticityOperator<dim> finite(*discretization, true);
     FiniteNewton<dim>       newton(parameters.newton, parameters.linear_solver, *discretization, timer);
-    couple_moved(*discretization, supports, state.displacement, interfaces);
+    couple_moved(*discretization, supports, state.displacement, state.t, interfaces);
     const auto report =
         newton.solve(finite, interfaces, supports, follower_loads(), trial, [](const auto &) {});
     std::optional<double> change;

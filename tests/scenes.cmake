@@ -964,3 +964,15 @@ endforeach()
 add_scene_test(NAME capstan_pressure SCENE capstan.prm
                CHECK "contact.59.pressure ~ 0.119236 0.01" "contact.60.pressure ~ 0.119591 0.01")
 
+# The pressure of a growing interference is that of the interference reached, also on meshes that are refined on the way or replayed, in any number of
+# increments; nothing slips, and the work put in is stored.
+set(GROWN "status is converged" "reference.errors.pressure_l2 <= 0.003" "checks.negative_dissipation <= 1e-9" "meshes.-1.external_work ~ 6.98 0.001")
+foreach(increments 1 4)
+  add_scene_test(NAME growing_interference_${increments} SCENE verification/growing_interference.prm SET "Increments=${increments}"
+                 CHECK ${GROWN} "checks.energy_balance <= 1e-8" "pairs.0.peak_pressure ~ 22.3106566 1e-6")
+endforeach()
+foreach(history replay transfer)
+  add_scene_test(NAME growing_interference_${history} SCENE verification/growing_interference.prm RANKS 2 SET "Refinement/Cycles=1" "Refinement/History=${history}"
+                 CHECK ${GROWN} "checks.energy_balance <= 1e-8")
+endforeach()
+add_scene_test(NAME growing_interference_finite SCENE verification/growing_interference.prm SET "Kinematics=finite strain" CHECK ${GROWN} "checks.energy_balance <= 1e-4")

@@ -264,13 +264,14 @@ def scenes():
                                ("output time 0", "Output times = 0, 1", r"found 0.*\(0, End time\]"), ("output times decrease", "Output times = 0.9, 0.5", "found 0.5.*increasing"),
                                ("output times that are no numbers", "Output times = 0.5, end", "found 'end'.*numbers")]:
         change("load program: " + name, "set Kind", f"set {entry}\nset Kind", words)
-    for name, entry, words in [("negative", "Friction coefficient = -0.1", r"found -0\.1, a negative bound.*x, y, z, t, p"),
+    for name, entry, words in [("negative", "Friction coefficient = -0.1", r"found -0\.1, a negative bound.*the place, t and p"),
                                ("negative bound", "Tresca bound = 2-3", "found 2-3, a negative bound"),
                                ("unknown variable", "Friction coefficient = 0.3*q", r"cannot be read.*\"q\".*p \(contact pressure\)"),
                                ("r in plane strain", "Tresca bound = r", "variable r"), ("not finite", "Friction coefficient = 1/0", "not a finite number"),
-                               ("pressure elsewhere", "Initial gap = p", r"cannot be read.*\"p\"")]:
+                               ("pressure elsewhere", "Initial gap = p", "variable p, which has no meaning here.*x, y, t"), ("z in the plane", "Initial gap = z", "variable z.*x, y, t"),
+                               ("random", "Friction coefficient = rand()", "function rand")]:
         change("friction: " + name, "= lower/top", "= lower/top\n  set " + entry, words, part="set " + entry)
-    for entry in "Friction coefficient = 0.3", "Tresca bound = 1":
+    for entry in "Friction coefficient = 0.3", "Tresca bound = 1", "Initial gap = -0.1*t":
         change("tied: " + entry, "= lower/top", f"= lower/top\n  set Tied = true\n  set {entry}", "no meaning for Tied = true", part="set " + entry)
     change("Points of a probe", "set Kind", "subsection Probe P\nset Body = upper\nset From = 0, 0\nset To = 1, 1\nset Points = 2000000000\nend\nset Kind",
            "found", part="Points")
@@ -283,6 +284,12 @@ def scenes():
     change("unknown function", "0; -0.01", "0; sine(x)", "cannot be read.*sine")
     change("unknown variable", "0; -0.01", "0; -0.01*w", "cannot be read.*w")
     change("r in plane strain", "0; -0.01", "0; -0.01*r", "variable r")
+    change("z in the plane", "0; -0.01", "0; -0.01*z", "variable z, which has no meaning here.*x, y, t")
+    change("pressure in a displacement", "0; -0.01", "0; -0.01*p", "variable p")
+    change("place in a total force", "  set Value      = 0; -0.01", "  set Type = total force\n  set Value      = 0; -x", "variable x.*expression of t,", part="0; -x")
+    change("place in a motion", "  set Value      = 0; -0.01", "  set Type = platen\n  set Displacement = 0; -0.01*y", "variable y.*expression of t,", part="0; -0.01*y")
+    change("expression for a modulus", "= 1000", "= 1000*x", "found '1000.x'.*number", part="1000*x")
+    change("expression for Adjust", "= lower/top", "= lower/top\n  set Adjust = 0.1*t", "found '0.1.t'.*number", part="set Adjust")
     change("components", "0; -0.01", "0", "1 component", part="set Value      = 0")
     change("nothing prescribed", "0; -0.01", "free; free", "prescribes nothing")
     change("table", "0; -0.01", "0; table(0: 0, 1)", "table")

@@ -97,8 +97,9 @@ namespace Amontons
     roll_back(const double failed_time);
     struct Failure
     {
-      NewtonReport report;
-      LA::Vector   loads, values; // prescribed ones
+      NewtonReport        report;
+      LA::Vector          loads, values; // prescribed ones
+      std::vector<double> gaps;          // those that grow
     };
     bool
     failed_alike(const Failure &before) const;
@@ -106,6 +107,8 @@ namespace Amontons
     note_snaps(const double duration);
     LA::Vector
     prescribed_values() const;
+    std::vector<double>
+    growing_gaps() const;
     void
     return_to_last_converged();
     bool

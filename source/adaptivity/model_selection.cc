@@ -61,6 +61,7 @@ namespace Amontons
     place.displacement = state.displacement;
     place.motion       = largest_motion(discretization, interfaces, state.displacement);
     place.energy       = largest_energy;
+    place.t            = state.t;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         place.nodes.emplace_back();
@@ -105,7 +106,7 @@ namespace Amontons
           result[i].wanted_faces.push_back(std::any_of(
               face.unknowns.begin(), face.unknowns.end(), [&](const unsigned int n) { return is_near[n]; }));
       }
-    couple_moved(discretization, supports, u, result);
+    couple_moved(discretization, supports, u, place.t, result);
     return result;
   }
 

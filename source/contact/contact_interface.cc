@@ -239,8 +239,30 @@ namespace Amontons
       }
     const auto again = settle_shared_nodes(interfaces, carries);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      if (again[i])
-        integrate(discretization, interfaces[i].coupling.points, carries[i], stays, interfaces[i]);
+      {
+        if (again[i])
+          integrate(discretization, interfaces[i].coupling.points, carries[i], stays, interfaces[i]);
+        interfaces[i].carries = std::move(carries[i]);
+      }
+  }
+
+  template <int dim>
+  void
+  redeclare_gaps(const Discretization<dim>          &discretization,
+                 const double                        t,
+                 std::vector<ContactInterface<dim>> &interfaces)
+  {
+    const bool stays = discretization.scene.kinematics != Kinematics::finite_strain;
+    for (auto &interface : interfaces)
+      {
+        const bool changes = gap_grows(interface) && t != interface.t;
+        interface.t        = t;
+        if (!changes)
+          continue;
+        auto points = std::move(interface.coupling.points);
+        declare_gaps(*interface.pair, *interface.slave, t, false, points);
+        integrate(discretization, std::move(points), interface.carries, stays, interface);
+      }
   }
 
   template <int dim>
@@ -248,11 +270,14 @@ namespace Amontons
   couple_moved(const Discretization<dim>          &discretization,
                const Constraints                  &supports,
                const LA::Vector                   &u,
+               const double                        t,
                std::vector<ContactInterface<dim>> &interfaces)
   {
     bool is_new = false;
     for (auto &interface : interfaces)
       {
+        is_new      = is_new || (gap_grows(interface) && t != interface.t);
+        interface.t = t;
         if (!interface.pair->tied)
           is_new = move_interface(discretization, u, interface) || is_new;
         is_new = is_new || interface.carried != nodes_with_rows(interface);
@@ -265,11 +290,17 @@ namespace Amontons
   couple_moved(const Discretization<2> &,
                const Constraints &,
                const LA::Vector &,
+               const double,
                std::vector<ContactInterface<2>> &);
+  template void
+  redeclare_gaps(const Discretization<2> &, const double, std::vector<ContactInterface<2>> &);
+  template void
+  redeclare_gaps(const Discretization<3> &, const double, std::vector<ContactInterface<3>> &);
   template void
   couple_moved(const Discretization<3> &,
                const Constraints &,
                const LA::Vector &,
+               const double,
                std::vector<ContactInterface<3>> &);
   template std::vector<bool>
   choose_slaves(const Discretization<2> &);

@@ -30,11 +30,11 @@ namespace Amontons
     // The gap that counts at a point: declared, closed by `Adjust`, or geometric.
     template <int dim>
     void
-    apply_declared_gap(const PairData &pair, const double face_size, OverlapPoint<dim> &p)
+    apply_declared_gap(const PairData &pair, const double t, const double face_size, OverlapPoint<dim> &p)
     {
       if (pair.initial_gap)
         {
-          p.gap = pair.initial_gap->value(as_3d(p.x_slave), 0);
+          p.gap = pair.initial_gap->value(as_3d(p.x_slave), t);
           return;
         }
       if (std::abs(p.gap) <= std::max(pair.adjust, 1e-10 * face_size))
@@ -192,20 +192,23 @@ namespace Amontons
   void
   declare_gaps(const PairData                 &pair,
                const ContactSurface<dim>      &slave,
+               const double                    t,
                const bool                      moved,
                std::vector<OverlapPoint<dim>> &points)
   {
     for (auto &p : points)
       if (!moved)
-        apply_declared_gap(pair, slave.faces[p.slave_face].size, p);
+        apply_declared_gap(pair, t, slave.faces[p.slave_face].size, p);
       else if (pair.initial_gap)
-        p.gap += pair.initial_gap->value(as_3d(slave.reference_position(p.slave_face, p.xi_slave)), 0);
+        p.gap += pair.initial_gap->value(as_3d(slave.reference_position(p.slave_face, p.xi_slave)), t);
   }
 
   template void
-  declare_gaps(const PairData &, const ContactSurface<2> &, const bool, std::vector<OverlapPoint<2>> &);
+  declare_gaps(
+      const PairData &, const ContactSurface<2> &, const double, const bool, std::vector<OverlapPoint<2>> &);
   template void
-  declare_gaps(const PairData &, const ContactSurface<3> &, const bool, std::vector<OverlapPoint<3>> &);
+  declare_gaps(
+      const PairData &, const ContactSurface<3> &, const double, const bool, std::vector<OverlapPoint<3>> &);
 
   template std::vector<OverlapPoint<2>>
   find_overlaps(const PairData &,

@@ -313,7 +313,7 @@ namespace Amontons
           throw not_facing(interface, "along the normals nothing of one is opposite of the other");
         refuse_backs(discretization, interface, points);
       }
-    declare_gaps(pair, *interface.slave, moved, points);
+    declare_gaps(pair, *interface.slave, interface.t, moved, points);
     return points;
   }
 

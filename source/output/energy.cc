@@ -1,5 +1,8 @@
 #include <amontons/algebra/condensed_system.h>
+#include <amontons/base/points.h>
 #include <amontons/output/energy.h>
+
+#include <utility>
 
 namespace Amontons
 {
@@ -54,6 +57,23 @@ namespace Amontons
     energy   = stored;
     contact  = contact_force_vector(answer);
     external = external_forces(answer, contact);
+    pressing = forces_on_growing_gaps(answer);
+  }
+
+  template <int dim>
+  typename WorkDone<dim>::NodeForces
+  WorkDone<dim>::forces_on_growing_gaps(const Answer<dim> &answer)
+  {
+    NodeForces forces;
+    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
+      if (gap_grows(answer.interfaces[i]))
+        for (unsigned int r = 0; r < answer.interfaces[i].coupling.rows.size(); ++r)
+          {
+            const auto &row = answer.interfaces[i].coupling.rows[r];
+            if (const double p = answer.state.pressures[i][r]; p != 0)
+              forces[{i, row.node}] = row.area * p * row.normal.norm_square();
+          }
+    return forces;
   }
 
   template <int dim>
@@ -77,13 +97,30 @@ namespace Amontons
     external   = external_now;
     contact    = contact_now;
 
+    // The gap of a node is a control value, c = sum weight g(X) (see SurfaceNode).
+    const auto grown_by = [&](const unsigned int i, const unsigned int node) {
+      const auto &slave  = *answer.interfaces[i].slave;
+      const auto &gap    = *answer.interfaces[i].pair->initial_gap;
+      double      change = 0;
+      for (const auto &[k, weight] : slave.nodes[node].control)
+        change += weight * (gap.value(as_3d(slave.nodes[k].X), state.t) -
+                            gap.value(as_3d(slave.nodes[k].X), state.committed_t));
+      return change;
+    };
+    double     growth       = 0;
+    const auto pressing_now = forces_on_growing_gaps(answer);
+    for (const auto *forces : {&std::as_const(pressing), &pressing_now})
+      for (const auto &[place, force] : *forces)
+        growth -= 0.5 * force * grown_by(place.first, place.second);
+    pressing = pressing_now;
+
     double friction = 0;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       for (unsigned int r = 0; r < answer.interfaces[i].coupling.rows.size(); ++r)
         friction += answer.interfaces[i].coupling.rows[r].area * (state.shears[i][r] * state.slips[i][r]);
     const double stored = stored_energy(answer);
-    external_work += work;
-    contact_work += by_contact;
+    external_work += work + growth;
+    contact_work += by_contact + growth;
     dissipation += friction;
     smallest_dissipation = std::min(smallest_dissipation, friction);
     largest_work         = std::max({largest_work, std::abs(external_work), stored});

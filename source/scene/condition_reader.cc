@@ -68,7 +68,9 @@ namespace Amontons
             if (value.empty())
               section.fail(
                   "Value", "found nothing", std::to_string(section.dim()) + " components separated by ';'");
-            condition.value = section.expressions("Value");
+            condition.value = section.expressions(
+                "Value",
+                condition.type == Type::traction ? SectionInput::Of::place_and_time : SectionInput::Of::time);
             break;
           case Type::pressure:
             if (value.empty())

@@ -45,10 +45,27 @@ namespace Amontons
   namespace
   {
     std::string
-    allowed_expressions(const bool of_pressure)
+    allowed_expressions(const std::vector<std::string> &variables)
     {
-      return std::string("an expression of x, y, z, t") + (of_pressure ? ", p (contact pressure)" : "") +
-             " (axisymmetric: also r), pi, and table(t: value, ...)";
+      std::string list;
+      for (const std::string &variable : variables)
+        list += variable + (variable == "p" ? " (contact pressure), " : variable == "r" ? " (= x), " : ", ");
+      return "an expression of " + list + "pi, and table(t: value, ...)";
+    }
+
+    // What is no variable here must not be taken for 0; random numbers are others at every call.
+    void
+    refuse_other_variables(const std::string              &text,
+                           const std::vector<std::string> &variables,
+                           const Where                    &where)
+    {
+      for (const std::string name : {"x", "y", "z", "r", "t", "p", "rand", "rand_seed"})
+        if (has_identifier(text, name) &&
+            std::find(variables.begin(), variables.end(), name) == variables.end())
+          throw InputError(where,
+                           "'" + text + "' has the " + (name.size() > 1 ? "function " : "variable ") + name +
+                               ", which has no meaning here",
+                           allowed_expressions(variables));
     }
 
     // deal.II repeats muParser's message on std::cerr; the exception says it all.
@@ -163,24 +180,27 @@ namespace Amontons
     source = text.str();
   }
 
-  Expression::Expression(const std::string &text, const Where &where, const bool of_pressure)
+  Expression::Expression(const std::string              &text,
+                         const Where                    &where,
+                         const std::vector<std::string> &variables)
       : source(trim(text))
   {
     if (source.empty())
-      throw InputError(where, "found nothing", allowed_expressions(of_pressure));
+      throw InputError(where, "found nothing", allowed_expressions(variables));
     if (const auto number = as_number(source))
       {
         constant_value = *number;
         return;
       }
 
+    refuse_other_variables(source, variables, where);
     const std::string plain =
         map_identifiers(expand_tables(source, where, table_times),
                         [](const std::string &word) { return word == "r" ? "x" : word; });
     parser              = std::make_shared<Parser>();
     parser->where       = where;
     parser->text        = plain;
-    parser->of_pressure = of_pressure && has_identifier(plain, "p");
+    parser->of_pressure = has_identifier(plain, "p");
     double at_origin    = 0;
     try
       {
@@ -192,18 +212,17 @@ namespace Amontons
       {
         throw InputError(where,
                          "'" + source + "' cannot be read: " + what_the_parser_said(exception),
-                         allowed_expressions(of_pressure));
+                         allowed_expressions(variables));
       }
 
-    for (const std::string variable : {"x", "y", "z", "t", "p", "rand", "rand_seed"})
+    for (const std::string variable : {"x", "y", "z", "t", "p"})
       constant = constant && !has_identifier(plain, variable);
     if (constant)
       {
         constant_value = at_origin;
         parser.reset();
         if (!std::isfinite(constant_value))
-          throw InputError(
-              where, "'" + source + "' is not a finite number", allowed_expressions(of_pressure));
+          throw InputError(where, "'" + source + "' is not a finite number", allowed_expressions(variables));
       }
   }
 
@@ -247,5 +266,11 @@ namespace Amontons
   Expression::is_constant() const
   {
     return constant;
+  }
+
+  bool
+  Expression::depends_on_time() const
+  {
+    return !constant && has_identifier(parser->text, "t");
   }
 } // namespace Amontons

@@ -132,6 +132,7 @@ namespace Amontons
       }
     for (const PairData &pair : scene.pairs)
       {
+        corners.add(pair.initial_gap);
         corners.add(pair.friction);
         corners.add(pair.tresca_bound);
       }

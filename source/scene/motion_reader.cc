@@ -38,14 +38,14 @@ namespace Amontons
         {
           const unsigned int i = indices[k];
           if (!forces.empty())
-            driver[i] = section.expression(driver_entry, forces[k]);
+            driver[i] = section.expression(driver_entry, forces[k], SectionInput::Of::time);
           if (values.empty() ? !driver[i].is_zero() : values[k] == "free")
             prescribed[i].reset();
           else if (!values.empty() && values[k].empty())
             section.fail(
                 entry, "component " + std::to_string(k) + " is empty", "an expression (0: held) or 'free'");
           else if (!values.empty())
-            prescribed[i] = section.expression(entry, values[k]);
+            prescribed[i] = section.expression(entry, values[k], SectionInput::Of::time);
           if (prescribed[i] && !driver[i].is_zero())
             section.fail(driver_entry,
                          "component " + std::to_string(k) + " is '" + driver[i].text() + "', but " + entry +

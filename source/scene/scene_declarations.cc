@@ -152,7 +152,7 @@ namespace Amontons
           anything,
           "displacement: 'ux; uy[; uz]', each an expression or 'free', or a closed form NAME(PARAMETER = "
           "NUMBER, "
-          "...); traction, total force: 'fx; fy[; fz]'; pressure: one expression. Expressions of x, y, z, t, "
+          "...); traction, total force (of t alone): 'fx; fy[; fz]'; pressure: one expression. Expressions of x, y, z, t, "
           "pi, and table(0: 0, 1: 5, ...), piecewise linear in t.");
       declare_motion(prm);
     }
@@ -174,7 +174,8 @@ namespace Amontons
           "Initial gap",
           "",
           anything,
-          "Expression of the slave's reference position that replaces the geometric gap; empty: geometric.");
+          "Expression of the slave's reference position and the time t that replaces the geometric gap; empty: "
+          "geometric.");
       prm.declare_entry(
           "Adjust", "0", Patterns::Double(0), "Initial gaps and overlaps up to this size count as zero.");
       prm.declare_entry(

@@ -145,13 +145,21 @@ namespace Amontons
   }
 
   Expression
-  SectionInput::expression(const std::string &entry, const std::string &text, const bool of_pressure) const
+  SectionInput::expression(const std::string &entry, const std::string &text, const Of of) const
   {
-    if (kind() != Kind::axisymmetric && has_identifier(text, "r"))
-      fail(entry,
-           "'" + text + "' has the variable r",
-           std::string(of_pressure ? "x, y, z, t, p" : "x, y, z, t") + "; r only in axisymmetric scenes");
-    return Expression(text, where(entry), of_pressure);
+    std::vector<std::string> variables;
+    if (of != Of::time)
+      {
+        if (kind() == Kind::axisymmetric)
+          variables.push_back("r");
+        variables.insert(variables.end(), {"x", "y"});
+        if (dim() == 3)
+          variables.push_back("z");
+      }
+    variables.push_back("t");
+    if (of == Of::place_time_and_pressure)
+      variables.push_back("p");
+    return Expression(text, where(entry), variables);
   }
 
   std::vector<std::string>
@@ -168,12 +176,12 @@ namespace Amontons
   }
 
   std::array<Expression, 3>
-  SectionInput::expressions(const std::string &entry) const
+  SectionInput::expressions(const std::string &entry, const Of of) const
   {
     std::array<Expression, 3>      values;
     const std::vector<std::string> pieces = components(entry, dim());
     for (unsigned int i = 0; i < pieces.size(); ++i)
-      values[i] = expression(entry, pieces[i]);
+      values[i] = expression(entry, pieces[i], of);
     return values;
   }
 

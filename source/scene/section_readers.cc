@@ -98,11 +98,11 @@ namespace Amontons
     const std::string text = section.text(entry);
     if (text.empty())
       return {};
-    const Expression bound = section.expression(entry, text, true);
+    const Expression bound = section.expression(entry, text, SectionInput::Of::place_time_and_pressure);
     if (bound.is_constant() && bound.value(Point<3>(), 0) < 0)
       section.fail(entry,
                    "found " + text + ", a negative bound",
-                   "0, a positive number, or an expression of x, y, z, t, p");
+                   "0, a positive number, or an expression of the place, t and p");
     return bound;
   }
 
@@ -140,10 +140,12 @@ namespace Amontons
     pair.slave              = slave == "first"    ? PairData::Slave::first
                               : slave == "second" ? PairData::Slave::second
                                                   : PairData::Slave::automatic;
+    pair.tied               = section.flag("Tied");
+    if (pair.tied)
+      section.refuse({"Initial gap"}, "for Tied = true: what is glued stays as far apart as the meshes are");
     if (!section.text("Initial gap").empty())
       pair.initial_gap = section.expression("Initial gap", section.text("Initial gap"));
     pair.adjust = section.number("Adjust");
-    pair.tied   = section.flag("Tied");
     read_friction(section, pair);
     return pair;
   }

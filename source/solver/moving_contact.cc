@@ -43,7 +43,7 @@ namespace Amontons
         committed(start.committed.size() == discretization.dof_handler.n_dofs()
                       ? start.committed
                       : discretization.make_relevant_vector()),
-        derivatives(interfaces.size())
+        t(start.committed_t), derivatives(interfaces.size())
   {
     const auto add_coordinates = [&](const auto &dofs, const Point<dim> &X) {
       for (unsigned int c = 0; c < dim; ++c)
@@ -92,6 +92,7 @@ namespace Amontons
         move(committed);
         remember_old_rows(committed, closed_nodes(start));
       }
+    t = start.t;
   }
 
   // The states are in the order of the slave nodes that had a row.
@@ -112,7 +113,7 @@ namespace Amontons
   void
   MovingContact<dim>::move(const LA::Vector &u)
   {
-    couple_moved(discretization, supports, u, interfaces);
+    couple_moved(discretization, supports, u, t, interfaces);
     for (auto &node : all)
       {
         node.row  = numbers::invalid_unsigned_int;

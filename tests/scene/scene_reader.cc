@@ -360,7 +360,7 @@ end
         solid.conditions[0].displacement[2]->value(Point<3>(1, 0, 0), 0.5), 1.5, 1e-14, "table of x");
     const Scene axisymmetric =
         read_scene(folder + "/template.prm",
-                   {"Kind = axisymmetric", "Boundary condition TOP/Value = exp(-r)*2e0; z+y"},
+                   {"Kind = axisymmetric", "Boundary condition TOP/Value = exp(-r)*2e0; x+y"},
                    {&newton});
     check::is_close(axisymmetric.conditions[0].displacement[0]->value(Point<3>(1, 0, 0), 0),
                     2 * std::exp(-1.),

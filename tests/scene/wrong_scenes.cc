@@ -176,9 +176,9 @@ end
     expect_set("Body lower/Radius = 2", {"Radius: this entry has no meaning for Mesh = block"});
     expect_set("Body lower/Force = 0; 1", {"Rigid = false"});
     expect_set("Body lower/Body force = 0", {"1 component(s)", "2 component(s) separated by ';'"});
-    expect_set("Body lower/Body force = 0; q", {"Unexpected token \"q\"", "an expression of x, y, z, t"});
+    expect_set("Body lower/Body force = 0; q", {"Unexpected token \"q\"", "an expression of x, y, t"});
     expect_set("Body lower/Body force = 0; (x", {"parenthesis"});
-    expect_set("Body lower/Body force = 0; r", {"only in axisymmetric"});
+    expect_set("Body lower/Body force = 0; r", {"variable r"});
     expect_set("Body lower/Body force = 0; table(0: 1, 0: 2)", {"increas"});
     expect_set("Body lower/Body force = 0; table(1)", {"time: value"});
     expect_set("Kind = 3D", {"3 numbers"});
@@ -248,14 +248,14 @@ end
         message(good + "subsection Contact again\n set First = upper/bottom\n set Second = lower/top\nend\n"),
         {"scene.prm:29", "same two surfaces"});
     expect_set("Contact main/Adjust = -1", {"a number v >= 0"});
-    expect_set("Contact main/Friction coefficient = -0.1", {"found -0.1, a negative bound", "x, y, z, t, p"});
+    expect_set("Contact main/Friction coefficient = -0.1", {"found -0.1, a negative bound", "the place, t and p"});
     expect_set("Contact main/Tresca bound = 1-3", {"found 1-3, a negative bound"});
     expect_set("Contact main/Friction coefficient = 0.3*q",
                {"main/Friction coefficient: '0.3*q' cannot be read: Unexpected token \"q\"",
-                "x, y, z, t, p (contact pressure)"});
+                "x, y, t, p (contact pressure)"});
     expect_set("Contact main/Friction coefficient = r",
-               {"variable r", "x, y, z, t, p; r only in axisymmetric"});
-    expect_set("Contact main/Initial gap = p", {"Unexpected token \"p\"", "expression of x, y, z, t (axi"});
+               {"variable r", "x, y, t, p (contact pressure)"});
+    expect_set("Contact main/Initial gap = p", {"variable p", "expression of x, y, t,"});
     expect(message(good, {"Contact main/Tied = true", "Contact main/Friction coefficient = 0.1"}),
            {"no meaning for Tied = true"});
     expect(message(good, {"Contact main/Tied = true", "Contact main/Tresca bound = 1"}),

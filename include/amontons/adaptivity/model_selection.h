@@ -77,7 +77,7 @@ namespace Amontons
     struct Place
     {
       LA::Vector                     displacement;
-      double                         motion = 0, energy = 0;
+      double                         motion = 0, energy = 0, t = 0;
       std::vector<std::vector<Node>> nodes; // by pair
     };
 

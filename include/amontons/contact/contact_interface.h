@@ -15,14 +15,25 @@ namespace Amontons
     std::unique_ptr<ContactSurface<dim>> slave;
     std::unique_ptr<ContactSurface<dim>> master_surface; // empty for analytic obstacles
     MasterSide<dim>                      master;
-    Coupling<dim>     coupling; // small sliding: integrated once per mesh, in the reference configuration
-    std::vector<bool> carried;  // slave nodes with a row
+    Coupling<dim> coupling; // small sliding: integrated once per mesh, in the reference configuration
+    double        t = 0;    // at which declared gaps are taken
+    std::vector<bool>
+        carries; // by slave node: whether it may have a row: no support and no other pair has it
+    std::vector<bool> carried;                  // slave nodes with a row
     unsigned int      n_without_multiplier = 0; // slave nodes that supports own whole
     // Gaps up to this are part of the coupling. 0: not known yet, chosen from the sizes of the surfaces.
     double reach = 0;
     // Slave faces that are coupled; empty: all.
     std::vector<bool> wanted_faces;
   };
+
+  // Whether the declared gap depends on time.
+  template <int dim>
+  bool
+  gap_grows(const ContactInterface<dim> &interface)
+  {
+    return interface.pair->initial_gap && interface.pair->initial_gap->depends_on_time();
+  }
 
   // Which side of each pair is the slave, decided once on the first mesh: true = first. Automatic: rigid
   // bodies and obstacles are masters; else the finer, softer side: the smaller product of mean face size and
@@ -48,8 +59,8 @@ namespace Amontons
   void
   turn_interface(const LA::Vector &u, ContactInterface<dim> &interface);
 
-  // Fills the couplings; `supports` tells which slave nodes cannot carry a multiplier. moved: see
-  // find_overlaps.
+  // Fills the couplings, with the gaps declared for interface.t; `supports` tells which slave nodes cannot
+  // carry a multiplier. moved: see find_overlaps.
   template <int dim>
   void
   integrate_couplings(const Discretization<dim>          &discretization,
@@ -57,13 +68,22 @@ namespace Amontons
                       std::vector<ContactInterface<dim>> &interfaces,
                       const bool                          moved = false);
 
-  // Couples the surfaces where u takes them, unless they are there already; tied ones stay where they were.
+  // Couples the surfaces where u takes them, with the gaps declared for time t, unless they are there
+  // already; tied ones stay where they were.
   template <int dim>
   void
   couple_moved(const Discretization<dim>          &discretization,
                const Constraints                  &supports,
                const LA::Vector                   &u,
+               const double                        t,
                std::vector<ContactInterface<dim>> &interfaces);
+
+  // Surfaces that have not moved: gaps that depend on time are taken at t. Nodes keep their rows.
+  template <int dim>
+  void
+  redeclare_gaps(const Discretization<dim>          &discretization,
+                 const double                        t,
+                 std::vector<ContactInterface<dim>> &interfaces);
 
   // The answer on one slave surface: by slave node.
   template <int dim>

@@ -46,13 +46,14 @@ namespace Amontons
                 const bool                 moved  = false,
                 const std::vector<bool>   &wanted = {});
 
-  // From geometric gaps to those that the pair declares (`Initial gap`, `Adjust`). Throws InputError where the
-  // bodies overlap without a declared interference. Where the bodies have moved, gaps may be negative, and a
-  // declared one is added to the geometric one.
+  // From geometric gaps to those that the pair declares (`Initial gap`, at time t, and `Adjust`). Throws
+  // InputError where the bodies overlap without a declared interference. Where the bodies have moved, gaps
+  // may be negative, and a declared one is added to the geometric one.
   template <int dim>
   void
   declare_gaps(const PairData                 &pair,
                const ContactSurface<dim>      &slave,
+               const double                    t,
                const bool                      moved,
                std::vector<OverlapPoint<dim>> &points);
 

@@ -40,9 +40,10 @@ namespace Amontons
   double
   declared_gap(const ContactInterface<dim> &interface, const OverlapPoint<dim> &p, const Point<dim - 1> &xi)
   {
-    return interface.pair->initial_gap ? interface.pair->initial_gap->value(
-                                             as_3d(interface.slave->reference_position(p.slave_face, xi)), 0)
-                                       : 0.;
+    return interface.pair->initial_gap
+               ? interface.pair->initial_gap->value(
+                     as_3d(interface.slave->reference_position(p.slave_face, xi)), interface.t)
+               : 0.;
   }
 
   // The projected point on the other face; of a declared gap the slope is taken by differences.

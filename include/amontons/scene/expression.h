@@ -20,8 +20,11 @@ namespace Amontons
   public:
     Expression() = default; // zero
     explicit Expression(const double constant);
-    // Throws InputError at `where` if the text cannot be parsed; p is a variable only if `of_pressure`.
-    Expression(const std::string &text, const Where &where, const bool of_pressure = false);
+    // Throws InputError at `where` if the text cannot be parsed or has other variables than these, of x, y, z,
+    // r, t and p.
+    Expression(const std::string              &text,
+               const Where                    &where,
+               const std::vector<std::string> &variables = {"x", "y", "z", "t"});
 
     double
     value(const dealii::Point<3> &p, const double t, const double pressure = 0) const;
@@ -33,6 +36,8 @@ namespace Amontons
     is_zero() const; // the text is the constant zero
     bool
     is_constant() const; // does not depend on x, y, z, t, p
+    bool
+    depends_on_time() const;
 
   private:
     struct Parser;

@@ -90,14 +90,21 @@ namespace Amontons
     direction(const std::string &entry) const; // normalised
     std::vector<double>
     numbers(const std::string &entry) const;
+    // Of what the expression may depend on.
+    enum class Of
+    {
+      time,
+      place_and_time,
+      place_time_and_pressure
+    };
     Expression
-    expression(const std::string &entry, const std::string &text, const bool of_pressure = false) const;
+    expression(const std::string &entry, const std::string &text, const Of of = Of::place_and_time) const;
     // Exactly n texts (one more is ignored if two are needed, so that 2D scenes may write z); none if the
     // entry is empty.
     std::vector<std::string>
     components(const std::string &entry, const unsigned int n) const;
     std::array<Expression, 3>
-    expressions(const std::string &entry) const; // dim components; zero if empty
+    expressions(const std::string &entry, const Of of = Of::place_and_time) const; // dim; zero if empty
     FieldData
     field(const std::string &entry) const; // NAME or NAME(PARAMETER = NUMBER, ...)
 

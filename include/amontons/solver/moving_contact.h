@@ -135,6 +135,7 @@ namespace Amontons
     std::vector<double>                                    old_gap;
     std::vector<std::optional<OldRow>>                     old;
     LA::Vector                                             committed;
+    double                                                 t; // of declared gaps
     std::map<types::global_dof_index, double>              reference_coordinate;
     std::vector<std::unique_ptr<CouplingDerivatives<dim>>> derivatives; // by interface
     std::vector<unsigned int> differentiated;                           // by node: its row there, or invalid

@@ -18,6 +18,7 @@ namespace Amontons
     // The displacement that the increment started from, all the history there is: slip is the change of the
     // tangential jump since then. Empty: none.
     LA::Vector committed;
+    double     committed_t = 0; // its time
     // A field on the slave nodes' DoFs (zero elsewhere) that carries the states from one mesh to the next:
     // along the normal (p/peak)^2, continued to negative values beyond the contact; along the surface the
     // trial shear over its bound, a node slipping where this exceeds 1.

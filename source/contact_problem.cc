@@ -339,7 +339,7 @@ namespace Amontons
     mesh.residual          = newton.residual;
     mesh.seconds           = wall.wall_time();
     mesh.pairs             = summarize_pairs(answer());
-    mesh.error_estimate    = {error.bulk, error.contact};
+    mesh.error_estimate    = {error.bulk, error.contact, error.facets};
     mesh.energy            = stored_energy(answer());
     if (!scene.probes.empty() && !is_repeat)
       mesh.probes = evaluate_probes(*discretization, *recovery, state.displacement, summary.notes);
@@ -447,6 +447,27 @@ namespace Amontons
 
   template <int dim>
   void
+  ContactProblem<dim>::note_facets()
+  {
+    for (unsigned int i = 0; i < error.facets_of.size(); ++i)
+      if (const FacetError &facets = error.facets_of[i]; facets.pressure > noteworthy_facets)
+        {
+          std::ostringstream text;
+          text.precision(2);
+          text << "warning: pair '" << interfaces[i].pair->name
+               << "' touches on facets, flat faces that stand for a curve: kinks of up to "
+               << facets.angle * 180 / numbers::PI << " degrees between lengths of " << facets.size
+               << " make an error of about " << facets.gap << " in the gap, of which the load closes "
+               << facets.closed_gap << ", and of " << 100 * facets.pressure
+               << " % in the pressure. Refinement does not mend it: declare 'Curved boundaries', give a mesh "
+                  "of second "
+                  "order (gmsh: Mesh.ElementOrder = 2), or a finer one";
+          summary.notes.push_back(text.str());
+        }
+  }
+
+  template <int dim>
+  void
   ContactProblem<dim>::finish()
   {
     summary.scene = scene.file;
@@ -474,8 +495,12 @@ namespace Amontons
           add_energy_checks();
       }
     note_untouched_pairs();
-    if (parameters.refinement.target_error > 0 && !(estimated_error() <= parameters.refinement.target_error))
-      summary.notes.push_back("the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'");
+    note_facets();
+    if (const double target = parameters.refinement.target_error;
+        target > 0 && !(estimated_error() <= target))
+      summary.notes.push_back(
+          error.facets > target ? "the target error cannot be reached: facets alone make a larger one"
+                                : "the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'");
     if (scene.kind == Kind::axisymmetric)
       summary.notes.push_back("axisymmetric: forces are for the full turn");
     for (const auto &f : fields)

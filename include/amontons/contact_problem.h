@@ -166,6 +166,8 @@ namespace Amontons
     void
     note_untouched_pairs();
     void
+    note_facets();
+    void
     finish();
     Answer<dim>
     answer() const;

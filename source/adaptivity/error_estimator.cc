@@ -1,9 +1,11 @@
 #include <amontons/base/points.h>
 #include <amontons/adaptivity/error_estimator.h>
 #include <amontons/contact/face_basis.h>
+#include <amontons/elasticity/linear_elastic.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/tensor_product_polynomials.h>
+#include <deal.II/numerics/rtree.h>
 
 #include <set>
 
@@ -110,6 +112,56 @@ namespace Amontons
           add_masters(interface, face_squares);
       }
 
+      // See introduction.md. All ranks know all nodes.
+      void
+      add_facets(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+      {
+        FacetError        &error  = facets_of.emplace_back();
+        const auto        &bodies = discretization.scene.bodies;
+        const NearestFacet of_slave(interface.slave->facets);
+        const NearestFacet of_master(interface.master_surface ? interface.master_surface->facets
+                                                              : std::vector<Facet<dim>>());
+        if ((of_slave.empty() && of_master.empty()) || interface.pair->tied)
+          return;
+        double compliance = 1 / contact_modulus(bodies[interface.slave->body].material);
+        std::map<types::global_dof_index, Point<dim>> X_master;
+        if (interface.master_surface)
+          {
+            if (!bodies[interface.master_surface->body].rigid)
+              compliance += 1 / contact_modulus(bodies[interface.master_surface->body].material);
+            for (const auto &node : interface.master_surface->nodes)
+              X_master[node.dofs[0]] = node.X;
+          }
+        double square = 0, pressure = 0, area = 0;
+        for (const auto &row : interface.coupling.rows)
+          {
+            const double p = fields.multiplier[row.node];
+            if (!(p > 0))
+              continue;
+            pressure += row.area * p * p;
+            area += row.area;
+            Point<dim> opposite;
+            for (const auto &[dofs, weight] : row.master)
+              if (interface.master_surface)
+                opposite += weight * X_master.at(dofs[0]);
+            const Facet<dim> *const        slave  = of_slave.at(interface.slave->nodes[row.node].X),
+                                    *const master = of_master.at(opposite);
+            square += row.area * kinks_squared(slave, master);
+            for (const auto *facet : {slave, master})
+              if (facet != nullptr && std::abs(facet->angle) > error.angle)
+                {
+                  error.angle = std::abs(facet->angle);
+                  error.size  = facet->size;
+                }
+          }
+        const double modulus = 1 / compliance;
+        error.gap            = error.size * error.angle / 8;
+        error.pressure       = modulus * modulus / 48 * square; // squared, not yet relative
+        // a^2 / (2 R) of a Hertz contact: p0 = E* a / (2 R), and the mean square of p is 2/3 p0^2
+        if (area > 0)
+          error.closed_gap = std::sqrt(1.5 * pressure / area) * fields.contact_size / modulus;
+      }
+
       ErrorEstimate<dim>
       result() const
       {
@@ -127,12 +179,65 @@ namespace Amontons
             estimate.cell_indicators[c]    = std::sqrt(squares[c]);
             estimate.contact_indicators[c] = std::sqrt(contact_squares[c]);
           }
-        estimate.bulk    = relative(total(bulk_error), total(bulk_energy));
-        estimate.contact = relative(total(pressure_error), total(pressure_square));
+        estimate.bulk      = relative(total(bulk_error), total(bulk_energy));
+        estimate.contact   = relative(total(pressure_error), total(pressure_square));
+        estimate.facets_of = facets_of;
+        double facets      = 0;
+        for (auto &of_pair : estimate.facets_of)
+          {
+            facets += of_pair.pressure;
+            of_pair.pressure = relative(of_pair.pressure, total(pressure_square));
+          }
+        estimate.facets  = relative(facets, total(pressure_square));
+        estimate.contact = std::hypot(estimate.contact, estimate.facets);
         return estimate;
       }
 
     private:
+      // The facet at a point of the surface, if there is one.
+      class NearestFacet
+      {
+      public:
+        explicit NearestFacet(const std::vector<Facet<dim>> &facets) : facets(facets)
+        {
+          std::vector<std::pair<Point<dim>, unsigned int>> centres;
+          for (const auto &facet : facets)
+            centres.emplace_back(facet.centre, centres.size());
+          tree = pack_rtree(centres);
+        }
+
+        bool
+        empty() const
+        {
+          return facets.empty();
+        }
+
+        const Facet<dim> *
+        at(const Point<dim> &X) const
+        {
+          if (facets.empty())
+            return nullptr;
+          const auto &facet = facets[tree.qbegin(boost::geometry::index::nearest(X, 1))->second];
+          return X.distance(facet.centre) <= 1.05 * facet.radius ? &facet : nullptr;
+        }
+
+      private:
+        const std::vector<Facet<dim>> facets;
+        boost::geometry::index::rtree<std::pair<Point<dim>, unsigned int>, boost::geometry::index::linear<16>>
+            tree;
+      };
+
+      // Those of both sides; polygons that fit into each other leave no gap.
+      static double
+      kinks_squared(const Facet<dim> *slave, const Facet<dim> *master)
+      {
+        const double s = slave == nullptr ? 0 : slave->mean_square,
+                     m = master == nullptr ? 0 : master->mean_square;
+        const bool fit = slave != nullptr && master != nullptr && slave->angle * master->angle < 0 &&
+                         slave->centre.distance(master->centre) < 0.1 * slave->size;
+        return fit ? std::pow(std::sqrt(s) - std::sqrt(m), 2) : s + m;
+      }
+
       unsigned int
       my_rank() const
       {
@@ -276,6 +381,7 @@ namespace Amontons
       std::vector<std::unique_ptr<FEValues<dim>>> recovered_on_face;
       std::vector<double>                         squares, contact_squares;            // by active cell
       double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0; // of this rank
+      std::vector<FacetError> facets_of;
     };
   } // namespace
 
@@ -289,7 +395,10 @@ namespace Amontons
     Estimation<dim> estimation(discretization, recovery);
     estimation.add_bulk();
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      estimation.add_interface(interfaces[i], fields[i]);
+      {
+        estimation.add_interface(interfaces[i], fields[i]);
+        estimation.add_facets(interfaces[i], fields[i]);
+      }
     return estimation.result();
   }
 

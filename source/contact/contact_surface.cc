@@ -94,16 +94,26 @@ namespace Amontons
     }
   } // namespace
 
+  namespace
+  {
+    template <int dim>
+    std::set<types::boundary_id>
+    boundary_ids(const Discretization<dim> &discretization, const BoundaryName &name)
+    {
+      const auto                  &scene      = discretization.scene;
+      std::set<types::boundary_id> boundaries = {discretization.geometry.boundary(name, scene).id};
+      for (const auto &further : name.more)
+        boundaries.insert(discretization.geometry.boundary({name.body, further, name.where}, scene).id);
+      return boundaries;
+    }
+  } // namespace
+
   template <int dim>
   OwnedFaces<dim>::OwnedFaces(const Discretization<dim> &discretization, const BoundaryName &name)
   {
-    std::set<types::boundary_id> boundaries = {
-        discretization.geometry.boundary(name, discretization.scene).id};
-    for (const auto &further : name.more)
-      boundaries.insert(
-          discretization.geometry.boundary({name.body, further, name.where}, discretization.scene).id);
-    const auto                          &fe   = discretization.fe;
-    const auto                          &base = fe.base_element(0);
+    const auto                           boundaries = boundary_ids(discretization, name);
+    const auto                          &fe         = discretization.fe;
+    const auto                          &base       = fe.base_element(0);
     const MappingQ<dim>                  true_geometry(ContactSurface<dim>::geometry_degree);
     const FE_Nothing<dim>                nothing;
     const auto                           fine = lattice<dim - 1>(ContactSurface<dim>::geometry_degree);
@@ -160,6 +170,7 @@ namespace Amontons
     find_symmetry_planes(discretization);
     make_normals();
     find_sharpest_edge();
+    facets = find_facets(discretization.geometry.triangulation, boundary_ids(discretization, name));
   }
 
   template <int dim>

@@ -7,6 +7,23 @@ namespace Amontons
 {
   namespace
   {
+    // Of the nodes of second order, in Abaqus' order. What comes after those of the edges (27-node hexahedra)
+    // follows from these.
+    const std::vector<std::array<unsigned int, 2>> abaqus_quadrilateral_edges = {
+        {{0, 1}}, {{1, 2}}, {{2, 3}}, {{3, 0}}};
+    const std::vector<std::array<unsigned int, 2>> abaqus_hexahedron_edges = {{{0, 1}},
+                                                                              {{1, 2}},
+                                                                              {{2, 3}},
+                                                                              {{3, 0}},
+                                                                              {{4, 5}},
+                                                                              {{5, 6}},
+                                                                              {{6, 7}},
+                                                                              {{7, 4}},
+                                                                              {{0, 4}},
+                                                                              {{1, 5}},
+                                                                              {{2, 6}},
+                                                                              {{3, 7}}};
+
     class AbaqusParser
     {
     public:
@@ -166,8 +183,14 @@ namespace Amontons
           }
         if (!elements.emplace(numbers[0], element).second)
           text.fail("element " + std::to_string(numbers[0]) + " is defined twice", "one line per element");
-        if (t.dim == dim)
-          mesh.cells.push_back({element.nodes, line});
+        if (t.dim != dim)
+          return;
+        mesh.cells.push_back({element.nodes, line});
+        std::vector<unsigned int> middle;
+        for (unsigned int v = t.n_corners; v < t.n_nodes; ++v)
+          middle.push_back(mesh.node(numbers[1 + v], text));
+        mesh.add_middle_nodes(
+            mesh.cells.back(), middle, dim == 2 ? abaqus_quadrilateral_edges : abaqus_hexahedron_edges, {});
       }
 
       // A name or a number; "PART-1-1.NAME" is NAME.

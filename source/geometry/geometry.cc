@@ -57,7 +57,21 @@ namespace Amontons
       std::map<FaceKey<dim>, types::boundary_id> ids;
       std::vector<types::boundary_id>            unnamed; // by material id
       types::boundary_id                         next_id = 1;
+      MiddleNodes<dim>                           middle_nodes;
     };
+
+    template <typename Nodes>
+    void
+    add_shifted(const Nodes &nodes, const unsigned int first_vertex, Nodes &all)
+    {
+      for (const auto &[old_key, p] : nodes)
+        {
+          auto key = old_key;
+          for (unsigned int &v : key)
+            v += first_vertex;
+          all[key] = p;
+        }
+    }
 
     template <int dim>
     void
@@ -76,6 +90,8 @@ namespace Amontons
           assembly.cells.push_back(cell);
         }
 
+      add_shifted(mesh.middle_nodes.of_edges, first_vertex, assembly.middle_nodes.of_edges);
+      add_shifted(mesh.middle_nodes.of_faces, first_vertex, assembly.middle_nodes.of_faces);
       const types::boundary_id first_id = assembly.next_id;
       for (const auto &[old_key, name] : mesh.boundaries)
         {
@@ -231,7 +247,17 @@ namespace Amontons
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       if (polar[b])
         attach_polar_manifold(b, *polar[b], assembly.unnamed[b], triangulation);
-    attach_manifolds(scene, assembly.next_id, geometry);
+    const auto next_id = attach_manifolds(scene, assembly.next_id, geometry);
+    try
+      {
+        attach_quadratic_faces(assembly.middle_nodes, next_id, triangulation);
+      }
+    catch (const std::invalid_argument &failure)
+      {
+        throw InputError({scene.file, 0, ""},
+                         failure.what(),
+                         "meshes of second order with nodes near the middle of edges");
+      }
     if (refine)
       refine_bodies(scene.bodies, triangulation);
   }

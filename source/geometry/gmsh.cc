@@ -23,6 +23,32 @@ namespace Amontons
         {6, 3, 6, 6, "prisms"},       {13, 3, 6, 18, "prisms"},     {18, 3, 6, 15, "prisms"},
         {7, 3, 5, 5, "pyramids"},     {14, 3, 5, 14, "pyramids"},   {19, 3, 5, 13, "pyramids"}};
 
+    // Of the nodes of second order, in gmsh's order: after those of the edges, 27-node hexahedra have those
+    // of the faces.
+    const std::vector<std::array<unsigned int, 2>> gmsh_quadrilateral_edges = {
+        {{0, 1}}, {{1, 2}}, {{2, 3}}, {{3, 0}}};
+    const std::vector<std::array<unsigned int, 2>> gmsh_hexahedron_edges = {{{0, 1}},
+                                                                            {{0, 3}},
+                                                                            {{0, 4}},
+                                                                            {{1, 2}},
+                                                                            {{1, 5}},
+                                                                            {{2, 3}},
+                                                                            {{2, 6}},
+                                                                            {{3, 7}},
+                                                                            {{4, 5}},
+                                                                            {{4, 7}},
+                                                                            {{5, 6}},
+                                                                            {{6, 7}}};
+    const std::vector<std::array<unsigned int, 4>> gmsh_hexahedron_faces = {
+        {{0, 3, 2, 1}}, {{0, 1, 5, 4}}, {{0, 4, 7, 3}}, {{1, 2, 6, 5}}, {{2, 3, 7, 6}}, {{4, 5, 6, 7}}};
+
+    // Of the types with one node in the middle of each edge.
+    bool
+    is_of_second_order(const ElementType &t)
+    {
+      return t.n_nodes == (t.dim == 2 ? 8 : 20) || t.n_nodes == (t.dim == 2 ? 9 : 27);
+    }
+
     class GmshParser
     {
     public:
@@ -221,6 +247,17 @@ namespace Amontons
             for (unsigned int v = 0; v < t.n_corners; ++v)
               cell.nodes[v] = mesh.node(text.integer(fields[first + v]), text);
             mesh.cells.push_back(cell);
+            if (is_of_second_order(t))
+              {
+                std::vector<unsigned int> middle;
+                for (unsigned int v = t.n_corners; v < t.n_nodes; ++v)
+                  middle.push_back(mesh.node(text.integer(fields[first + v]), text));
+                mesh.add_middle_nodes(cell,
+                                      middle,
+                                      dim == 2 ? gmsh_quadrilateral_edges : gmsh_hexahedron_edges,
+                                      dim == 2 ? std::vector<std::array<unsigned int, 4>>()
+                                               : gmsh_hexahedron_faces);
+              }
           }
         else if (t.dim == dim - 1 && t.kind == nullptr && group != 0)
           {

@@ -112,6 +112,41 @@ namespace Amontons
         }
     }
 
+    // Those of edges and faces on the boundary.
+    template <int dim>
+    void
+    add_middle_nodes(const FileMesh &file, CoarseMesh<dim> &mesh)
+    {
+      if (file.edge_nodes.empty())
+        return;
+      for (const auto &face : boundary_faces(mesh))
+        {
+          for (unsigned int k = 0; k < face.size(); ++k)
+            for (unsigned int l = k + 1; l < face.size(); ++l)
+              if (const auto node = file.edge_nodes.find({{face[k], face[l]}}); node != file.edge_nodes.end())
+                mesh.middle_nodes.of_edges[node->first] = mesh.vertices[node->second];
+          if constexpr (dim == 3)
+            if (const auto node = file.face_nodes.find(face); node != file.face_nodes.end())
+              mesh.middle_nodes.of_faces[face] = mesh.vertices[node->second];
+        }
+    }
+
+    template <typename Nodes>
+    Nodes
+    renumbered(const Nodes &nodes, const std::vector<unsigned int> &number)
+    {
+      Nodes result;
+      for (const auto &[old_key, p] : nodes)
+        {
+          auto key = old_key;
+          for (unsigned int &v : key)
+            v = number[v];
+          std::sort(key.begin(), key.end());
+          result[key] = p;
+        }
+      return result;
+    }
+
     template <int dim>
     void
     delete_unused_vertices(CoarseMesh<dim> &mesh)
@@ -128,17 +163,10 @@ namespace Amontons
               }
             v = number[v];
           }
-      std::map<FaceKey<dim>, unsigned int> boundaries;
-      for (const auto &[old_key, name] : mesh.boundaries)
-        {
-          FaceKey<dim> key = old_key;
-          for (unsigned int &v : key)
-            v = number[v];
-          std::sort(key.begin(), key.end());
-          boundaries[key] = name;
-        }
-      mesh.vertices   = vertices;
-      mesh.boundaries = boundaries;
+      mesh.vertices              = vertices;
+      mesh.boundaries            = renumbered(mesh.boundaries, number);
+      mesh.middle_nodes.of_edges = renumbered(mesh.middle_nodes.of_edges, number);
+      mesh.middle_nodes.of_faces = renumbered(mesh.middle_nodes.of_faces, number);
     }
   } // namespace
 
@@ -158,6 +186,7 @@ namespace Amontons
     CoarseMesh<dim> mesh;
     add_cells(file, where, mesh);
     add_boundaries(file, mesh);
+    add_middle_nodes(file, mesh);
     delete_unused_vertices(mesh);
     orient_cells(mesh);
     return mesh;

@@ -70,7 +70,7 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  void
+  types::manifold_id
   attach_manifolds(const Scene &scene, const types::manifold_id first_free_id, Geometry<dim> &geometry)
   {
     types::manifold_id next_id = first_free_id;
@@ -98,6 +98,7 @@ namespace Amontons
               if (face->at_boundary() && face->boundary_id() == boundary.id)
                 face->set_all_manifold_ids(boundary.id);
         }
+    return next_id;
   }
 
   template <int dim>
@@ -113,9 +114,9 @@ namespace Amontons
         cell->set_all_manifold_ids(id);
   }
 
-  template void
+  template types::manifold_id
   attach_manifolds<2>(const Scene &, const types::manifold_id, Geometry<2> &);
-  template void
+  template types::manifold_id
   attach_manifolds<3>(const Scene &, const types::manifold_id, Geometry<3> &);
   template void
   attach_polar_manifold<2>(const types::material_id,

@@ -1,5 +1,6 @@
 #include <amontons/geometry/mesh_file.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace Amontons
@@ -107,6 +108,25 @@ namespace Amontons
     if (!node_numbers.emplace(id, nodes.size()).second)
       text.fail("node " + std::to_string(id) + " is defined twice", "one line per node");
     nodes.push_back(p);
+  }
+
+  void
+  FileMesh::add_middle_nodes(const Cell                                     &cell,
+                             const std::vector<unsigned int>                &middle,
+                             const std::vector<std::array<unsigned int, 2>> &edges,
+                             const std::vector<std::array<unsigned int, 4>> &faces)
+  {
+    const auto of_corners = [&](auto corners) {
+      for (unsigned int &corner : corners)
+        corner = cell.nodes[corner];
+      std::sort(corners.begin(), corners.end());
+      return corners;
+    };
+    for (unsigned int k = 0; k < middle.size(); ++k)
+      if (k < edges.size())
+        edge_nodes[of_corners(edges[k])] = middle[k];
+      else if (k < edges.size() + faces.size())
+        face_nodes[of_corners(faces[k - edges.size()])] = middle[k];
   }
 
   void

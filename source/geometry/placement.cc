@@ -52,15 +52,20 @@ namespace Amontons
   place(const BodyData &body, const Kind kind, CoarseMesh<dim> &mesh)
   {
     check_placement<dim>(body);
+    const auto move = [&](Point<dim> &p) {
+      Point<3> q;
+      for (unsigned int d = 0; d < dim; ++d)
+        q[d] = p[d];
+      q = place(q, body);
+      for (unsigned int d = 0; d < dim; ++d)
+        p[d] = q[d];
+    };
     for (auto &p : mesh.vertices)
-      {
-        Point<3> q;
-        for (unsigned int d = 0; d < dim; ++d)
-          q[d] = p[d];
-        q = place(q, body);
-        for (unsigned int d = 0; d < dim; ++d)
-          p[d] = q[d];
-      }
+      move(p);
+    for (auto &[edge, p] : mesh.middle_nodes.of_edges)
+      move(p);
+    for (auto &[face, p] : mesh.middle_nodes.of_faces)
+      move(p);
 
     const auto   box  = BoundingBox<dim>(mesh.vertices).get_boundary_points();
     const double size = box.first.distance(box.second);

@@ -98,15 +98,22 @@ namespace Amontons
                              std::to_string(pair.n_slip) + " slip");
     }
 
-    // The errors of the mesh and of what else is known, added up.
+    // The errors of the mesh (`facets` is a part of that) and of what else is known, added up.
     void
-    add_estimate(Lines &lines, const std::string &what, const double of_mesh, const RunSummary &summary)
+    add_estimate(Lines             &lines,
+                 const std::string &what,
+                 const double       of_mesh,
+                 const double       facets,
+                 const RunSummary  &summary)
     {
       if (std::isnan(of_mesh))
         return;
       double      sum   = of_mesh;
       std::string parts = "mesh " + percent(of_mesh);
-      const auto  add   = [&](const std::string &name, const double error) {
+      const bool  facet = facets > noteworthy_facets;
+      if (facet)
+        parts += ", of which facets " + percent(facets);
+      const auto add = [&](const std::string &name, const double error) {
         sum += error;
         parts += ", " + name + " " + percent(error);
       };
@@ -115,7 +122,8 @@ namespace Amontons
       if (summary.increments)
         add("increments", summary.increments->pressure);
       lines.emplace_back("estimated error of the " + what,
-                         percent(sum) + (sum == of_mesh && !summary.increments ? "" : "   (" + parts + ")"));
+                         percent(sum) +
+                             (sum == of_mesh && !summary.increments && !facet ? "" : "   (" + parts + ")"));
     }
 
     void
@@ -214,8 +222,8 @@ namespace Amontons
     Lines lines = {{"status", summary.status + (summary.message.empty() ? "" : ": " + summary.message)}};
     for (const PairSummary &pair : summary.pairs)
       add_pair(lines, pair, summary.kind);
-    add_estimate(lines, "pressure", summary.error_estimate.contact, summary);
-    add_estimate(lines, "stress", summary.error_estimate.bulk, summary);
+    add_estimate(lines, "pressure", summary.error_estimate.contact, summary.error_estimate.facets, summary);
+    add_estimate(lines, "stress", summary.error_estimate.bulk, 0, summary);
     if (summary.increments)
       add_increments(lines, *summary.increments);
     if (!std::isnan(summary.energy))

@@ -26,7 +26,10 @@ namespace Amontons
     Json
     to_json(const EstimateSummary &estimate)
     {
-      Json json = Json::object().add("bulk", estimate.bulk).add("contact", estimate.contact);
+      Json json = Json::object()
+                      .add("bulk", estimate.bulk)
+                      .add("contact", estimate.contact)
+                      .add("facets", estimate.facets);
       if (!std::isnan(estimate.kinematics))
         json.add("kinematics", estimate.kinematics);
       if (!std::isnan(estimate.increments))

@@ -8,6 +8,13 @@
 
 namespace Amontons
 {
+  // What facets (see geometry/facets.h) do to the contact of a pair: their largest kink, length and error of
+  // the gap where they touch, the gap that the load closes, and the relative L2 error of the pressure.
+  struct FacetError
+  {
+    double angle = 0, size = 0, gap = 0, closed_gap = 0, pressure = 0;
+  };
+
   template <int dim>
   struct ErrorEstimate
   {
@@ -17,6 +24,8 @@ namespace Amontons
     double        bulk = 0;           // sqrt(sum eta_K^2) / energy norm of the recovered stress: relative
     double        contact =
         0; // relative L2 error of the contact pressure, estimated: see estimate_error; 0 without contact
+    double                  facets = 0; // the part of it that facets cause
+    std::vector<FacetError> facets_of;  // by interface
   };
 
   // Bulk: eta_K^2 = int_K (sigma* - sigma_h) : C^-1 : (sigma* - sigma_h)   (Zienkiewicz and Zhu 1987), with

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <amontons/discretization/discretization.h>
+#include <amontons/geometry/facets.h>
 
 #include <deal.II/base/tensor.h>
 #include <deal.II/lac/full_matrix.h>
@@ -132,8 +133,9 @@ namespace Amontons
     double                                                                               mean_size = 0;
     bool                                                                                 moved     = false;
     // The largest angle (degrees) between two faces at a node, and where: a sharp edge has no normal.
-    double     sharpest_edge = 0;
-    Point<dim> sharpest_at;
+    double                  sharpest_edge = 0;
+    Point<dim>              sharpest_at;
+    std::vector<Facet<dim>> facets; // in the reference configuration
 
   private:
     void

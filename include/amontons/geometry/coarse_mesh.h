@@ -1,6 +1,7 @@
 // The coarse mesh of one body, before it becomes part of the triangulation.
 #pragma once
 
+#include <amontons/geometry/quadratic_faces.h>
 #include <amontons/scene/scene.h>
 
 #include <deal.II/grid/tria_description.h>
@@ -22,6 +23,8 @@ namespace Amontons
     std::vector<std::string>             names;      // of the boundaries
     std::map<FaceKey<dim>, unsigned int> boundaries; // named boundary faces -> index into `names`
     std::map<std::string, TrueGeometry>  geometry;   // of curved boundaries, by name
+
+    MiddleNodes<dim> middle_nodes; // of meshes of second order, by vertex
 
     // All cells, not only the boundary, follow polar coordinates about this point or axis.
     std::optional<TrueGeometry> polar;

@@ -6,11 +6,11 @@
 namespace Amontons
 {
   // Gives the faces of every curved boundary a manifold: its id is the boundary's id, those of CAD models
-  // begin with `first_free_id`. Before refinement. Throws InputError at the boundary's body if the vertices
-  // do not lie on the circle, sphere or cylinder, whose radius they define, within 1e-3 of that radius, or on
-  // the CAD model.
+  // begin with `first_free_id`; returns the next free one. Before refinement. Throws InputError at the
+  // boundary's body if the vertices do not lie on the circle, sphere or cylinder, whose radius they define,
+  // within 1e-3 of that radius, or on the CAD model.
   template <int dim>
-  void
+  dealii::types::manifold_id
   attach_manifolds(const Scene                     &scene,
                    const dealii::types::manifold_id first_free_id,
                    Geometry<dim>                   &geometry);

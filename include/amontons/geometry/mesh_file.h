@@ -6,6 +6,7 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <map>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -60,8 +61,8 @@ namespace Amontons
     Where             where;
   };
 
-  // Quadrilaterals and hexahedra by their corners in gmsh's (and Abaqus') order; quadratic ones lose their
-  // other nodes.
+  // Quadrilaterals and hexahedra by their corners in gmsh's (and Abaqus') order. Of quadratic ones, the nodes
+  // in the middle of edges and faces are kept.
   struct FileMesh
   {
     struct Cell
@@ -81,11 +82,13 @@ namespace Amontons
     void
     add_node(const long id, const dealii::Point<3> &p, const MeshText &text);
 
-    std::vector<dealii::Point<3>>          nodes;
-    std::unordered_map<long, unsigned int> node_numbers;
-    std::vector<Cell>                      cells;
-    std::vector<std::string>               names;
-    std::vector<Face>                      faces;
+    std::vector<dealii::Point<3>>                       nodes;
+    std::unordered_map<long, unsigned int>              node_numbers;
+    std::vector<Cell>                                   cells;
+    std::vector<std::string>                            names;
+    std::vector<Face>                                   faces;
+    std::map<std::array<unsigned int, 2>, unsigned int> edge_nodes; // by the ends in ascending order
+    std::map<std::array<unsigned int, 4>, unsigned int> face_nodes; // of hexahedra, by the corners likewise
     // Cells of another kind than quadrilaterals or hexahedra: what they are, the line of the first, and how
     // many.
     std::string  other_cells;
@@ -94,6 +97,13 @@ namespace Amontons
 
     void
     add_other(const std::string &kind, const MeshText &text);
+    // `middle`: the other nodes of the cell (in the order of gmsh or Abaqus), of which the first lie on the
+    // given edges and the next on the given faces of corners; what is left lies inside.
+    void
+    add_middle_nodes(const Cell                                     &cell,
+                     const std::vector<unsigned int>                &middle,
+                     const std::vector<std::array<unsigned int, 2>> &edges,
+                     const std::vector<std::array<unsigned int, 4>> &faces);
   };
 
   FileMesh

@@ -50,9 +50,13 @@ namespace Amontons
   struct EstimateSummary // relative
   {
     double bulk = unknown, contact = unknown; // of the mesh: stress, pressure
+    double facets     = 0;                    // of `contact`: what refinement does not mend
     double kinematics = unknown;              // of small strain
     double increments = unknown;              // friction: the largest of IncrementErrors
   };
+
+  // Facets that make a smaller relative error of the pressure are not worth a word.
+  constexpr double noteworthy_facets = 1e-3;
 
   struct ReferenceSummary
   {

@@ -1,0 +1,147 @@
+// Polygons that stand for curves have facets; corners, chamfers, flat parts and true geometry have none.
+#include "check.h"
+
+#include <amontons/geometry/facets.h>
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/manifold_lib.h>
+
+using namespace Amontons;
+using namespace dealii;
+
+template <int dim>
+std::vector<Facet<dim>>
+facets_of(Triangulation<dim> &triangulation, const bool flat, const std::set<types::boundary_id> &ids)
+{
+  if (flat)
+    triangulation.set_all_manifold_ids(numbers::flat_manifold_id);
+  const auto before = find_facets(triangulation, ids);
+  triangulation.refine_global(1);
+  const auto after = find_facets(triangulation, ids);
+  check::is_true(before.size() == after.size(), "refinement changes no facets");
+  return after;
+}
+
+// Block above a polygonal line from left to right.
+std::vector<Facet<2>>
+facets_below(const std::vector<Point<2>> &line)
+{
+  std::vector<Point<2>>    vertices = line;
+  std::vector<CellData<2>> cells(line.size() - 1);
+  for (const auto &p : line)
+    vertices.emplace_back(p[0], 100);
+  for (unsigned int i = 0; i < cells.size(); ++i)
+    {
+      const unsigned int n = line.size();
+      cells[i].vertices    = {i, i + 1, n + i, n + i + 1};
+    }
+  Triangulation<2> triangulation;
+  triangulation.create_triangulation(vertices, cells, SubCellData());
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary())
+      face->set_boundary_id(face->center()[1] < 50 ? 1 : 0);
+  return facets_of(triangulation, true, {1});
+}
+
+// R (sin a, 1 - cos a)
+std::vector<Point<2>>
+arc(const double R, const double angle, const unsigned int n)
+{
+  std::vector<Point<2>> points;
+  for (unsigned int i = 0; i <= n; ++i)
+    {
+      const double a = angle * (2. * i / n - 1);
+      points.emplace_back(R * std::sin(a), R * (1 - std::cos(a)));
+    }
+  return points;
+}
+
+void
+check_rings()
+{
+  for (const bool flat : {true, false})
+    for (const unsigned int boundary : {0, 1})
+      {
+        Triangulation<2> ring;
+        GridGenerator::hyper_shell(ring, Point<2>(), 2., 3., 24, true);
+        const auto facets = facets_of(ring, flat, {boundary});
+        check::is_true(facets.size() == (flat ? 24 : 0), "facets of a ring");
+        const double R = boundary == 0 ? 2 : 3, angle = numbers::PI / 12, size = 2 * R * std::sin(angle / 2);
+        for (const auto &facet : facets)
+          {
+            check::is_close(
+                facet.angle, boundary == 0 ? -angle : angle, 1e-10, "kinks of a ring, with their sign");
+            check::is_close(facet.size, size, 1e-10, "length of the facets");
+            check::is_close(facet.radius, size / 2, 1e-10, "they reach as far");
+            check::is_close(facet.mean_square, angle * angle, 1e-10, "mean square");
+          }
+      }
+}
+
+void
+check_lines()
+{
+  check::is_true(facets_below(arc(10, 0.5, 8)).size() == 8, "an arc of eight facets");
+  check::is_true(facets_below(arc(10, 0.5, 4)).size() == 4, "of four: three kinks in a row");
+  check::is_true(facets_below(arc(10, 0.5, 3)).empty(), "two kinks are a chamfer on each side");
+  check::is_true(facets_below({{-20, 0}, {0, 0}, {20, 3}}).empty(), "one kink between flat parts");
+  check::is_true(facets_below({{-20, 3}, {-10, 0}, {-3, 0}, {4, 0}, {10, 0}, {20, 3}}).empty(),
+                 "two kinks with a meshed flat part between them");
+  check::is_true(facets_below({{-4, 0}, {-3, 1}, {-2, 0}, {-1, 1}, {0, 0}, {1, 1}}).empty(), "a saw");
+  // straight, fillet, straight
+  auto line = arc(10, 0.5, 6);
+  line.insert(line.begin(), {line[0][0] - 15, line[0][1] + 15 * std::tan(0.5)});
+  line.insert(line.begin(), {line[0][0] - 15, line[0][1] + 15 * std::tan(0.5)});
+  const auto fillet = facets_below(line);
+  check::is_true(fillet.size() == 7, "a fillet, with the flat face that meets its last kink");
+}
+
+void
+check_space()
+{
+  Triangulation<3> cube;
+  GridGenerator::subdivided_hyper_cube(cube, 4);
+  check::is_true(facets_of(cube, true, {0}).empty(), "no facets on a cube");
+  for (const bool flat : {true, false})
+    {
+      Triangulation<3> tube;
+      GridGenerator::cylinder_shell(tube, 2., 3., 4., 20, 2);
+      std::set<types::boundary_id> outer = {1};
+      for (const auto &face : tube.active_face_iterators())
+        if (face->at_boundary())
+          {
+            const auto c = face->center();
+            face->set_boundary_id(std::abs(c[2]) < 1e-10 || std::abs(c[2] - 2) < 1e-10 ? 2
+                                  : std::hypot(c[0], c[1]) > 3.5                       ? 1
+                                                                                       : 3);
+          }
+      const auto facets = facets_of(tube, flat, outer);
+      check::is_true(facets.size() == (flat ? 40 : 0), "facets of a tube");
+      const double angle = numbers::PI / 10;
+      for (const auto &facet : facets)
+        {
+          check::is_close(facet.angle, angle, 1e-10, "kinks of a tube");
+          check::is_close(facet.mean_square, angle * angle, 1e-10, "in one direction only");
+          check::is_close(facet.size, 8 * std::sin(angle / 2), 1e-10, "length across the kinks");
+        }
+    }
+  Triangulation<3> round, ball;
+  GridGenerator::hyper_ball(round);
+  round.refine_global(3);
+  GridGenerator::flatten_triangulation(round, ball);
+  const auto facets = facets_of(ball, true, {0});
+  check::is_true(facets.size() == 6 * 64, "facets of a sphere: " + std::to_string(facets.size()));
+  for (const auto &facet : facets)
+    check::is_close(
+        std::sqrt(facet.mean_square / 2), facet.size, 0.3, "kinks of a sphere are h/R in both directions");
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  check_rings();
+  check_lines();
+  check_space();
+  return check::result();
+}

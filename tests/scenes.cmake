@@ -976,3 +976,12 @@ foreach(history replay transfer)
                  CHECK ${GROWN} "checks.energy_balance <= 1e-8")
 endforeach()
 add_scene_test(NAME growing_interference_finite SCENE verification/growing_interference.prm SET "Kinematics=finite strain" CHECK ${GROWN} "checks.energy_balance <= 1e-4")
+
+# A polygon in place of a circle: the estimate has its error, refined or not. As a mesh of second order, or with the circle declared, there are no facets.
+foreach(cycles 0 3)
+  add_scene_test(NAME facets_${cycles} SCENE verification/polygon_roller.prm SET "Refinement/Cycles=${cycles}"
+                 CHECK "error_estimate.facets ~ reference.errors.pressure_l2 0.15" "error_estimate.contact >= 0.1" "notes.1 has touches on facets")
+endforeach()
+set(ROUND "error_estimate.facets == 0" "reference.errors.nodal_peak_pressure <= 0.01" "error_estimate.contact <= 0.02" "reference.errors.pressure_l2 <= 0.015")
+add_scene_test(NAME second_order_mesh SCENE verification/polygon_roller.prm SET "Body roller/Mesh=round_roller.geo" CHECK ${ROUND})
+add_scene_test(NAME declared_circle SCENE verification/polygon_roller.prm SET "Body roller/Curved boundaries=arc = circle(0, 10)" CHECK ${ROUND})

@@ -190,7 +190,7 @@ foreach(slave first second)
   add_scene_test(NAME rings_${slave} SCENE verification/rings.prm SET "Contact interface/Slave=${slave}" CHECK ${UNIFORM})
 endforeach()
 add_scene_test(NAME shrink_fit_finer_slave SCENE verification/shrink_fit.prm SET "Contact interface/Slave=first" CHECK ${UNIFORM})
-# With the coarser side as slave, quadratic elements are of first order on curved surfaces (doc/results.md), linear ones of second.
+# With the coarser side as slave, too: quadratic elements have nodal traces on curved surfaces.
 add_scene_test(NAME shrink_fit_coarser_slave_q1 SCENE verification/shrink_fit.prm
                SET "Contact interface/Slave=second" "Discretization/Degree=1" CHECK ${UNIFORM})
 add_scene_test(NAME shrink_fit_coarser_slave_q2 SCENE verification/shrink_fit.prm

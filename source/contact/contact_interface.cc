@@ -212,15 +212,6 @@ namespace Amontons
 
   template <int dim>
   void
-  turn_interface(const LA::Vector &u, ContactInterface<dim> &interface)
-  {
-    interface.slave->turn(u);
-    if (interface.master_surface)
-      interface.master_surface->turn(u);
-  }
-
-  template <int dim>
-  void
   integrate_couplings(const Discretization<dim>          &discretization,
                       const Constraints                  &supports,
                       std::vector<ContactInterface<dim>> &interfaces,
@@ -311,8 +302,6 @@ namespace Amontons
                       const Constraints &,
                       std::vector<ContactInterface<2>> &,
                       const bool);
-  template void
-  turn_interface(const LA::Vector &, ContactInterface<2> &);
   template bool
   move_interface(const Discretization<2> &, const LA::Vector &, ContactInterface<2> &);
   template std::vector<bool>
@@ -324,8 +313,6 @@ namespace Amontons
                       const Constraints &,
                       std::vector<ContactInterface<3>> &,
                       const bool);
-  template void
-  turn_interface(const LA::Vector &, ContactInterface<3> &);
   template bool
   move_interface(const Discretization<3> &, const LA::Vector &, ContactInterface<3> &);
 } // namespace Amontons

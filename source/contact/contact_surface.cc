@@ -180,10 +180,7 @@ namespace Amontons
     const unsigned int                              n_nodes = Utilities::fixed_power<dim - 1>(degree + 1);
     std::map<types::global_dof_index, unsigned int> node_of_dof;
 
-    const auto                       n_fine = Utilities::fixed_power<dim - 1>(geometry_degree + 1);
-    std::vector<std::vector<double>> values; // of the nodes' shape functions at the lattice points
-    for (const auto &xi : lattice<dim - 1>(geometry_degree))
-      values.push_back(lagrange_values<dim - 1>(degree, xi));
+    const auto n_fine = Utilities::fixed_power<dim - 1>(geometry_degree + 1);
     for (unsigned int rank = 0; rank < parts.size(); ++rank)
       {
         const auto &part     = parts[rank];
@@ -210,13 +207,7 @@ namespace Amontons
             measure(face);
             mean_size += face.size;
             reference_geometry.push_back(face.geometry);
-            deviations.emplace_back();
-            for (unsigned int k = 0; k < n_fine; ++k)
-              {
-                deviations.back().emplace_back(face.geometry[k]);
-                for (unsigned int j = 0; j < n_nodes; ++j)
-                  deviations.back()[k] -= values[k][j] * nodes[face.nodes[j]].X;
-              }
+            find_deviation(face);
             faces.push_back(std::move(face));
           }
       }
@@ -421,6 +412,32 @@ namespace Amontons
   {
     return faces[face].straight ? interpolate<1, dim>(faces[face].geometry, xi)
                                 : interpolate<geometry_degree, dim>(faces[face].geometry, xi);
+  }
+
+  // d = sum_k a_k t_k + b n:  dd/dx_j = sum_k a_k dN_j/dxi_k 1 + b dn/dx_j (all of the frame at the centre);
+  // slopes with da_k/dxi_l and db/dxi_l instead.
+  template <int dim>
+  std::vector<typename ContactSurface<dim>::DeviationGradient>
+  ContactSurface<dim>::deviation_gradient(const unsigned int f, const Point<dim - 1> &xi) const
+  {
+    const auto                    &face   = faces[f];
+    const auto                     slopes = lagrange_gradients<dim - 1>(degree, face_centre<dim - 1>());
+    const Frame                    at     = interpolate<geometry_degree, dim>(face.deviation, xi);
+    std::vector<DeviationGradient> result(slopes.size());
+    for (unsigned int j = 0; j < slopes.size(); ++j)
+      {
+        const auto by = [&](const Tensor<1, dim> &coefficients) {
+          double along = 0;
+          for (unsigned int k = 0; k < dim - 1; ++k)
+            along += coefficients[k] * slopes[j][k];
+          return along * Tensor<2, dim>(unit_symmetric_tensor<dim>()) +
+                 coefficients[dim - 1] * face.centre_normal_gradient[j];
+        };
+        result[j].value = by(at.X);
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          result[j].slopes[k] = by(at.tangents[k]);
+      }
+    return result;
   }
 
   template <int dim>

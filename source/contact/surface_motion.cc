@@ -39,13 +39,93 @@ namespace Amontons
     }
   } // namespace
 
+  namespace
+  {
+    // Columns: tangents at the centre of the finite elements' face, and the unit normal there.
+    template <int dim>
+    Tensor<2, dim>
+    centre_frame(const std::array<Tensor<1, dim>, dim - 1> &tangents)
+    {
+      const Tensor<1, dim> c      = area_vector(tangents);
+      const Tensor<1, dim> normal = c / c.norm();
+      Tensor<2, dim>       result;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          for (unsigned int k = 0; k < dim - 1; ++k)
+            result[d][k] = tangents[k][d];
+          result[d][dim - 1] = normal[d];
+        }
+      return result;
+    }
+
+    // d(c/|c|), c = area vector, by [component][direction] of a point whose motion changes the tangents so:
+    //   dn = (1 - n n^T) dc/|c|.
+    template <int dim>
+    Tensor<2, dim>
+    unit_normal_gradient(const std::array<Tensor<1, dim>, dim - 1> &tangents,
+                         const std::array<Tensor<2, dim>, dim - 1> &of_tangents)
+    {
+      const Tensor<1, dim> c      = area_vector(tangents);
+      const double         length = c.norm();
+      const Tensor<1, dim> n      = c / length;
+      Tensor<2, dim>       result;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          Tensor<1, dim> dc;
+          for (unsigned int e = 0; e < dim - 1; ++e)
+            {
+              auto changed = tangents;
+              for (unsigned int i = 0; i < dim; ++i)
+                changed[e][i] = of_tangents[e][i][d];
+              dc += area_vector(changed);
+            }
+          for (unsigned int i = 0; i < dim; ++i)
+            result[i][d] = (dc[i] - (n * dc) * n[i]) / length;
+        }
+      return result;
+    }
+
+    // Where the nodes of the face are, as x(node).
+    template <int dim, typename Position>
+    std::array<Tensor<1, dim>, dim - 1>
+    centre_tangents(const SurfaceFace<dim> &face, const unsigned int degree, const Position &x)
+    {
+      const auto slopes = lagrange_gradients<dim - 1>(degree, face_centre<dim - 1>());
+      std::array<Tensor<1, dim>, dim - 1> tangents;
+      for (unsigned int j = 0; j < slopes.size(); ++j)
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          tangents[k] += slopes[j][k] * x(face.nodes[j]);
+      return tangents;
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  ContactSurface<dim>::find_deviation(SurfaceFace<dim> &face) const
+  {
+    const auto           X        = [this](const unsigned int node) { return nodes[node].X; };
+    const Tensor<2, dim> to_frame = invert(centre_frame<dim>(centre_tangents<dim>(face, degree, X)));
+    const auto           points   = lattice<dim - 1>(geometry_degree);
+    double               largest  = 0;
+    for (unsigned int k = 0; k < points.size(); ++k)
+      {
+        const auto     N = lagrange_values<dim - 1>(degree, points[k]);
+        Tensor<1, dim> d = face.geometry[k];
+        for (unsigned int j = 0; j < N.size(); ++j)
+          d -= N[j] * X(face.nodes[j]);
+        largest = std::max(largest, d.norm() / (face.size + face.geometry[k].norm()));
+        face.deviation.emplace_back(to_frame * d);
+      }
+    if (largest < 1e-14)
+      face.deviation.clear();
+  }
+
   template <int dim>
   bool
   ContactSurface<dim>::move(const LA::Vector &u)
   {
-    bool changed = !moved || turned;
+    bool changed = !moved;
     moved        = true;
-    turned       = false;
     for (auto &node : nodes)
       for (unsigned int c = 0; c < dim; ++c)
         {
@@ -58,95 +138,35 @@ namespace Amontons
     std::vector<std::vector<double>> values; // of the nodes' shape functions at the lattice points
     for (const auto &xi : lattice<dim - 1>(geometry_degree))
       values.push_back(lagrange_values<dim - 1>(degree, xi));
-    for (unsigned int f = 0; f < faces.size(); ++f)
+    const auto slopes_at_centre = lagrange_gradients<dim - 1>(degree, face_centre<dim - 1>());
+    for (auto &face : faces)
       {
-        auto &face = faces[f];
         for (unsigned int k = 0; k < face.geometry.size(); ++k)
           {
-            face.geometry[k] = Point<dim>(deviations[f][k]);
+            face.geometry[k] = Point<dim>();
             for (unsigned int j = 0; j < face.nodes.size(); ++j)
               face.geometry[k] += values[k][j] * nodes[face.nodes[j]].x;
+          }
+        if (!face.deviation.empty())
+          {
+            const auto tangents =
+                centre_tangents<dim>(face, degree, [this](const unsigned int node) { return nodes[node].x; });
+            const auto frame = centre_frame<dim>(tangents);
+            for (unsigned int k = 0; k < face.geometry.size(); ++k)
+              face.geometry[k] += frame * face.deviation[k];
+            face.centre_normal_gradient.clear();
+            for (const auto &slopes : slopes_at_centre)
+              {
+                std::array<Tensor<2, dim>, dim - 1> of_tangents;
+                for (unsigned int k = 0; k < dim - 1; ++k)
+                  of_tangents[k] = slopes[k] * unit_symmetric_tensor<dim>();
+                face.centre_normal_gradient.push_back(unit_normal_gradient<dim>(tangents, of_tangents));
+              }
           }
         measure(face);
       }
     make_normals();
     return true;
-  }
-
-  // With the tangents T_k of the finite elements' face and normals N interpolated between its nodes, d =
-  // sum_k rho_k T_k + beta N becomes sum_k rho_k t_k + beta n.
-  template <int dim>
-  void
-  ContactSurface<dim>::turn(const LA::Vector &u)
-  {
-    std::vector<Point<dim>> X, x;
-    for (const auto &node : nodes)
-      {
-        X.push_back(node.X);
-        x.push_back(node.X);
-        for (unsigned int c = 0; c < dim; ++c)
-          x.back()[c] += u(node.dofs[c]);
-      }
-    if (x == (turned_to.empty() ? X : turned_to))
-      return;
-    turned                    = true;
-    turned_to                 = x;
-    const auto normals_before = element_normals(X), normals_after = element_normals(x);
-    const auto points = lattice<dim - 1>(geometry_degree);
-    for (unsigned int f = 0; f < faces.size(); ++f)
-      for (unsigned int k = 0; k < points.size(); ++k)
-        {
-          const auto     N      = lagrange_values<dim - 1>(degree, points[k]);
-          const auto     slopes = lagrange_gradients<dim - 1>(degree, points[k]);
-          Tensor<1, dim> d      = reference_geometry[f][k];
-          // columns: tangents, normal
-          Tensor<2, dim> before, after;
-          for (unsigned int j = 0; j < N.size(); ++j)
-            {
-              const unsigned int node = faces[f].nodes[j];
-              d -= N[j] * X[node];
-              for (unsigned int c = 0; c < dim; ++c)
-                {
-                  for (unsigned int e = 0; e < dim - 1; ++e)
-                    {
-                      before[c][e] += slopes[j][e] * X[node][c];
-                      after[c][e] += slopes[j][e] * x[node][c];
-                    }
-                  before[c][dim - 1] += N[j] * normals_before[node][c];
-                  after[c][dim - 1] += N[j] * normals_after[node][c];
-                }
-            }
-          deviations[f][k] = after * (invert(before) * d);
-        }
-  }
-
-  // Mean normals of the finite elements' faces at the nodes at x; 0 for nodes on no face.
-  template <int dim>
-  std::vector<Tensor<1, dim>>
-  ContactSurface<dim>::element_normals(const std::vector<Point<dim>> &x) const
-  {
-    const auto                  points = lattice<dim - 1>(degree);
-    std::vector<Tensor<1, dim>> normals(nodes.size());
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      {
-        for (const auto &[f, k] : faces_at[i])
-          {
-            const auto                          slopes = lagrange_gradients<dim - 1>(degree, points[k]);
-            std::array<Tensor<1, dim>, dim - 1> tangents;
-            for (unsigned int j = 0; j < slopes.size(); ++j)
-              for (unsigned int e = 0; e < dim - 1; ++e)
-                tangents[e] += slopes[j][e] * x[faces[f].nodes[j]];
-            const Tensor<1, dim> c = faces[f].sign * area_vector(tangents);
-            normals[i] += c / c.norm();
-          }
-        if (!faces_at[i].empty())
-          {
-            normals[i] = without(
-                normals[i], directions_to_remove(nodes[i].symmetry_planes, normals[i] / normals[i].norm()));
-            normals[i] /= normals[i].norm();
-          }
-      }
-    return normals;
   }
 
   // Mean of the face normals at the node, weighted by nothing; then made to lie in the symmetry planes (and
@@ -176,9 +196,9 @@ namespace Amontons
       }
   }
 
-  // With the face normals n_f = c/|c|, c = area vector, the directions q that are removed and s = sum_f n_f:
-  //   n = P s / |P s|,   P = 1 - sum q q^T,   dn = (1 - n n^T) P ds / |P s|,   dn_f = (1 - n_f n_f^T) dc/|c|,
-  // and dc by dt_k = sum_j dN_j/dxi_k du_j.
+  // With the face normals n_f, the directions q that are removed and s = sum_f n_f:
+  //   n = P s / |P s|,   P = 1 - sum q q^T,   dn = (1 - n n^T) P ds / |P s|,
+  // and dn_f by dt_k = sum_j dN_j/dxi_k du_j and what the deviation adds.
   template <int dim>
   std::vector<std::pair<types::global_dof_index, Tensor<1, dim>>>
   ContactSurface<dim>::normal_gradient(const unsigned int node) const
@@ -188,25 +208,27 @@ namespace Amontons
     std::map<types::global_dof_index, Tensor<1, dim>> gradient;
     for (const auto &[f, k] : faces_at[node])
       {
-        const auto           tangents = frame(f, points[k]).tangents;
-        const Tensor<1, dim> c        = faces[f].sign * area_vector(tangents);
-        const double         length   = c.norm();
-        const Tensor<1, dim> n        = c / length;
-        sum += n;
-        const auto slopes = lagrange_gradients<dim - 1>(degree, points[k]);
+        const auto tangents = frame(f, points[k]).tangents;
+        sum += face_normal(f, points[k]);
+        const auto slopes  = lagrange_gradients<dim - 1>(degree, points[k]);
+        const bool follows = !faces[f].deviation.empty();
+        const auto further = follows ? deviation_gradient(f, points[k]) : std::vector<DeviationGradient>();
         for (unsigned int j = 0; j < slopes.size(); ++j)
-          for (unsigned int d = 0; d < dim && slopes[j].norm() > 0; ++d)
-            {
-              Tensor<1, dim> dc;
-              for (unsigned int e = 0; e < dim - 1; ++e)
-                {
-                  auto changed  = tangents;
-                  changed[e]    = 0;
-                  changed[e][d] = slopes[j][e];
-                  dc += faces[f].sign * area_vector(changed);
-                }
-              gradient[nodes[faces[f].nodes[j]].dofs[d]] += (dc - (n * dc) * n) / length;
-            }
+          {
+            if (!follows && slopes[j].norm() == 0)
+              continue;
+            std::array<Tensor<2, dim>, dim - 1> of_tangents;
+            for (unsigned int e = 0; e < dim - 1; ++e)
+              {
+                of_tangents[e] = slopes[j][e] * unit_symmetric_tensor<dim>();
+                if (follows)
+                  of_tangents[e] += further[j].slopes[e];
+              }
+            const auto dn = faces[f].sign * unit_normal_gradient<dim>(tangents, of_tangents);
+            for (unsigned int d = 0; d < dim; ++d)
+              for (unsigned int c = 0; c < dim; ++c)
+                gradient[nodes[faces[f].nodes[j]].dofs[d]][c] += dn[c][d];
+          }
       }
     const auto          &planes  = nodes[node].symmetry_planes;
     const auto           removed = directions_to_remove(planes, sum / sum.norm());
@@ -246,7 +268,7 @@ namespace Amontons
 
 #define INSTANTIATE(dim)                                                                                     \
   template bool ContactSurface<dim>::move(const LA::Vector &);                                               \
-  template void ContactSurface<dim>::turn(const LA::Vector &);                                               \
+  template void ContactSurface<dim>::find_deviation(SurfaceFace<dim> &) const;                               \
   template void ContactSurface<dim>::make_normals();                                                         \
   template void ContactSurface<dim>::find_sharpest_edge();                                                   \
   template std::vector<std::pair<types::global_dof_index, Tensor<1, dim>>>                                   \

@@ -1,18 +1,16 @@
 #include <amontons/solver/moving_contact.h>
 
-#include <set>
-
 namespace Amontons
 {
   namespace
   {
     template <int dim>
-    std::array<LinearEquation, dim>
+    std::array<Gradient, dim>
     weights_of(const CandidateNode<dim> &node)
     {
-      std::array<LinearEquation, dim> weights;
+      std::array<Gradient, dim> weights;
       for (unsigned int c = 0; c < dim; ++c)
-        weights[c].coefficients = node.components[c].equation.coefficients;
+        weights[c] = node.components[c].equation.coefficients;
       return weights;
     }
 
@@ -21,15 +19,6 @@ namespace Amontons
     {
       for (const auto &[dof, value] : term)
         sum[dof] += factor * value;
-    }
-
-    // R a for the smallest rotation R that takes the unit vector `from` to `to`, and a normal to `from`:
-    //   R a = a - (a . to)/(1 + from . to) (from + to).
-    template <int dim>
-    Tensor<1, dim>
-    turn(const Tensor<1, dim> &a, const Tensor<1, dim> &from, const Tensor<1, dim> &to)
-    {
-      return a - (a * to) / (1 + from * to) * (from + to);
     }
   } // namespace
 
@@ -83,14 +72,12 @@ namespace Amontons
           }
       }
     old_gap.assign(all.size(), 0.);
-    for (auto &interface : interfaces)
-      if (!interface.pair->tied)
-        turn_interface(committed, interface);
     old.resize(all.size());
+    places.resize(all.size());
     if (std::any_of(all.begin(), all.end(), [](const auto &node) { return node.frictional; }))
       {
         move(committed);
-        remember_old_rows(committed, closed_nodes(start));
+        remember_old_rows(closed_nodes(start));
       }
     t = start.t;
   }
@@ -131,11 +118,10 @@ namespace Amontons
         }
   }
 
-  // A closed node has no gap to close, whatever turning the true geometry with the bodies has changed about
-  // it since.
+  // A closed node has no gap to close, whatever a transfer to another mesh has changed about it.
   template <int dim>
   void
-  MovingContact<dim>::remember_old_rows(const LA::Vector &u, const std::vector<bool> &closed)
+  MovingContact<dim>::remember_old_rows(const std::vector<bool> &closed)
   {
     for (unsigned int k = 0; k < all.size(); ++k)
       {
@@ -143,39 +129,92 @@ namespace Amontons
                      none = closed[k] ? 1e-2 * h : 1e-6 * h;
         old_gap[k]        = !is_opposite(k) ? 1e-3 * h : all[k].gap > none ? all[k].gap : 0.;
       }
-    for (unsigned int k = 0; k < all.size(); ++k)
-      if (is_opposite(k))
-        {
-          OldRow row;
-          row.weights         = weights_of(all[k]);
-          row.normal          = all[k].normal / all[k].normal.norm();
-          row.tangential_jump = all[k].tangential(position_jump(row.weights, u));
-          old[k]              = row;
-        }
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        const auto                         &slave = *interfaces[i].slave;
+        std::vector<std::set<unsigned int>> beside(slave.nodes.size());
+        for (const auto &face : slave.faces)
+          for (const unsigned int node : face.unknowns)
+            beside[node].insert(face.nodes.begin(), face.nodes.end());
+        for (unsigned int n = 0; n < node_of[i].size(); ++n)
+          if (const unsigned int k = node_of[i][n]; all[k].frictional && !beside[n].empty())
+            {
+              const Tensor<1, dim> normal = is_opposite(k) ? all[k].normal : slave.nodes[n].normal;
+              places[k]                   = old_place(slave, beside[n], normal / normal.norm());
+              if (is_opposite(k))
+                old[k] = aligned(places[k], weights_of(all[k]));
+            }
+      }
+  }
+
+  // With m the normal, y_j = (1 - m m^T)(x_j - mean of all x_j) and B = sum_j y_j y_j^T + (trace) m m^T:
+  //   gamma_j = B^-1 y_j,   so that   (1 - m m^T) sum_j (gamma_j . a) x_j = a   for any a normal to m.
+  template <int dim>
+  typename MovingContact<dim>::OldPlace
+  MovingContact<dim>::old_place(const ContactSurface<dim>    &slave,
+                                const std::set<unsigned int> &beside,
+                                const Tensor<1, dim>         &normal) const
+  {
+    OldPlace       place{normal, {}};
+    Tensor<1, dim> mean;
+    for (const unsigned int j : beside)
+      mean += Tensor<1, dim>(slave.nodes[j].x) / double(beside.size());
+    Tensor<2, dim> B;
+    for (const unsigned int j : beside)
+      {
+        const Tensor<1, dim> way = slave.nodes[j].x - mean, y = way - (way * normal) * normal;
+        place.gamma.emplace_back(slave.nodes[j].dofs, y);
+        B += outer_product(y, y);
+      }
+    B += trace(B) * outer_product(normal, normal);
+    const Tensor<2, dim> inverse = invert(B);
+    for (auto &entry : place.gamma)
+      entry.second = inverse * entry.second;
+    return place;
+  }
+
+  // w - beta
+  template <int dim>
+  typename MovingContact<dim>::Rows
+  MovingContact<dim>::aligned(const OldPlace &place, Rows weights) const
+  {
+    const Tensor<1, dim> jump = position_jump(weights, committed);
+    for (const auto &[dofs, gamma] : place.gamma)
+      for (unsigned int c = 0; c < dim; ++c)
+        weights[c][dofs[c]] -= gamma * jump;
+    return weights;
   }
 
   // sum weight (X + u)
   template <int dim>
   Tensor<1, dim>
-  MovingContact<dim>::position_jump(const std::array<LinearEquation, dim> &weights, const LA::Vector &u) const
+  MovingContact<dim>::position_jump(const Rows &weights, const LA::Vector &u) const
   {
     Tensor<1, dim> result;
     for (unsigned int c = 0; c < dim; ++c)
-      for (const auto &[dof, weight] : weights[c].coefficients)
+      for (const auto &[dof, weight] : weights[c])
         result[c] += weight * (reference_coordinate.at(dof) + u(dof));
     return result;
   }
 
-  // z. Nodes that nothing was opposite of in the last converged state: the change of the jump with the
-  // present weights instead.
+  // Nodes that nothing was opposite of in the last converged state have partners only now.
+  template <int dim>
+  typename MovingContact<dim>::Rows
+  MovingContact<dim>::slip_weights(const unsigned int k) const
+  {
+    return old[k] ? *old[k] : aligned(places[k], weights_of(all[k]));
+  }
+
+  // z; without old partners less z_old, which has turned with the slave's normal.
   template <int dim>
   Tensor<1, dim>
   MovingContact<dim>::jump_since(const unsigned int k, const LA::Vector &u) const
   {
     if (old[k])
-      return position_jump(old[k]->weights, u);
-    const auto now = weights_of(all[k]);
-    return position_jump(now, u) - position_jump(now, committed);
+      return position_jump(*old[k], u);
+    const auto weights = slip_weights(k);
+    return position_jump(weights, u) -
+           (position_jump(weights, committed) * places[k].normal) * slave_node(k).normal;
   }
 
   template <int dim>
@@ -185,20 +224,9 @@ namespace Amontons
     if (all[k].tied)
       return Tensor<1, dim>();
     auto v = all[k].tangential(jump_since(k, u));
-    if (old[k])
-      v -= turn(old[k]->tangential_jump, old[k]->normal, all[k].normal / all[k].normal.norm());
-    for (const auto &plane : symmetry_planes(k))
-      v -= (v * plane) * plane;
+    for (const auto &plane : slave_node(k).symmetry_planes)
+      v -= (v * plane) * plane; // whatever the master's nodes beside the plane do
     return v;
-  }
-
-  // Nothing slips across a plane of symmetry, whatever the master's nodes beside it do.
-  template <int dim>
-  const std::vector<Tensor<1, dim>> &
-  MovingContact<dim>::symmetry_planes(const unsigned int k) const
-  {
-    const auto &interface = interfaces[all[k].interface];
-    return interface.slave->nodes[interface.coupling.rows[all[k].row].node].symmetry_planes;
   }
 
   template <int dim>
@@ -287,36 +315,21 @@ namespace Amontons
     return result;
   }
 
-  // dv = (1 - n n^T) dz - (n . z) dn - n (dn . z) - dR a, where with m the old normal, s = 1 + m . n,
-  //   dR a = - [(a . dn) (m + n) + (a . n) dn - (a . n)(m . dn)/s (m + n)] / s.
+  // dv = (1 - n n^T) dz - (n . z) dn - n (dn . z), exact for fixed weights.
   template <int dim>
   typename MovingContact<dim>::Rows
   MovingContact<dim>::slip_gradient(const unsigned int k, const LA::Vector &u) const
   {
     const Tensor<1, dim> n = all[k].normal / all[k].normal.norm(), z = jump_since(k, u);
-    const auto           weights = old[k] ? old[k]->weights : weights_of(all[k]);
-    const Rows           dn      = unit_normal_gradient(k);
+    const Rows           weights = slip_weights(k), dn = unit_normal_gradient(k);
     Rows                 result;
-    Tensor<2, dim>       by_normal; // dv/dn
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        by_normal[c][d] = -(n * z) * double(c == d) - n[c] * z[d];
-    if (old[k])
-      {
-        const Tensor<1, dim> &m = old[k]->normal, &a = old[k]->tangential_jump;
-        const double          s = 1 + m * n;
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            by_normal[c][d] +=
-                (a[d] * (m[c] + n[c]) + (a * n) * double(c == d) - (a * n) * m[d] / s * (m[c] + n[c])) / s;
-      }
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)
         {
-          add(result[c], double(c == d) - n[c] * n[d], weights[d].coefficients);
-          add(result[c], by_normal[c][d], dn[d]);
+          add(result[c], double(c == d) - n[c] * n[d], weights[d]);
+          add(result[c], -(n * z) * double(c == d) - n[c] * z[d], dn[d]);
         }
-    for (const auto &plane : symmetry_planes(k))
+    for (const auto &plane : slave_node(k).symmetry_planes)
       {
         Gradient across;
         for (unsigned int c = 0; c < dim; ++c)

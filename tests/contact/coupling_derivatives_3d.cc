@@ -1,4 +1,5 @@
-// The same in space: warped faces that do not match, hanging nodes, obstacles, and faces that do match.
+// The same in space: warped faces that do not match, hanging nodes, curved faces, obstacles, and faces that
+// do match.
 #include "contact/moved_scene.h"
 
 std::mt19937 generator(1);
@@ -75,6 +76,22 @@ check_obstacle(const unsigned int degree)
               "sphere");
 }
 
+// Its true surface turns with its faces.
+void
+check_ball(const unsigned int degree)
+{
+  BodyData ball;
+  ball.name   = "ball";
+  ball.shape  = "half sphere";
+  ball.centre = {0, 0, 1.02};
+  Scene scene;
+  scene.bodies = {block("it", {-0.61, -0.53, -1}, {0.7, 0.65, 0}, {{2, 3, 1}}), ball};
+  scene.pairs  = {pair_of({"it", "top", {}}, {"ball", "surface", {}})};
+  check_scene(scene, degree, 0.5, "ball above block");
+  scene.pairs = {pair_of({"ball", "surface", {}}, {"it", "top", {}})};
+  check_scene(scene, degree, 0.5, "ball as slave");
+}
+
 int
 main(int argc, char **argv)
 {
@@ -85,5 +102,7 @@ main(int argc, char **argv)
       check_matching_faces(degree);
       check_obstacle(degree);
     }
+  for (const unsigned int degree : {1, 2})
+    check_ball(degree);
   return check::result();
 }

@@ -227,7 +227,6 @@ template <int dim>
 void
 check_rotation(Moved<dim> &moved, const double length, const std::string &what)
 {
-  turn_interface(moved.readable(moved.u), moved.problem.interfaces[0]);
   const Coupling<dim> before = moved.at(moved.u).coupling;
   const double        angle  = 40 * numbers::PI / 180;
   Tensor<2, dim>      R      = unit_symmetric_tensor<dim>();
@@ -265,7 +264,6 @@ check_rotation(Moved<dim> &moved, const double length, const std::string &what)
         turn(dofs[k], k == 0 ? corner : corner + carrier.size * Point<dim>::unit_vector(k - 1));
     }
   u.compress(VectorOperation::add);
-  turn_interface(moved.readable(u), moved.problem.interfaces[0]);
   const Coupling<dim> after = moved.at(u).coupling;
   check::is_true(after.rows.size() == before.rows.size() && !before.rows.empty(), what + ": turned rows");
   for (unsigned int r = 0; r < before.rows.size(); ++r)

@@ -54,11 +54,6 @@ namespace Amontons
                  const LA::Vector          &u,
                  ContactInterface<dim>     &interface);
 
-  // Turns what lies between true surfaces and those of the finite elements (see ContactSurface::turn).
-  template <int dim>
-  void
-  turn_interface(const LA::Vector &u, ContactInterface<dim> &interface);
-
   // Fills the couplings, with the gaps declared for interface.t; `supports` tells which slave nodes cannot
   // carry a multiplier. moved: see find_overlaps.
   template <int dim>

@@ -34,6 +34,10 @@ namespace Amontons
     double     size;
     Point<dim> centre;
     bool       straight; // geometry is the (bi)linear interpolation of the corners
+    // Of the lattice points from the finite elements' face: (a_k, b) with d = sum_k a_k t_k + b n, where t_k
+    // and n are tangents and unit normal of that face at its centre, which they follow. Empty: none.
+    std::vector<Point<dim>>     deviation;
+    std::vector<Tensor<2, dim>> centre_normal_gradient; // dn/dx by node, where there is a deviation
     // Nodes whose control values determine the face: `nodes`, but for hanging ones, whose place parents take;
     // as many as `nodes`. Local control value i = sum_j subdivision(i, j) x that of unknowns[j] (weights
     // >= 0, of sum 1); empty for the identity.
@@ -83,16 +87,20 @@ namespace Amontons
     ContactSurface(const Discretization<dim> &discretization, const BoundaryName &name, OwnedFaces<dim> own);
 
     // To where u (readable at all DoFs of the surface) takes the reference geometry: lattice points by
-    // interpolation, exact up to geometry_degree. Normals and sizes are made anew, mean_size stays. False if
-    // the surface is there already.
+    // interpolation, exact up to geometry_degree, with the deviations of the true surface, which turn with
+    // their faces. Normals and sizes are made anew, mean_size stays. False if the surface is there already.
     bool
     move(const LA::Vector &u);
 
-    // `move` leaves what lies between the true surface and that of the finite elements as it is. Where the
-    // surface has turned this is wrong (by twice the sagitta after half a turn): from now on it is as it has
-    // turned with u. Derivatives of `move` stay exact: to be called between increments, not within.
-    void
-    turn(const LA::Vector &u);
+    // How the deviation at xi and its slopes along xi_k change with the position of each node of the face; to
+    // be asked only where there is one.
+    struct DeviationGradient
+    {
+      Tensor<2, dim>                      value; // [component][direction]
+      std::array<Tensor<2, dim>, dim - 1> slopes;
+    };
+    std::vector<DeviationGradient>
+    deviation_gradient(const unsigned int face, const Point<dim - 1> &xi) const;
 
     // d(nodal normal)/d(displacement), for nodes of faces.
     std::vector<std::pair<types::global_dof_index, Tensor<1, dim>>>
@@ -152,15 +160,11 @@ namespace Amontons
     measure(SurfaceFace<dim> &face) const;
     void
     make_normals();
-    std::vector<Tensor<1, dim>>
-    element_normals(const std::vector<Point<dim>> &x) const;
+    void
+    find_deviation(SurfaceFace<dim> &face) const;
 
     const IndexSet::size_type            n_dofs;
-    bool                                 turned = false;     // since the last move
-    std::vector<Point<dim>>              turned_to;          // where the nodes were in the last turn()
     std::vector<std::vector<Point<dim>>> reference_geometry; // by face
-    std::vector<std::vector<Tensor<1, dim>>>
-        deviations; // likewise, of the lattice from the finite elements' face
     // By node: the faces there and its place in them.
     std::vector<std::vector<std::pair<unsigned int, unsigned int>>> faces_at;
   };

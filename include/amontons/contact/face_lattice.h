@@ -29,6 +29,16 @@ namespace Amontons
     return points;
   }
 
+  template <int fdim>
+  Point<fdim>
+  face_centre()
+  {
+    Point<fdim> xi;
+    for (unsigned int d = 0; d < fdim; ++d)
+      xi[d] = 0.5;
+    return xi;
+  }
+
   // Normal to the tangents, of the length of their area element: t_0 x t_1; in 2D (t_y, -t_x).
   inline Tensor<1, 2>
   area_vector(const std::array<Tensor<1, 2>, 1> &t)

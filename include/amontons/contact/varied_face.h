@@ -29,7 +29,7 @@ namespace Amontons
     unsigned int               face;
     unsigned int               first_displacement = 0, first_normal = 0;
 
-    // X + sum_j N_j du_j
+    // X + sum_j (N_j + d(deviation)/du_j) du_j
     Components<dim, Number>
     position(const Point<dim - 1> &xi) const
     {
@@ -40,12 +40,15 @@ namespace Amontons
           for (unsigned int j = 0; j < N.size(); ++j)
             for (unsigned int d = 0; d < dim; ++d)
               x[d].fastAccessDx(first_displacement + j * dim + d) = N[j];
+          for_each_deviation(xi, [&](const auto d, const auto variable, const auto &deviation, const auto e) {
+            x[d].fastAccessDx(variable) += deviation.value[d][e];
+          });
         }
       return x;
     }
 
     // To first order in the variables and in xi - value(xi), as is all that follows:
-    //   x = X + sum_k dX/dxi_k dxi_k + sum_j N_j du_j.
+    //   x = X + sum_k dX/dxi_k dxi_k + sum_j (N_j + d(deviation)/du_j) du_j.
     VariedFrame<dim, Number>
     frame(const Components<dim - 1, Number> &xi) const
     {
@@ -78,8 +81,27 @@ namespace Amontons
                 for (unsigned int k = 0; k < dim - 1; ++k)
                   result.tangents[k][d].fastAccessDx(variable) += gradients[j][k];
               }
+          for_each_deviation(at, [&](const auto d, const auto variable, const auto &deviation, const auto e) {
+            result.x[d].fastAccessDx(variable) += deviation.value[d][e];
+            for (unsigned int k = 0; k < dim - 1; ++k)
+              result.tangents[k][d].fastAccessDx(variable) += deviation.slopes[k][d][e];
+          });
         }
       return result;
+    }
+
+    // Calls action(component d, variable of a node's displacement along e, what it does to the deviation, e).
+    template <typename Action>
+    void
+    for_each_deviation(const Point<dim - 1> &xi, const Action &action) const
+    {
+      if (surface.faces[face].deviation.empty())
+        return;
+      unsigned int variable = first_displacement;
+      for (const auto &deviation : surface.deviation_gradient(face, xi))
+        for (unsigned int e = 0; e < dim; ++e, ++variable)
+          for (unsigned int d = 0; d < dim; ++d)
+            action(d, variable, deviation, e);
     }
 
     // The interpolated unit normal m/|m|, m = sum_j N_j n_j.

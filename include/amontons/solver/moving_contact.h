@@ -6,18 +6,21 @@
 #include <amontons/contact/coupling_derivatives.h>
 #include <amontons/solver/node_states.h>
 
+#include <set>
+
 namespace Amontons
 {
   // Surfaces move with the bodies, and the coupling of each pair is integrated where they are; the nodes are
   // those of the slave surfaces, whether anything is opposite of them at present or not, so that their
   // numbers stay. Tied pairs keep the coupling of the start: material points stay together.
   //
-  // Slip of a node since the last converged state: with the weights w of that state (its partners then, as
-  // material points), z = sum w x over slave minus master nodes, n the present normal and R the smallest
-  // rotation from the normal of that state,
-  //   v = (1 - n n^T) z - R (1 - n n^T)_old z_old.
-  // A motion of the whole scene makes none, and the derivative needs no derivative of weights (Puso and
-  // Laursen 2004; Gitterle et al. 2010).
+  // Slip of a node since the last converged state: its partners then, as material points, with the weights w
+  // of that state. What the jump sum w x had along the surface then (on curved faces) is taken off by a shift
+  // along the slave surface, sum_j beta_j x_j with sum_j beta_j = 0: the material points that lay opposite of
+  // each other have the jump
+  //   z = sum (w - beta) x,   z_old normal to the surface,   and   v = (1 - n n^T) z.
+  // A rigid motion of the whole scene by any Q takes z to Q z_old and n to Q n_old, and makes none; the
+  // derivative needs none of weights (Puso and Laursen 2004; Gitterle et al. 2010).
   template <int dim>
   class MovingContact
   {
@@ -94,23 +97,36 @@ namespace Amontons
     links() const;
 
   private:
-    struct OldRow
+    using Rows = std::array<Gradient, dim>; // by component
+    // A slave node in the last converged state: beta_j = gamma_j . jump, by node of its faces.
+    struct OldPlace
     {
-      std::array<LinearEquation, dim> weights; // by component of the jump
-      Tensor<1, dim>                  normal, tangential_jump;
+      Tensor<1, dim>                                        normal;
+      std::vector<std::pair<NodeDofs<dim>, Tensor<1, dim>>> gamma;
     };
-    using Rows = std::array<Gradient, dim>;
 
     std::vector<bool>
     closed_nodes(const SolutionState &state) const;
     void
-    remember_old_rows(const LA::Vector &committed, const std::vector<bool> &closed);
+    remember_old_rows(const std::vector<bool> &closed);
+    OldPlace
+    old_place(const ContactSurface<dim>    &slave,
+              const std::set<unsigned int> &beside,
+              const Tensor<1, dim>         &normal) const;
+    Rows
+    aligned(const OldPlace &place, Rows weights) const;
+    Rows
+    slip_weights(const unsigned int k) const;
     Tensor<1, dim>
-    position_jump(const std::array<LinearEquation, dim> &weights, const LA::Vector &u) const;
+    position_jump(const Rows &weights, const LA::Vector &u) const;
     Tensor<1, dim>
     jump_since(const unsigned int k, const LA::Vector &u) const;
-    const std::vector<Tensor<1, dim>> &
-    symmetry_planes(const unsigned int k) const;
+    const SurfaceNode<dim> &
+    slave_node(const unsigned int k) const
+    {
+      const auto &interface = interfaces[all[k].interface];
+      return interface.slave->nodes[interface.coupling.rows[all[k].row].node];
+    }
     Rows
     slip_gradient(const unsigned int k, const LA::Vector &u) const;
     Rows
@@ -133,7 +149,8 @@ namespace Amontons
     std::vector<CandidateNode<dim>>                        all;
     std::vector<std::vector<unsigned int>>                 node_of; // by interface and slave node
     std::vector<double>                                    old_gap;
-    std::vector<std::optional<OldRow>>                     old;
+    std::vector<std::optional<Rows>>                       old;    // w - beta, where something was opposite,
+    std::vector<OldPlace>                                  places; // and what else gives it
     LA::Vector                                             committed;
     double                                                 t; // of declared gaps
     std::map<types::global_dof_index, double>              reference_coordinate;

@@ -856,6 +856,23 @@ add_scene_test(NAME bulk_tension SCENE verification/bulk_tension.prm
                CHECK ${LAWS} "newton.:.iterations <= 5" "pairs.0.stick_size ~ 0.2406915 0.002" "pairs.0.stick_centre.0 ~ 0.0510584 0.015" "pairs.0.centre.0 abs<= 5e-4"
                      "sum(contact.:.fx) ~ pairs.0.tangential_force.0 1e-10" "sum(contact.:.fy) ~ pairs.0.normal_force.1 1e-10")
 
+# Pressed with friction, then turned in space about (1, 1, 1) and about the normal of the contact, on curved faces in the plane.
+set(TURNED "status is converged" "checks.force_balance <= 1e-8" "newton.:.iterations <= 14")
+set(ABOUT_Z "Boundary condition top/Displacement=0|0|-0.12*table(0: 0, 1: 1)" "Boundary condition top/Rotation=0|0|pi/2*table(1: 0, 2: 1)"
+    "Boundary condition bottom/Rotation=0|0|pi/2*table(1: 0, 2: 1)")
+foreach(slave first second)
+  set(kept ${TURNED} "meshes.4:.energy ~ meshes.3.energy 1e-10" "meshes.4:.dissipation ~ meshes.3.dissipation 1e-9"
+      "meshes.4:.pairs.0.peak_pressure ~ meshes.3.pairs.0.peak_pressure 1e-9" "meshes.3.dissipation >= 0.05" "pairs.0.n_slip == 0")
+  add_scene_test(NAME turned_with_friction_${slave} SCENE verification/turned_with_friction.prm SET "Contact interface/Slave=${slave}" CHECK ${kept})
+  add_scene_test(NAME turned_with_friction_about_z_${slave} SCENE verification/turned_with_friction.prm SET "Contact interface/Slave=${slave}" ${ABOUT_Z}
+                 CHECK ${kept})
+  foreach(degree 1 2)
+    add_scene_test(NAME turned_disk_q${degree}_${slave} SCENE verification/turned_disk.prm SET "Contact interface/Slave=${slave}" "Discretization/Degree=${degree}"
+                   CHECK ${TURNED} "meshes.6:.energy ~ meshes.5.energy 1e-10" "meshes.6:.dissipation ~ meshes.5.dissipation 1e-9"
+                         "meshes.6:.pairs.0.peak_pressure ~ meshes.5.pairs.0.peak_pressure 1e-9" "meshes.5.dissipation >= 1e-4")
+  endforeach()
+endforeach()
+
 # ---- Finite strain: supports and closed nodes carry the forces of the answer
 
 # Where the displacement is exact after one step, the dilatations of mean dilatation are not yet.

@@ -318,6 +318,96 @@ namespace Amontons
       return covered;
     }
 
+    // sum slave weight X - sum master weight X
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    jumps_of_reference_positions(const Discretization<dim>   &discretization,
+                                 const ContactInterface<dim> &interface)
+    {
+      std::map<NodeDofs<dim>, Tensor<1, dim>> X;
+      for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
+        if (surface != nullptr)
+          for (const auto &node : surface->nodes)
+            X[node.dofs] = node.X;
+      if (interface.master_surface == nullptr)
+        {
+          const auto &carrier = discretization.geometry.carriers[interface.master.carrier];
+          for (unsigned int k = 0; k <= dim; ++k)
+            for (unsigned int d = 0; d < dim; ++d)
+              X[discretization.carrier_dofs[interface.master.carrier][k]][d] =
+                  carrier.motion.reference[d] + (k == d + 1 ? carrier.size : 0.);
+        }
+      std::vector<Tensor<1, dim>> jumps;
+      for (const auto &row : interface.coupling.rows)
+        {
+          jumps.emplace_back();
+          for (const auto &[dofs, weight] : row.slave)
+            jumps.back() += weight * X.at(dofs);
+          for (const auto &[dofs, weight] : row.master)
+            jumps.back() -= weight * X.at(dofs);
+        }
+      return jumps;
+    }
+
+    // Of a, which has singular values >= 0, of which at most one is 0; never a reflection: a + cof a has the
+    // singular vectors of a.
+    template <int dim>
+    Tensor<2, dim>
+    rotation_of(Tensor<2, dim> a)
+    {
+      a /= a.norm();
+      Tensor<2, dim> cofactors;
+      if constexpr (dim == 2)
+        cofactors = Tensor<2, 2>({{a[1][1], -a[1][0]}, {-a[0][1], a[0][0]}});
+      else
+        for (unsigned int d = 0; d < 3; ++d)
+          cofactors[d] = cross_product_3d(a[(d + 1) % 3], a[(d + 2) % 3]);
+      return project_onto_orthogonal_tensors(a + cofactors);
+    }
+
+    // How the surface at its nodes has turned since the start: the rotation in sum_j (x_j - x)(X_j - X)^T
+    // over the nodes of the faces that depend on the node.
+    template <int dim>
+    std::vector<Tensor<2, dim>>
+    rotations(const ContactSurface<dim> &surface)
+    {
+      std::vector<Tensor<2, dim>> result(surface.nodes.size());
+      for (const auto &face : surface.faces)
+        for (const unsigned int i : face.unknowns)
+          for (const unsigned int j : face.nodes)
+            result[i] += outer_product(surface.nodes[j].x - surface.nodes[i].x,
+                                       surface.nodes[j].X - surface.nodes[i].X);
+      for (auto &a : result)
+        a = a.norm() > 0 ? rotation_of(a) : Tensor<2, dim>(unit_symmetric_tensor<dim>());
+      return result;
+    }
+
+    // Tangential displacement of the slave relative to the master since the start. Where the surfaces have
+    // moved, what lay between the present partners then turns with the slave, so that a rigid motion of both
+    // is none.
+    template <int dim>
+    void
+    add_slips(const Discretization<dim>   &discretization,
+              const ContactInterface<dim> &interface,
+              const LA::Vector            &displacement,
+              SurfaceFields<dim>          &fields)
+    {
+      const auto                 &rows = interface.coupling.rows;
+      std::vector<Tensor<1, dim>> slips;
+      for (const auto &row : rows)
+        slips.push_back(jump(row, displacement));
+      if (interface.slave->moved)
+        {
+          const auto turned = rotations(*interface.slave);
+          const auto before = jumps_of_reference_positions(discretization, interface);
+          for (unsigned int r = 0; r < rows.size(); ++r)
+            slips[r] += before[r] - turned[rows[r].node] * before[r];
+        }
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        fields.slip[rows[r].node] =
+            slips[r] - (slips[r] * rows[r].normal) / rows[r].normal.norm_square() * rows[r].normal;
+    }
+
     // Hanging nodes have no row: what is shown there is interpolated; they are closed where a parent is.
     template <int dim>
     void
@@ -401,9 +491,8 @@ namespace Amontons
             fields.tangential_force[c] += row.area * tangential[c][r];
             fields.force[row.node][c] = row.area * (tangential[c][r] - pressures[r] * row.normal[c]);
           }
-        const auto slip       = jump(row, displacement);
-        fields.slip[row.node] = slip - (slip * row.normal) / row.normal.norm_square() * row.normal;
       }
+    add_slips(discretization, interface, displacement, fields);
     fill_hanging_nodes(slave, fields);
     if (discretization.scene.kind == Kind::axisymmetric) // nodal traces: no row on the axis
       for (const auto &[node, others] : interface.coupling.slivers)

@@ -7,13 +7,15 @@
 
 namespace check
 {
-  inline int &failures()
+  inline int &
+  failures()
   {
     static int n = 0;
     return n;
   }
 
-  inline void is_true(const bool condition, const std::string &what)
+  inline void
+  is_true(const bool condition, const std::string &what)
   {
     if (!condition)
       {
@@ -23,11 +25,12 @@ namespace check
   }
 
   // |value - expected| <= tolerance * max(|expected|, scale)
-  inline void is_close(const double       value,
-                       const double       expected,
-                       const double       tolerance,
-                       const std::string &what,
-                       const double       scale = 0)
+  inline void
+  is_close(const double       value,
+           const double       expected,
+           const double       tolerance,
+           const std::string &what,
+           const double       scale = 0)
   {
     if (!(std::abs(value - expected) <= tolerance * std::max(std::abs(expected), scale)))
       {
@@ -38,7 +41,8 @@ namespace check
       }
   }
 
-  inline int result()
+  inline int
+  result()
   {
     if (failures() == 0)
       std::cout << "all checks hold" << std::endl;

@@ -66,13 +66,13 @@ namespace Amontons
   {
     SlipLaw<dim> law;
     const double length = slip.norm(), total = std::hypot(length, distance);
-    law.stiffness       = bound.value / total;
-    law.along           = law.stiffness * std::pow(distance / total, 2);
+    law.stiffness = bound.value / total;
+    law.along     = law.stiffness * std::pow(distance / total, 2);
     if (length == 0)
       return law;
     law.direction = slip / length;
     law.slope     = length / total * bound.slope;
-    law.constant  = length / total * (bound.value - bound.slope * std::max(0., pressure)) - law.along * length;
+    law.constant = length / total * (bound.value - bound.slope * std::max(0., pressure)) - law.along * length;
     return law;
   }
 

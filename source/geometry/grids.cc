@@ -61,7 +61,8 @@ namespace Amontons
           for (unsigned int i = 0; i < n[d]; ++i)
             if (!(points[d][i + 1] - points[d][i] > 1e-12 * (body.upper[d] - body.lower[d])))
               throw InputError(body.where,
-                               "the grading makes cells that are too thin in direction " + std::string(1, "xyz"[d]),
+                               "the grading makes cells that are too thin in direction " +
+                                   std::string(1, "xyz"[d]),
                                "a grading closer to 1, or fewer cells");
         }
 

@@ -86,8 +86,9 @@ namespace Amontons
     s.tangential_force = history.Q;
     s.stick_size       = state.stick_size;
     // after a reversal only at its end
-    s.unused_shear_is_hertzian = history.reversals == 0 || std::abs(history.Q) >= (1 - 1e-9) * std::abs(history.Q_max);
-    s.shear_traction   = [=](const double x) { return ClosedForms::shear_traction(x, shape, state); };
+    s.unused_shear_is_hertzian =
+        history.reversals == 0 || std::abs(history.Q) >= (1 - 1e-9) * std::abs(history.Q_max);
+    s.shear_traction = [=](const double x) { return ClosedForms::shear_traction(x, shape, state); };
   }
 
   template <typename Field>

@@ -102,8 +102,8 @@ namespace Amontons
           }
         else
           throw InputError(here,
-                           "found '" + (line.text.size() > 80 ? line.text.substr(0, 80) + "..." : line.text) + "'" +
-                               suggestion(keyword, {"subsection", "end", "set", "include"}),
+                           "found '" + (line.text.size() > 80 ? line.text.substr(0, 80) + "..." : line.text) +
+                               "'" + suggestion(keyword, {"subsection", "end", "set", "include"}),
                            "subsection NAME, set NAME = VALUE, end, include FILE, # comment");
       }
 

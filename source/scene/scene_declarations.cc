@@ -62,10 +62,8 @@ namespace Amontons
       prm.declare_entry(
           "Centre", "0, 0, 0", coordinates, "Round shapes: centre; cylinders: centre of the bottom.");
       prm.declare_entry("Radius", "", anything, "Round shapes: radius, outer radius; no default.");
-      prm.declare_entry(
-          "Inner radius", "", anything, "Rings and hollow shapes: inner radius; no default.");
-      prm.declare_entry(
-          "Length", "", anything, "Cylinders: length, along z before placement; no default.");
+      prm.declare_entry("Inner radius", "", anything, "Rings and hollow shapes: inner radius; no default.");
+      prm.declare_entry("Length", "", anything, "Cylinders: length, along z before placement; no default.");
       prm.declare_entry(
           "Refinements", "0", Patterns::Integer(0, 20), "Uniform refinements before the first solve.");
       prm.declare_entry(
@@ -152,7 +150,8 @@ namespace Amontons
           anything,
           "displacement: 'ux; uy[; uz]', each an expression or 'free', or a closed form NAME(PARAMETER = "
           "NUMBER, "
-          "...); traction, total force (of t alone): 'fx; fy[; fz]'; pressure: one expression. Expressions of x, y, z, t, "
+          "...); traction, total force (of t alone): 'fx; fy[; fz]'; pressure: one expression. Expressions "
+          "of x, y, z, t, "
           "pi, and table(0: 0, 1: 5, ...), piecewise linear in t.");
       declare_motion(prm);
     }
@@ -170,12 +169,12 @@ namespace Amontons
                         Patterns::Selection("automatic|first|second"),
                         "automatic | first | second: which side carries the contact pressure; automatic: the "
                         "finer, softer one.");
-      prm.declare_entry(
-          "Initial gap",
-          "",
-          anything,
-          "Expression of the slave's reference position and the time t that replaces the geometric gap; empty: "
-          "geometric.");
+      prm.declare_entry("Initial gap",
+                        "",
+                        anything,
+                        "Expression of the slave's reference position and the time t that replaces the "
+                        "geometric gap; empty: "
+                        "geometric.");
       prm.declare_entry(
           "Adjust", "0", Patterns::Double(0), "Initial gaps and overlaps up to this size count as zero.");
       prm.declare_entry(

@@ -14,9 +14,9 @@ namespace Amontons
     read_top_level(const SceneInput &input, Scene &scene)
     {
       const SectionInput top(input, "", ""), reference(input, "Reference", "");
-      scene.title = top.text("Title");
-      scene.file  = input.file;
-      scene.kind  = input.kind;
+      scene.title                  = top.text("Title");
+      scene.file                   = input.file;
+      scene.kind                   = input.kind;
       const std::string kinematics = top.text("Kinematics");
       scene.kinematics             = kinematics == "small strain"    ? Kinematics::small_strain
                                      : kinematics == "finite strain" ? Kinematics::finite_strain

@@ -131,9 +131,9 @@ namespace Amontons
             const auto   q      = trial(k, answers[k]);
             const double excess = q.norm() - limit.value;
             const bool   turned = !first && old == ContactState::slip && q * laws[k].direction < 0;
-            const bool   moves  = old == ContactState::slip && nodes[k].c * answers[k].slip.norm() > tolerance;
-            const bool   slips  = !turned && q.norm() > 0 && excess > (moves ? -tolerance : tolerance);
-            states[k] = slips ? ContactState::slip : ContactState::stick;
+            const bool   moves = old == ContactState::slip && nodes[k].c * answers[k].slip.norm() > tolerance;
+            const bool   slips = !turned && q.norm() > 0 && excess > (moves ? -tolerance : tolerance);
+            states[k]          = slips ? ContactState::slip : ContactState::stick;
             if (slips)
               laws[k] = linearise_slip(q, p, limit, nodes[k].c);
           }

@@ -248,13 +248,13 @@ end
         message(good + "subsection Contact again\n set First = upper/bottom\n set Second = lower/top\nend\n"),
         {"scene.prm:29", "same two surfaces"});
     expect_set("Contact main/Adjust = -1", {"a number v >= 0"});
-    expect_set("Contact main/Friction coefficient = -0.1", {"found -0.1, a negative bound", "the place, t and p"});
+    expect_set("Contact main/Friction coefficient = -0.1",
+               {"found -0.1, a negative bound", "the place, t and p"});
     expect_set("Contact main/Tresca bound = 1-3", {"found 1-3, a negative bound"});
     expect_set("Contact main/Friction coefficient = 0.3*q",
                {"main/Friction coefficient: '0.3*q' cannot be read: Unexpected token \"q\"",
                 "x, y, t, p (contact pressure)"});
-    expect_set("Contact main/Friction coefficient = r",
-               {"variable r", "x, y, t, p (contact pressure)"});
+    expect_set("Contact main/Friction coefficient = r", {"variable r", "x, y, t, p (contact pressure)"});
     expect_set("Contact main/Initial gap = p", {"variable p", "expression of x, y, t,"});
     expect(message(good, {"Contact main/Tied = true", "Contact main/Friction coefficient = 0.1"}),
            {"no meaning for Tied = true"});

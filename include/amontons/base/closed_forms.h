@@ -136,8 +136,8 @@ namespace Amontons
     half_space_hertz(
         const double r, const double z, const double E, const double nu, const double P, const double a);
 
-    // The same under the shear traction (3Q/(2 pi a^2)) sqrt(1-r^2/a^2) in +x: displacements, which vanish far
-    // away; [J] sec. 3.6.
+    // The same under the shear traction (3Q/(2 pi a^2)) sqrt(1-r^2/a^2) in +x: displacements, which vanish
+    // far away; [J] sec. 3.6.
     struct Displacement
     {
       double x, y, z; // z into the body

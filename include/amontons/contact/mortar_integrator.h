@@ -32,9 +32,9 @@ namespace Amontons
               const MasterSide<dim>     &master,
               const OverlapPoint<dim>   &p);
 
-  // All overlaps of the pair whose gap is at most `reach`, with the geometric gaps. wanted: by slave face, empty
-  // for all. Collective: each rank searches for every n-th slave face, wherever its cell is (often one rank has
-  // all of them), and all get all points, in the order of the slave faces.
+  // All overlaps of the pair whose gap is at most `reach`, with the geometric gaps. wanted: by slave face,
+  // empty for all. Collective: each rank searches for every n-th slave face, wherever its cell is (often one
+  // rank has all of them), and all get all points, in the order of the slave faces.
   template <int dim>
   std::vector<OverlapPoint<dim>>
   find_overlaps(const PairData            &pair,

@@ -15,8 +15,8 @@ namespace Amontons
   ShearBound
   shear_bound(const PairData &pair, const Point<3> &X, const double t, const double pressure);
 
-  // The law of a slipping node, linearised: q = (constant + slope p) d + stiffness (1 - d d^T) v + along d d^T v,
-  // where v is the slip (tangential, like d). Unsymmetric where slope > 0.
+  // The law of a slipping node, linearised: q = (constant + slope p) d + stiffness (1 - d d^T) v + along d
+  // d^T v, where v is the slip (tangential, like d). Unsymmetric where slope > 0.
   template <int dim>
   struct SlipLaw
   {
@@ -37,8 +37,9 @@ namespace Amontons
   SlipLaw<dim>
   linearise_slip(const Tensor<1, dim> &trial, const double pressure, const ShearBound &bound, const double c);
 
-  // A node that was open by `distance` when the increment began: it touches at some time within it only, so that
-  // friction builds up with its slip over that distance, q = phi(p) v / sqrt(v^2 + distance^2), without stick.
+  // A node that was open by `distance` when the increment began: it touches at some time within it only, so
+  // that friction builds up with its slip over that distance, q = phi(p) v / sqrt(v^2 + distance^2), without
+  // stick.
   template <int dim>
   SlipLaw<dim>
   linearise_closing(const Tensor<1, dim> &slip,

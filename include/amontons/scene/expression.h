@@ -20,8 +20,8 @@ namespace Amontons
   public:
     Expression() = default; // zero
     explicit Expression(const double constant);
-    // Throws InputError at `where` if the text cannot be parsed or has other variables than these, of x, y, z,
-    // r, t and p.
+    // Throws InputError at `where` if the text cannot be parsed or has other variables than these, of x, y,
+    // z, r, t and p.
     Expression(const std::string              &text,
                const Where                    &where,
                const std::vector<std::string> &variables = {"x", "y", "z", "t"});
@@ -42,7 +42,7 @@ namespace Amontons
   private:
     struct Parser;
     std::shared_ptr<Parser> parser;
-    std::string             source         = "0";
+    std::string             source = "0";
     std::vector<double>     table_times;
     double                  constant_value = 0;
     bool                    constant       = true;

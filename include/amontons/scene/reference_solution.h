@@ -29,7 +29,7 @@ namespace Amontons
     // Friction: tangential force on the slave along +x, half-width or radius of the stick region, shear
     // traction on the slave along +x at distance x from the centre (for the axis through the contact along
     // the force), and the dissipated work of the whole load history.
-    std::optional<double>         tangential_force, stick_size, dissipation;
+    std::optional<double> tangential_force, stick_size, dissipation;
     // Whether mu p - |q| is a Hertz traction of the size stick_size, from which the size is measured.
     bool                          unused_shear_is_hertzian = true;
     std::function<double(double)> shear_traction;

@@ -233,10 +233,10 @@ namespace Amontons
   {
     std::string                  title;
     std::string                  file; // path as given
-    Kind                         kind         = Kind::plane_strain;
-    Kinematics                   kinematics   = Kinematics::small_strain;
-    double                       end_time     = 1;
-    unsigned int                 n_increments = 0; // to start with, over the end time; 0: automatic
+    Kind                         kind              = Kind::plane_strain;
+    Kinematics                   kinematics        = Kinematics::small_strain;
+    double                       end_time          = 1;
+    unsigned int                 n_increments      = 0;    // to start with, over the end time; 0: automatic
     double                       minimum_increment = 1e-4; // of the end time
     std::vector<double>          output_times;             // increasing, in (0, end_time]
     std::vector<double>          corner_times; // in (0, end_time): where tables of loads and motions bend

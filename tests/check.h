@@ -14,9 +14,17 @@ namespace check
     return n;
   }
 
+  inline unsigned long &
+  checks()
+  {
+    static unsigned long n = 0;
+    return n;
+  }
+
   inline void
   is_true(const bool condition, const std::string &what)
   {
+    ++checks();
     if (!condition)
       {
         ++failures();
@@ -32,6 +40,7 @@ namespace check
            const std::string &what,
            const double       scale = 0)
   {
+    ++checks();
     if (!(std::abs(value - expected) <= tolerance * std::max(std::abs(expected), scale)))
       {
         ++failures();
@@ -45,7 +54,7 @@ namespace check
   result()
   {
     if (failures() == 0)
-      std::cout << "all checks hold" << std::endl;
+      std::cout << "all " << checks() << " checks hold" << std::endl;
     return failures() == 0 ? 0 : 1;
   }
 } // namespace check

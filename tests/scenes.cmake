@@ -893,7 +893,8 @@ foreach(kinematics "small strain" "finite strain")
 endforeach()
 add_scene_test(NAME never_faced SCENE patch_test.prm SET "Kinematics=finite strain" "Increments=1" "Contact interface/Second=lower/bottom"
                CHECK "pairs.0.touched is False" "pairs.0.smallest_gap is None" "notes.-1 has nothing of one side is opposite")
-add_scene_test(NAME piston SCENE verification/piston.prm CHECK "pairs.0.n_slip >= 3" "pairs.0.touched is True" "pairs.0.normal_force.1 <= -20")
+add_scene_test(NAME piston SCENE verification/piston.prm FAILS # squeezed by its height: too much for small strain
+               CHECK "message has kinematics" "pairs.0.n_slip >= 3" "pairs.0.touched is True" "pairs.0.normal_force.1 <= -20")
 foreach(cycles 0 2)
   add_scene_test(NAME declared_gap_${cycles} SCENE verification/declared_gap.prm SET "Refinement/Cycles=${cycles}" CHECK ${EXACT})
 endforeach()
@@ -930,14 +931,14 @@ foreach(scene greco floating_slab)
   add_scene_test(NAME increments_${scene} SCENE ${scene}.prm SET "Refinement/Cycles=2"
                  CHECK "error_estimate.increments <= 1e-9" "increments.number == 1" "increments.repeated_with == 2" "meshes.-1.increment == 1")
 endforeach()
-foreach(case "1 2 0.08 0.3" "5 3 0.03 0.15" "20 10 0.002 0.012")
+foreach(case "1 2 0.2 0.5" "5 3 0.05 0.25" "20 10 0.003 0.02")
   separate_arguments(case)
   list(GET case 0 n)
   list(GET case 1 repeated)
   list(GET case 2 least)
   list(GET case 3 most)
   add_scene_test(NAME increments_two_cylinders_${n} SCENE verification/two_cylinders.prm
-                 SET "Contact line/Friction coefficient=0.3" "Refinement/Cycles=2" "Boundary condition load/Force=0|-250*t" "Increments=${n}"
+                 SET "Contact line/Friction coefficient=0.3" "Refinement/Cycles=3" "Boundary condition load/Force=0|-250*t" "Increments=${n}"
                  CHECK "status is converged" "increments.number == ${n}" "increments.repeated_with == ${repeated}" "error_estimate.increments >= ${least}"
                        "error_estimate.increments <= ${most}" "increments.shear >= 0.002" "meshes.-1.increment == ${n}")
 endforeach()
@@ -986,18 +987,20 @@ add_scene_test(NAME capstan_pressure SCENE capstan.prm
 set(GROWN "status is converged" "reference.errors.pressure_l2 <= 0.003" "checks.negative_dissipation <= 1e-9" "meshes.-1.external_work ~ 6.98 0.001")
 foreach(increments 1 4)
   add_scene_test(NAME growing_interference_${increments} SCENE verification/growing_interference.prm SET "Increments=${increments}"
-                 CHECK ${GROWN} "checks.energy_balance <= 1e-8" "pairs.0.peak_pressure ~ 22.3106566 1e-6")
+                 CHECK ${GROWN} "checks.energy_balance <= 1e-8" "pairs.0.peak_pressure ~ 22.2838014 1e-6")
 endforeach()
 foreach(history replay transfer)
   add_scene_test(NAME growing_interference_${history} SCENE verification/growing_interference.prm RANKS 2 SET "Refinement/Cycles=1" "Refinement/History=${history}"
                  CHECK ${GROWN} "checks.energy_balance <= 1e-8")
 endforeach()
+# (The reference is that of small strain.)
+string(REPLACE "0.003" "0.004" GROWN "${GROWN}")
 add_scene_test(NAME growing_interference_finite SCENE verification/growing_interference.prm SET "Kinematics=finite strain" CHECK ${GROWN} "checks.energy_balance <= 1e-4")
 
 # A polygon in place of a circle: the estimate has its error, refined or not. As a mesh of second order, or with the circle declared, there are no facets.
 foreach(cycles 0 3)
   add_scene_test(NAME facets_${cycles} SCENE verification/polygon_roller.prm SET "Refinement/Cycles=${cycles}"
-                 CHECK "error_estimate.facets ~ reference.errors.pressure_l2 0.15" "error_estimate.contact >= 0.1" "notes.1 has touches on facets")
+                 CHECK "error_estimate.facets ~ reference.errors.pressure_l2 0.15" "error_estimate.contact >= 0.1" "notes.2 has touches on facets")
 endforeach()
 set(ROUND "error_estimate.facets == 0" "reference.errors.nodal_peak_pressure <= 0.01" "error_estimate.contact <= 0.02" "reference.errors.pressure_l2 <= 0.015")
 add_scene_test(NAME second_order_mesh SCENE verification/polygon_roller.prm SET "Body roller/Mesh=round_roller.geo" CHECK ${ROUND})

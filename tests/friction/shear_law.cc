@@ -12,9 +12,9 @@ pair_with(const std::string &friction, const std::string &tresca)
   PairData    pair;
   const Where where;
   if (!friction.empty())
-    pair.friction = Expression(friction, where, true);
+    pair.friction = Expression(friction, where, {"x", "y", "z", "t", "p"});
   if (!tresca.empty())
-    pair.tresca_bound = Expression(tresca, where, true);
+    pair.tresca_bound = Expression(tresca, where, {"x", "y", "z", "t", "p"});
   return pair;
 }
 

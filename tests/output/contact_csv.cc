@@ -124,7 +124,7 @@ check_rows(const unsigned int degree)
                              pair_of({"lower", "top", {}}, {"upper", "bottom", {}})};
   scene.pairs[0].name     = "up";
   scene.pairs[1].name     = "down";
-  scene.pairs[1].friction = Expression("0.5*t", Where(), true);
+  scene.pairs[1].friction = Expression("0.5*t", Where(), {"x", "y", "z", "t", "p"});
   const Problem<dim>              problem(scene, degree);
   std::vector<SurfaceFields<dim>> fields;
   for (unsigned int p = 0; p < 2; ++p)

@@ -141,8 +141,8 @@ void
 check_errors_of_fields()
 {
   RefinementParameters refinement;
-  const Scene          scene =
-      read_scene(std::string(AMONTONS_SOURCE_DIR) + "/parameters/half_plane_box.prm", {}, {&refinement});
+  const Scene          scene = read_scene(
+      std::string(std::getenv("AMONTONS_SOURCE_DIR")) + "/parameters/half_plane_box.prm", {}, {&refinement});
   Problem<2> problem(scene, 2);
   for (unsigned int i = 0; i < 2; ++i)
     {

@@ -292,8 +292,13 @@ namespace Amontons
           xi[d] = double(rest % n) / slave.degree;
         return xi;
       };
+      for (const unsigned int f : interface.coupling.whole_faces)
+        for (const unsigned int node : slave.faces[f].nodes)
+          covered[node] = true;
       for (const auto &p : interface.coupling.points)
         {
+          if (interface.coupling.whole_faces.count(p.slave_face) > 0)
+            continue;
           auto  &of_face = bump[p.slave_face];
           double jacobian;
           slave.face_normal(p.slave_face, p.xi_slave, &jacobian);
@@ -312,7 +317,7 @@ namespace Amontons
             double whole = 1;
             for (unsigned int d = 0; d < dim - 1; ++d)
               whole *= whole_bump(place(k)[d]);
-            if (interface.coupling.whole_faces.count(f) > 0 || bump[f][k] >= 0.5 * whole)
+            if (bump[f][k] >= 0.5 * whole)
               covered[slave.faces[f].nodes[k]] = true;
           }
       return covered;

@@ -268,7 +268,7 @@ def main():
     scratch = Scratch(folder, arguments.j)
     os.makedirs(scratch.build, exist_ok=True)
     synchronise(folder)
-    code, text = scratch.run(["cmake", "-S", folder, "-B", scratch.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"])
+    code, text = scratch.run(["cmake", "-S", folder, "-B", scratch.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DAMONTONS_UNITY=OFF", "-DAMONTONS_OPTIMISATION=-O1"])
     if code != 0:
         sys.exit(text)
     # what stands in the list must pass unchanged

@@ -559,7 +559,7 @@ endforeach()
 add_comparison_test(NAME ranks_greco SCENE greco.prm SET "Refinement/Cycles=1" RUN 1 3)
 add_comparison_test(NAME ranks_floating_slab SCENE floating_slab.prm RUN 1 3)
 add_comparison_test(NAME ranks_microslip_bar SCENE microslip_bar.prm RUN 1 2)
-add_comparison_test(NAME ranks_cattaneo_mindlin SCENE cattaneo_mindlin.prm SET "Refinement/Cycles=1" "End time=2" "Increments=2" "Output times=" RUN 1 3)
+add_comparison_test(NAME ranks_cattaneo_mindlin SCENE cattaneo_mindlin.prm SET "Refinement/Cycles=1" "End time=2.5" "Increments=3" "Output times=" RUN 1 3)
 add_comparison_test(NAME ranks_nafems_roller_friction SCENE nafems_roller_friction.prm SET "Refinement/Cycles=1" "Increments=3" RUN 1 3)
 add_comparison_test(NAME ranks_mindlin_sphere SCENE mindlin_sphere.prm
                     SET "Refinement/Initial refinements=3" "Refinement/Cycles=1" "Refinement/Fraction=0.9" "Linear solver/Type=direct" "End time=2" "Increments=2" RUN 1 2)

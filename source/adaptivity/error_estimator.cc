@@ -286,14 +286,15 @@ namespace Amontons
         return result;
       }
 
-      // Shears are as large as the pressure times this: their errors count as much.
+      // Shears are as large as the pressure times this: their errors count as much. 0 where they are only what
+      // the iteration leaves (a tolerance of 1e-8 and the rounding of sums over ranks), which is no traction.
       double
       shear_scale(const SurfaceFields<dim> &fields) const
       {
         double largest = 0;
         for (const auto &traction : fields.traction)
           largest = std::max(largest, traction.norm());
-        return fields.peak_pressure > 0 ? largest / fields.peak_pressure : 0;
+        return largest > 1e-6 * fields.peak_pressure ? largest / fields.peak_pressure : 0;
       }
 
       // eta_F^2 of an owned slave face, and its part of the squared L2 error of the pressure (with friction

@@ -56,7 +56,7 @@ namespace Amontons
       success = choose_kinematics(success);
     if (success && has_history)
       add_error_of_increments();
-    summary.status = success ? "converged" : "not converged";
+    summary.converged = success;
     finish();
     return summary;
   }
@@ -118,7 +118,8 @@ namespace Amontons
       for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
         if (surface != nullptr)
           discretization->add_relevant(surface->dofs());
-    supports = discretization->make_supports(state.t);
+    supports         = discretization->make_supports(state.t);
+    time_of_supports = state.t;
     if (!finite_strain || state.displacement.size() == 0)
       integrate_couplings(*discretization, supports, interfaces);
   }
@@ -127,10 +128,11 @@ namespace Amontons
   void
   ContactProblem<dim>::set_time(const double t)
   {
-    if (t == state.t) // rebuild() made the supports and gaps of this time
+    state.t = t;
+    if (time_of_supports == t)
       return;
-    state.t  = t;
-    supports = discretization->make_supports(t);
+    supports         = discretization->make_supports(t);
+    time_of_supports = t;
     if (!finite_strain)
       redeclare_gaps(*discretization, t, interfaces);
   }
@@ -165,19 +167,19 @@ namespace Amontons
   }
 
   template <int dim>
-  bool
+  typename ContactProblem<dim>::Increment
   ContactProblem<dim>::solve_increment(const LoadProgram &program)
   {
     for (;;)
       {
         do
           if (!solve_on_mesh(program))
-            return false;
+            return Increment::failed;
         while (widen_reach());
         if (!refine_now(program) || !refine())
-          return true;
+          return Increment::converged;
         if (has_history && program.time() > 0 && !rebalance(program))
-          return false;
+          return Increment::lost;
       }
   }
 
@@ -206,7 +208,7 @@ namespace Amontons
       estimate();
     summarise_mesh(program, report, solve_seconds);
     add_notes(report);
-    summary.message = report.message;
+    summary.message = report.failure ? Diagnosis::sentence(*report.failure) : "";
     last_report     = report;
     return report.converged;
   }
@@ -439,7 +441,7 @@ namespace Amontons
         pair.touched      = std::any_of(summary.meshes.begin(), summary.meshes.end(), [&](const auto &mesh) {
           return mesh.pairs[i].touched;
         });
-        if (!pair.touched && summary.status == "converged")
+        if (!pair.touched && summary.converged)
           summary.notes.push_back("warning: pair '" + pair.name + "' touched nothing in the whole run; " +
                                   without_contact(pair));
       }

@@ -11,7 +11,7 @@ namespace Amontons
   ContactProblem<dim>::run_load_program()
   {
     LoadProgram        program(scene, incremental, coarser);
-    Failure            failure;
+    FailedIncrement    failure;
     unsigned int       n_failures = 0;                   // in a row
     const unsigned int patience   = has_history ? 5 : 3; // friction: mostly states that are hard to find
     start_history();
@@ -19,16 +19,17 @@ namespace Amontons
       {
         set_time(program.next());
         guess_from_path();
-        if (solve_increment(program))
+        const Increment result = solve_increment(program);
+        if (result == Increment::converged)
           {
             note_snaps(program.next() - program.time());
             program.accept(last_report.moved ? 0 : last_report.iterations.size());
             commit(program);
-            failure       = Failure();
+            failure       = FailedIncrement();
             n_failures    = 0;
             follow_motion = false;
           }
-        else if (is_repeat)
+        else if (is_repeat || result == Increment::lost)
           return false;
         else if (finite_strain && !follow_motion && (++n_failures == patience || program.is_smallest()))
           {
@@ -92,7 +93,7 @@ namespace Amontons
       return;
     state.committed   = state.displacement;
     state.committed_t = state.t;
-    if (has_history && parameters.refinement.history == "transfer")
+    if (may_transfer())
       make_traction_field();
     last_converged = state;
     for (unsigned int i = 0; program.at_corner() && i < interfaces.size(); ++i)
@@ -135,15 +136,21 @@ namespace Amontons
     if (n_cut_backs++ == 0)
       summary.notes.push_back(text.str());
     summary.meshes.pop_back();
-    if (last_converged.displacement.size() == state.displacement.size())
-      state = last_converged;
-    else
-      {
-        state              = SolutionState();
-        state.displacement = discretization->make_relevant_vector();
-      }
+    go_back();
+  }
+
+  // To the last converged state, or to rest; on a refined mesh its contact states are those that the field
+  // of its tractions tells.
+  template <int dim>
+  void
+  ContactProblem<dim>::go_back()
+  {
+    state = last_converged;
+    if (state.displacement.size() == 0)
+      state.displacement = discretization->make_relevant_vector();
     move_surfaces();
-    state.t = -1; // the supports are still those of the failed time
+    if (last_converged.displacement.size() > 0 && last_converged.states.empty())
+      carry_active_set();
   }
 
   // Values that supports prescribe, on the owned DoFs.
@@ -175,7 +182,7 @@ namespace Amontons
   // or, from rest, if they all grow alike and the iteration went the same way.
   template <int dim>
   bool
-  ContactProblem<dim>::failed_alike(const Failure &before) const
+  ContactProblem<dim>::failed_alike(const FailedIncrement &before) const
   {
     if (before.report.iterations.empty() || before.loads.size() != loads.size())
       return false;
@@ -212,11 +219,12 @@ namespace Amontons
   {
     const double failed_time = state.t;
     summary.meshes.pop_back();
-    state          = last_converged;
+    const bool is_transferred = last_converged.states.empty();
+    go_back();
     const double t = state.t;
-    state.t        = -1;
     set_time(t);
-    move_surfaces();
+    if (is_transferred)
+      iterate();
     loads =
         assemble_loads(*discretization, t, covered_points(), finite_strain ? &state.displacement : nullptr);
     collect_fields();
@@ -263,6 +271,15 @@ namespace Amontons
     return due && wants_refinement();
   }
 
+  // Meshes may be refined between increments, and the history goes on there.
+  template <int dim>
+  bool
+  ContactProblem<dim>::may_transfer() const
+  {
+    return cycle < parameters.refinement.cycles &&
+           (has_history ? parameters.refinement.history == "transfer" : finite_strain);
+  }
+
   // After a refinement on the way: the state that the increment starts from is not in equilibrium on the new
   // mesh. It is solved again there, without a change of the load; what that changes is reported.
   template <int dim>
@@ -282,7 +299,9 @@ namespace Amontons
     const auto report = iterate();
     if (!report.converged)
       {
-        summary.message = "after refinement at t = " + std::to_string(state.t) + ": " + report.message;
+        collect_fields();
+        summary.message = "after refinement at t = " + std::to_string(state.t) + ": " +
+                          Diagnosis::sentence(*report.failure);
         return false;
       }
     transfer_residual = std::max(transfer_residual, report.start_residual);

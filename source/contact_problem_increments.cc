@@ -115,6 +115,7 @@ namespace Amontons
     summary             = std::move(kept_summary);
     elasticity          = std::move(kept_bodies);
     supports            = discretization->make_supports(state.t);
+    time_of_supports    = state.t;
     measured_increments = true;
   }
 

@@ -106,8 +106,12 @@ namespace Amontons
     make_traction_field();
     if (!finite_strain && parameters.refinement.history == "transfer")
       neglected.measure_gaps(*discretization, supports, interfaces);
-    std::vector<LA::Vector *> moving = {
-        &state.displacement, &state.traction, &state.committed, &last_converged.traction};
+    std::vector<LA::Vector *> moving = {&state.displacement, &state.traction, &state.committed};
+    if (may_transfer())
+      for (auto *vector : {&last_converged.displacement, &last_converged.traction, &last_converged.committed})
+        moving.push_back(vector);
+    else
+      last_converged = SolutionState(); // there is none, or the history starts anew on the refined mesh
     for (auto &point : path)
       {
         moving.push_back(&point.displacement);
@@ -116,6 +120,8 @@ namespace Amontons
     refine_and_transfer(*discretization, geometry, moving, [&]() { rebuild(); });
     ++mesh_number;
     ++cycle;
+    last_converged.states.clear(); // those of the rows before, see go_back()
+    last_converged.carried.clear();
     move_surfaces();
     carry_active_set();
     return true;
@@ -165,6 +171,9 @@ namespace Amontons
     state.states.assign(interfaces.size(), {});
     state.pressures.assign(interfaces.size(), {});
     state.trials.assign(interfaces.size(), {});
+    state.gaps.assign(interfaces.size(), {});
+    state.shears.assign(interfaces.size(), {});
+    state.slips.assign(interfaces.size(), {});
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       for (const auto &row : interfaces[i].coupling.rows)
         {
@@ -184,6 +193,9 @@ namespace Amontons
           for (unsigned int c = 0; c < dim; ++c)
             trial[c] = shear[c];
           state.trials[i].push_back(trial);
+          state.gaps[i].push_back(0);
+          state.shears[i].emplace_back();
+          state.slips[i].emplace_back();
         }
   }
 

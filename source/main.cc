@@ -109,7 +109,7 @@ namespace
   run_for_study(const std::string &file, const std::vector<std::string> &overrides, const std::string &output)
   {
     const RunSummary summary = run_scene(file, overrides, output, true);
-    if (summary.status != "converged")
+    if (!summary.converged)
       throw std::runtime_error(summary.message);
     MPI_Barrier(MPI_COMM_WORLD);
     std::ifstream               in(output + "/summary.json");
@@ -158,7 +158,7 @@ namespace
     if (line.is_study)
       return run_study(line.scene, line.output.empty() ? default_output(line.scene) : line.output);
     const RunSummary summary = run_scene(line.scene, line.overrides, line.output, line.quiet);
-    if (summary.status == "converged")
+    if (summary.converged)
       return 0;
     if (is_root && line.quiet)
       std::cerr << line.scene << ": not converged: " << summary.message << std::endl;

@@ -95,14 +95,14 @@ namespace Amontons
     commit(const LoadProgram &program);
     void
     roll_back(const double failed_time);
-    struct Failure
+    struct FailedIncrement
     {
       NewtonReport        report;
       LA::Vector          loads, values; // prescribed ones
       std::vector<double> gaps;          // those that grow
     };
     bool
-    failed_alike(const Failure &before) const;
+    failed_alike(const FailedIncrement &before) const;
     void
     note_snaps(const double duration);
     LA::Vector
@@ -110,8 +110,16 @@ namespace Amontons
     std::vector<double>
     growing_gaps() const;
     void
+    go_back();
+    void
     return_to_last_converged();
-    bool
+    enum class Increment
+    {
+      converged,
+      failed,
+      lost // where it starts from has no equilibrium on the refined mesh: a smaller one has none, either
+    };
+    Increment
     solve_increment(const LoadProgram &program);
     bool
     solve_on_mesh(const LoadProgram &program);
@@ -133,6 +141,8 @@ namespace Amontons
     replay_refined();
     bool
     refine_now(const LoadProgram &program) const;
+    bool
+    may_transfer() const;
     void
     remember_path();
     void
@@ -193,7 +203,8 @@ namespace Amontons
     std::vector<ContactInterface<dim>>       interfaces;
     Constraints                              supports;
     LA::Vector                               loads;
-    SolutionState                            state, last_converged;
+    SolutionState                            state, last_converged; // both on the present mesh
+    std::optional<double>                    time_of_supports;
     // Replay: the increments on the mesh before, as first guesses.
     struct PathPoint
     {

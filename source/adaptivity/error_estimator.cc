@@ -286,8 +286,9 @@ namespace Amontons
         return result;
       }
 
-      // Shears are as large as the pressure times this: their errors count as much. 0 where they are only what
-      // the iteration leaves (a tolerance of 1e-8 and the rounding of sums over ranks), which is no traction.
+      // Shears are as large as the pressure times this: their errors count as much. 0 where they are only
+      // what the iteration leaves (a tolerance of 1e-8 and the rounding of sums over ranks), which is no
+      // traction.
       double
       shear_scale(const SurfaceFields<dim> &fields) const
       {

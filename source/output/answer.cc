@@ -219,7 +219,7 @@ namespace Amontons
   Lines
   answer_lines(const RunSummary &summary)
   {
-    Lines lines = {{"status", summary.status + (summary.message.empty() ? "" : ": " + summary.message)}};
+    Lines lines = {{"status", summary.status() + (summary.message.empty() ? "" : ": " + summary.message)}};
     for (const PairSummary &pair : summary.pairs)
       add_pair(lines, pair, summary.kind);
     add_estimate(lines, "pressure", summary.error_estimate.contact, summary.error_estimate.facets, summary);

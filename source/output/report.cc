@@ -227,11 +227,11 @@ namespace Amontons
     head(const RunSummary &summary)
     {
       const std::string title = escaped(summary.title.empty() ? summary.scene : summary.title);
-      const std::string good  = summary.status == "converged" ? " good" : "";
+      const std::string good  = summary.converged ? " good" : "";
       return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title +
              "</title><meta name=\"viewport\" content=\"width=device-width\"><style>" + style +
              "</style></head>\n<body><main>\n<h1>" + title + "</h1>\n<p class=\"sub\"><span class=\"status" +
-             good + "\">" + escaped(summary.status) + "</span> " + escaped(summary.scene) + " &middot; " +
+             good + "\">" + escaped(summary.status()) + "</span> " + escaped(summary.scene) + " &middot; " +
              kind_name(summary.kind) + " &middot; " + std::to_string(summary.dofs) + " DoFs &middot; " +
              std::to_string(summary.ranks) + (summary.ranks == 1 ? " process" : " processes") + "</p>\n";
     }

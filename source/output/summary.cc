@@ -181,7 +181,7 @@ namespace Amontons
     {
       json.add("version", version)
           .add("commit", commit)
-          .add("status", summary.status)
+          .add("status", summary.status())
           .add("message", summary.message)
           .add("scene", summary.scene)
           .add("title", summary.title)

@@ -210,7 +210,7 @@ namespace Amontons
   void
   Terminal::answer(const RunSummary &summary)
   {
-    if (brief && summary.status != "converged" && !iterations.empty())
+    if (brief && !summary.converged && !iterations.empty())
       show_iterations();
     line("");
     for (const auto &[label, text] : answer_lines(summary))

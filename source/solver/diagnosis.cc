@@ -10,23 +10,73 @@ namespace Amontons
     {
       const std::string what_to_change =
           "; raise the friction coefficient, lower the load along this motion or hold it by a support";
+
+      std::string
+      no_states(const Failure &failure)
+      {
+        std::ostringstream text;
+        text << "no converged contact states after " << failure.n << " iterations (residual "
+             << failure.residual << ", " << failure.n_changes << " nodes still change";
+        if (!failure.where.empty())
+          text << ", at " << failure.where;
+        text << "); tried: all nodes at once" << (failure.single_nodes ? ", single nodes" : "")
+             << (failure.given_bounds ? ", given bounds of friction (Tresca)" : "")
+             << "; try a finer mesh, smaller loads, more iterations"
+             << (failure.friction ? ", smaller increments or less friction" : "");
+        return text.str();
+      }
+
+      std::string
+      still_moving(const Failure &failure)
+      {
+        std::ostringstream text;
+        text << "the bodies probably snap (no equilibrium is near), and the damped motion away did not come "
+                "to rest within "
+             << failure.n << " steps (residual " << failure.residual
+             << "); hold the bodies where they fly away, prescribe displacements instead of loads, or refine "
+                "what buckles";
+        return text.str();
+      }
     } // namespace
 
     std::string
-    not_a_number()
+    sentence(const Failure &failure)
     {
-      return "the solution is not a number: a load or prescribed displacement may not be one, or the "
-             "stiffness "
-             "is singular";
-    }
-
-    std::string
-    moves_apart(const std::string &motion)
-    {
-      return "the loads drive the rigid " + motion +
-             ", and no node that is closed holds it: the bodies move apart or slide off each other; reverse "
-             "the "
-             "load, move the bodies together, or hold this motion by a support";
+      switch (failure.kind)
+        {
+          case Failure::Kind::not_a_number:
+            return "the solution is not a number: a load or prescribed displacement may not be one, or the "
+                   "stiffness is singular";
+          case Failure::Kind::linear_solver:
+            return "the linear solver failed after " + std::to_string(failure.n) + " iterations";
+          case Failure::Kind::inverted_cell:
+            return failure.cell;
+          case Failure::Kind::moves_apart:
+            return "the loads drive the rigid " + failure.motion +
+                   ", and no node that is closed holds it: the bodies move apart or slide off each other; "
+                   "reverse the load, move the bodies together, or hold this motion by a support";
+          case Failure::Kind::friction_beyond_limit:
+            return "friction cannot hold the rigid " + failure.motion +
+                   ": no contact forces within its bounds balance the loads" + what_to_change;
+          case Failure::Kind::friction_exceeded:
+            return "friction cannot hold the rigid " + failure.motion +
+                   ": where the nodes that slipped least were held to see whether others would stick, at " +
+                   failure.where + ", the shear exceeds its bound" + what_to_change;
+          case Failure::Kind::friction_slides:
+            return "friction probably cannot hold the rigid " + failure.motion +
+                   ": all nodes that could hold it slipped time and again, and no states in equilibrium were "
+                   "found" +
+                   what_to_change;
+          case Failure::Kind::no_states:
+            return no_states(failure);
+          case Failure::Kind::still_moving:
+            return still_moving(failure);
+          case Failure::Kind::motion_lost:
+            return "the damped motion cannot be followed: its steps become too short" +
+                   (failure.cell.empty() ? "" : ", as " + failure.cell);
+        }
+      Assert(false, ExcInternalError());
+      return "";
     }
 
     std::string
@@ -59,73 +109,77 @@ namespace Amontons
                  : at + " the iteration did not find the equilibrium, damped motion did" + work;
     }
 
-    std::string
-    still_moving(const unsigned int n, const double residual)
+    template <int dim>
+    std::optional<Failure>
+    friction_beyond_limit(const NodeStates<dim> &states)
     {
-      std::ostringstream text;
-      text << "the bodies probably snap (no equilibrium is near), and the damped motion away did not come to "
-              "rest within "
-           << n << " steps (residual " << residual
-           << "); hold the bodies where they fly away, prescribe displacements instead of loads, or refine "
-              "what buckles";
-      return text.str();
+      const auto motion = states.beyond_friction();
+      if (motion.empty())
+        return {};
+      Failure failure{Failure::Kind::friction_beyond_limit};
+      failure.motion = states.describe({motion});
+      return failure;
     }
 
     template <int dim>
-    std::string
-    friction_too_weak(const NodeStates<dim> &states)
-    {
-      const std::string motion = states.beyond_friction();
-      return motion.empty() ? ""
-                            : "friction cannot hold the rigid " + motion +
-                                  ": no contact forces within its bounds balance the loads" + what_to_change;
-    }
-
-    template <int dim>
-    std::string
+    Failure
     friction_exceeded(const NodeStates<dim> &states)
     {
-      return "friction cannot hold the rigid " + states.held_motion() +
-             ": where the nodes that slipped least were held to see whether others would stick, at " +
-             states.where_unsettled() + ", the shear exceeds its bound" + what_to_change;
+      Failure failure{Failure::Kind::friction_exceeded};
+      failure.motion = states.describe(states.held_motions());
+      failure.where  = states.where_unsettled();
+      return failure;
     }
 
     template <int dim>
-    std::string
+    Failure
     no_states_found(const NewtonReport &report, const NodeStates<dim> &states, const bool any_friction)
     {
-      if (const std::string text = friction_too_weak(states); !text.empty())
-        return text;
-      if (const std::string motion = states.often_sliding(); !motion.empty())
-        return "friction probably cannot hold the rigid " + motion +
-               ": all nodes that could hold it slipped time and again, and no states in equilibrium were "
-               "found" +
-               what_to_change;
-
-      const auto        &last = report.iterations.back();
-      std::ostringstream text;
-      text << "no converged contact states after " << report.iterations.size() << " iterations (residual "
-           << last.residual << ", " << last.n_changes << " nodes still change";
-      if (last.n_changes > 0)
-        text << ", at " << states.where_unsettled();
-      text << "); tried: all nodes at once" << (report.safeguarded ? ", single nodes" : "")
-           << (report.frozen ? ", given bounds of friction (Tresca)" : "")
-           << "; try a finer mesh, smaller loads, more iterations"
-           << (any_friction ? ", smaller increments or less friction" : "");
-      return text.str();
+      if (const auto beyond = friction_beyond_limit(states))
+        return *beyond;
+      Failure failure{Failure::Kind::no_states, static_cast<unsigned int>(report.iterations.size())};
+      if (const auto motions = states.often_sliding(); !motions.empty())
+        {
+          failure.kind   = Failure::Kind::friction_slides;
+          failure.motion = states.describe(motions);
+          return failure;
+        }
+      failure.residual     = report.iterations.back().residual;
+      failure.n_changes    = report.iterations.back().n_changes;
+      failure.where        = states.where_unsettled();
+      failure.single_nodes = report.safeguarded;
+      failure.given_bounds = report.frozen;
+      failure.friction     = any_friction;
+      return failure;
     }
 
-    template std::string
-    friction_too_weak(const NodeStates<2> &);
-    template std::string
-    friction_too_weak(const NodeStates<3> &);
-    template std::string
+    template <int dim>
+    Failure
+    inverted(const Discretization<dim> &discretization, const InvertedCell<dim> &cell)
+    {
+      std::ostringstream text;
+      text << "a cell of body '" << discretization.scene.bodies[cell.body].name << "' near (" << cell.centre
+           << ") is turned inside out (its volume becomes " << cell.smallest_jacobian << " of what it was)";
+      Failure failure{Failure::Kind::inverted_cell};
+      failure.cell = text.str();
+      return failure;
+    }
+
+    template std::optional<Failure>
+    friction_beyond_limit(const NodeStates<2> &);
+    template Failure
     friction_exceeded(const NodeStates<2> &);
-    template std::string
-    friction_exceeded(const NodeStates<3> &);
-    template std::string
+    template Failure
     no_states_found(const NewtonReport &, const NodeStates<2> &, const bool);
-    template std::string
+    template Failure
+    inverted(const Discretization<2> &, const InvertedCell<2> &);
+    template std::optional<Failure>
+    friction_beyond_limit(const NodeStates<3> &);
+    template Failure
+    friction_exceeded(const NodeStates<3> &);
+    template Failure
     no_states_found(const NewtonReport &, const NodeStates<3> &, const bool);
+    template Failure
+    inverted(const Discretization<3> &, const InvertedCell<3> &);
   } // namespace Diagnosis
 } // namespace Amontons

@@ -111,9 +111,9 @@ namespace Amontons
             look_at_states(step);
             observer(step);
             stop_or_go_on(step);
-            if (!report.converged && report.message.empty() && stagnates())
-              report.message = Diagnosis::no_states_found(report, states, any_friction);
-            if (report.converged || !report.message.empty())
+            if (report.goes_on() && stagnates())
+              report.failure = Diagnosis::no_states_found(report, states, any_friction);
+            if (!report.goes_on())
               return;
           }
       }
@@ -154,12 +154,12 @@ namespace Amontons
         report.moved                          = true;
         damping                               = lumped_damping(discretization);
         steps                                 = std::make_unique<DampedSteps>(first_step);
-        double            residual            = 0;
-        const std::string no_balance_here     = Diagnosis::friction_too_weak(states);
-        while (!report.converged && report.message.empty())
+        double     residual                   = 0;
+        const auto no_balance_here            = Diagnosis::friction_beyond_limit(states);
+        while (report.goes_on())
           {
             if (report.iterations.size() > first + max_iterations)
-              report.message = Diagnosis::still_moving(max_iterations, residual);
+              report.failure = Failure{Failure::Kind::still_moving, max_iterations, residual};
             else if (const LA::Vector start(u); move_on(start, observer))
               {
                 const auto &last = report.iterations.back();
@@ -171,8 +171,8 @@ namespace Amontons
               go_back(start);
           }
         steps.reset();
-        if (!report.converged && !no_balance_here.empty()) // it may move to where there is one
-          report.message = no_balance_here;
+        if (!report.converged && no_balance_here) // it may move to where there is one
+          report.failure = no_balance_here;
       }
 
       // One step of implicit Euler,  D (u - start)/dtau + internal - contact forces = loads, with the states
@@ -210,9 +210,13 @@ namespace Amontons
       void
       go_back(const LA::Vector &start)
       {
-        report.message.clear();
+        report.failure.reset();
         if (!put(start) || !steps->reject())
-          report.message = "the damped motion cannot be followed: " + inversion;
+          {
+            report.failure = Failure{Failure::Kind::motion_lost};
+            if (inversion)
+              report.failure->cell = inversion->cell;
+          }
       }
 
       // With nodes that slip and rub, motion backwards meets another stiffness: not looked at.
@@ -222,7 +226,7 @@ namespace Amontons
         for (unsigned int k = 0; k < answers.size(); ++k)
           if (contact.nodes()[k].frictional && states[k] == ContactState::slip)
             return {};
-        if (!unheld.empty() || is_iterative())
+        if (!free_modes.empty() || is_iterative())
           return {};
         TimerOutput::Scope scope(timer, "stability");
         damping = lumped_damping(discretization);
@@ -265,11 +269,15 @@ namespace Amontons
       {
         contact.move(state.displacement);
         const bool is_new_mesh = elasticity.is_cleared();
-        if (!evaluate())
-          return false;
+        bool       possible    = evaluate();
         if (const auto dilatations = elasticity.dilatations_after_refinement();
-            is_new_mesh && dilatations && !evaluate(*dilatations))
-          return false;
+            possible && is_new_mesh && dilatations)
+          possible = evaluate(*dilatations);
+        if (!possible)
+          {
+            report.failure = inversion;
+            return false;
+          }
         std::vector<const LinearEquation *> equations;
         for (const auto &node : contact.nodes())
           for (const auto *e : node.holding())
@@ -349,11 +357,7 @@ namespace Amontons
         if (const auto inverted = with_stiffness ? elasticity.assemble(state.displacement, dilatations)
                                                  : elasticity.update_forces(state.displacement, dilatations))
           {
-            std::ostringstream text;
-            text << "a cell of body '" << discretization.scene.bodies[inverted->body].name << "' near ("
-                 << inverted->centre << ") is turned inside out (its volume becomes "
-                 << inverted->smallest_jacobian << " of what it was)";
-            inversion = text.str();
+            inversion = Diagnosis::inverted(discretization, *inverted);
             return false;
           }
         internal = elasticity.forces();
@@ -404,7 +408,7 @@ namespace Amontons
         for (unsigned int k = 0; k < answers.size(); ++k)
           laws.push_back(states.law(k));
         constraints = std::make_shared<ContactConstraints>(constraints_of(states));
-        unheld      = states.describe(states.unheld());
+        free_modes  = states.unheld();
         if (system_serves_again())
           {
             update_rows();
@@ -508,7 +512,7 @@ namespace Amontons
       system_serves_again() const
       {
         return !report.iterations.empty() && report.iterations.back().n_changes == 0 && !steps &&
-               !damped_system && unheld.empty() && constraints->pivots() == assembled->pivots() &&
+               !damped_system && free_modes.empty() && constraints->pivots() == assembled->pivots() &&
                expected_contraction() * report.iterations.back().residual < 0.5 * parameters.tolerance;
       }
 
@@ -539,7 +543,7 @@ namespace Amontons
       const LA::Vector *
       springs() const
       {
-        return !unheld.empty() ? &proximal.springs : !floating.pins().empty() ? &proximal.pins : nullptr;
+        return !free_modes.empty() ? &proximal.springs : !floating.pins().empty() ? &proximal.pins : nullptr;
       }
 
       // The change of what supports prescribe since u was made: they hold it from the first step on, and the
@@ -651,14 +655,14 @@ namespace Amontons
           linear_residual  = tolerance;
           if (!result.success)
             {
-              report.message =
-                  "the linear solver failed after " + std::to_string(result.iterations) + " iterations";
+              report.failure = Failure{Failure::Kind::linear_solver, result.iterations};
               return false;
             }
         }
         if (report.iterations.empty())
           {
             report.one_linear_solve_seconds = clock.wall_time();
+            report.start_residual           = push.l2_norm();
             first_push                      = push;
           }
         supports.distribute(du);
@@ -691,7 +695,7 @@ namespace Amontons
       {
         if (!std::isfinite(step.l2_norm()))
           {
-            report.message = Diagnosis::not_a_number();
+            report.failure = Failure{Failure::Kind::not_a_number};
             return false;
           }
         const LA::Vector start(u);
@@ -722,7 +726,7 @@ namespace Amontons
           }
         u                  = start;
         state.displacement = u;
-        report.message     = inversion;
+        report.failure     = inversion;
         return false;
       }
 
@@ -869,19 +873,20 @@ namespace Amontons
       {
         const bool set_changed = step.n_changes > 0 || states.frozen();
         if (!std::isfinite(step.residual))
-          report.message = Diagnosis::not_a_number();
+          report.failure = Failure{Failure::Kind::not_a_number};
         else if (!set_changed && step.residual <= parameters.tolerance && states.held_too_much() == 0)
           report.converged = true;
         else if (!set_changed && step.residual <= parameters.tolerance)
-          report.message = Diagnosis::friction_exceeded(states);
+          report.failure = Diagnosis::friction_exceeded(states);
       }
 
       void
       finish()
       {
+        report.start_residual = relative(report.start_residual);
         store_states(contact.nodes(), states, answers, interfaces, state);
-        if (!report.converged && report.message.empty())
-          report.message = Diagnosis::no_states_found(report, states, any_friction);
+        if (report.goes_on())
+          report.failure = Diagnosis::no_states_found(report, states, any_friction);
       }
 
       const NewtonParameters             &parameters;
@@ -917,8 +922,9 @@ namespace Amontons
       bool                                stiffness_is_here = false;                 // in the last evaluate()
       bool                                damped_system     = false;
       std::vector<unsigned int>           first_equation; // by node, in the constraints made last
-      std::string                         unheld, inversion;
-      std::vector<ContactState>           previous_set; // before the last change of states
+      std::vector<std::vector<double>>    free_modes;     // rigid motions that the closed nodes leave
+      std::optional<Failure>              inversion;      // the last one
+      std::vector<ContactState>           previous_set;   // before the last change of states
       unsigned int                        n_waits     = 0;
       double                              force_scale = 0;
       const double                        smallest_cell;

@@ -182,11 +182,11 @@ namespace Amontons
   }
 
   template <int dim>
-  std::string
+  std::vector<double>
   NodeStates<dim>::beyond_friction() const
   {
     if (!any_friction || !floating.any())
-      return "";
+      return {};
     std::vector<const LinearEquation *> tied;
     for (const auto &node : nodes)
       if (node.tied)
@@ -208,7 +208,7 @@ namespace Amontons
             {
               const auto &friction = interfaces[node.interface].pair->friction;
               if (!friction || !friction->is_constant())
-                return "";
+                return {};
               contact.friction = friction->value(node.X, t);
               contact.sliding.assign(dim, {});
               for (const auto &motion : motions)
@@ -231,7 +231,7 @@ namespace Amontons
         for (unsigned int i = 0; i < q.size(); ++i)
           q[i] += v[j] * motions[j][i];
       }
-    return q.empty() ? "" : floating.describe(q);
+    return q;
   }
 
   // Of the nodes that slip, by (slip v . m/|m|^2, trial/bound), where m is the jump of the motion. The number
@@ -277,9 +277,9 @@ namespace Amontons
     if (sliding.empty())
       return;
     ++n_sliding;
-    sliding_motion = describe(sliding);
-    auto motions   = unheld();
-    motion         = describe(motions);
+    sliding_motions = sliding;
+    auto motions    = unheld();
+    motions_held    = motions;
     while (!motions.empty())
       {
         const unsigned int k = least_slip_along(motions[0], answers, tolerance);

@@ -92,7 +92,7 @@ namespace Amontons
             report.iterations.push_back(step);
             observer(step);
             stop_or_go_on(step, set_changed);
-            if (report.converged || !report.message.empty())
+            if (!report.goes_on())
               break;
             choose_forcing(step, set_changed);
           }
@@ -105,15 +105,18 @@ namespace Amontons
       stop_or_go_on(const NewtonReport::Iteration &step, const bool set_changed)
       {
         if (!std::isfinite(step.residual))
-          report.message = Diagnosis::not_a_number();
+          report.failure = Failure{Failure::Kind::not_a_number};
         else if (!set_changed && step.residual <= parameters.tolerance && states.held_too_much() == 0)
           report.converged = true;
         else if (!set_changed && states.held_too_much() > 0)
-          report.message = Diagnosis::friction_exceeded(states);
+          report.failure = Diagnosis::friction_exceeded(states);
         else if (!set_changed && moves_apart())
-          report.message = Diagnosis::moves_apart(unheld);
-        if (report.iterations.size() == 1 && !report.converged && report.message.empty())
-          report.message = Diagnosis::friction_too_weak(states);
+          {
+            report.failure         = Failure{Failure::Kind::moves_apart};
+            report.failure->motion = states.describe(free_modes);
+          }
+        if (report.iterations.size() == 1 && report.goes_on())
+          report.failure = Diagnosis::friction_beyond_limit(states);
       }
 
       // Motions without supports, the first guess of the closed nodes, the pattern and the bulk of the
@@ -185,13 +188,13 @@ namespace Amontons
                 active.push_back(equation);
             }
         constraints = std::make_unique<ContactConstraints>(supports, active);
-        unheld      = states.describe(states.unheld());
+        free_modes  = states.unheld();
         laws.clear();
         for (unsigned int k = 0; k < nodes.size(); ++k)
           laws.push_back(states.law(k));
         system.assemble(cells(),
                         *constraints,
-                        !unheld.empty()            ? &proximal.springs
+                        !free_modes.empty()        ? &proximal.springs
                         : !floating.pins().empty() ? &proximal.pins
                                                    : nullptr,
                         stiffness_across_slip());
@@ -261,8 +264,7 @@ namespace Amontons
         step.krylov               = result.iterations;
         if (!result.success)
           {
-            report.message =
-                "the linear solver failed after " + std::to_string(result.iterations) + " iterations";
+            report.failure = Failure{Failure::Kind::linear_solver, result.iterations};
             return false;
           }
         if (report.iterations.empty())
@@ -370,7 +372,7 @@ namespace Amontons
       bool
       looks_ahead() const
       {
-        return dim == 2 && any_friction && unheld.empty() && !looked_in_vain &&
+        return dim == 2 && any_friction && free_modes.empty() && !looked_in_vain &&
                solver.is_direct(discretization.dof_handler.n_dofs());
       }
 
@@ -419,7 +421,7 @@ namespace Amontons
       moves_apart() const
       {
         const unsigned int n = report.iterations.size();
-        return n > 1 && !unheld.empty() &&
+        return n > 1 && !free_modes.empty() &&
                report.iterations[n - 1].residual > 0.5 * report.iterations[n - 2].residual;
       }
 
@@ -430,9 +432,9 @@ namespace Amontons
       choose_forcing(const NewtonReport::Iteration &step, const bool set_changed)
       {
         const bool rough =
-            set_changed && step.n_changes > 0.05 * (step.n_slip + step.n_stick) && unheld.empty();
+            set_changed && step.n_changes > 0.05 * (step.n_slip + step.n_stick) && free_modes.empty();
         forcing = rough ? 1e-3 : fine_forcing();
-        if (dim == 3 && any_friction && unheld.empty())
+        if (dim == 3 && any_friction && free_modes.empty())
           forcing = std::min(1e-3, std::max(fine_forcing(), 0.03 * std::pow(step.residual, 1.5)));
       }
 
@@ -449,18 +451,9 @@ namespace Amontons
         report.start_residual = force_scale > 0 ? report.start_residual / force_scale : 0;
         if (report.iterations.empty() || !std::isfinite(report.iterations.back().residual))
           state.displacement = discretization.make_relevant_vector();
-        else if (!unheld.empty())
-          {
-            double force = 0;
-            for (const auto dof : discretization.locally_owned)
-              force += std::abs(proximal.springs(dof) * du(dof));
-            const double load           = loads.l1_norm();
-            force                       = Utilities::MPI::sum(force, communicator);
-            report.regularisation_force = load > 0 ? force / load : force;
-          }
         store_states(nodes, states, answers, interfaces, state);
-        if (!report.converged && report.message.empty())
-          report.message = Diagnosis::no_states_found(report, states, any_friction);
+        if (report.goes_on())
+          report.failure = Diagnosis::no_states_found(report, states, any_friction);
       }
 
       const NewtonParameters                   &parameters;
@@ -491,7 +484,7 @@ namespace Amontons
       std::unique_ptr<ContactConstraints> constraints;
       bool                                looked_in_vain = false;
       std::vector<unsigned int>           first_equation;  // of node k among those of the closed nodes
-      std::string                         unheld;          // motions that the closed nodes leave
+      std::vector<std::vector<double>>    free_modes;      // rigid motions that the closed nodes leave
       double                              forcing     = 0; // residual of the next linear solve / force_scale
       double                              force_scale = 0; // norm of the internal forces or loads
     };

@@ -169,6 +169,26 @@ check_axisymmetric(const unsigned int degree)
     }
 }
 
+// Which nodes carry multipliers where the slave is covered in part does not depend on the radius.
+void
+check_partly_covered_turn(const unsigned int degree)
+{
+  for (const double end : {1.03, 1.2, 1.5, 1.85})
+    {
+      Scene scene;
+      scene.bodies = {block("lower", {0, 0, 0}, {end, 1, 0}, 7), block("upper", {0, 1, 0}, {2, 2, 0}, 4)};
+      scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+      const Problem<2> plane(scene, degree);
+      scene.kind = Kind::axisymmetric;
+      const Problem<2> turn(scene, degree);
+      check_flat(turn, numbers::PI * end * end, 0, "partly covered, axisymmetric");
+      check::is_true(turn.coupling().rows.size() == plane.coupling().rows.size(),
+                     "partly covered up to " + std::to_string(end) + ", degree " + std::to_string(degree) +
+                         ": " + std::to_string(turn.coupling().rows.size()) + " rows in the turn, " +
+                         std::to_string(plane.coupling().rows.size()) + " in the plane");
+    }
+}
+
 void
 check_rings(const unsigned int degree, const double gap)
 {
@@ -373,6 +393,7 @@ main(int argc, char **argv)
       check_circle_over_plane(degree);
       check_disk_over_plane(degree);
       check_axisymmetric(degree);
+      check_partly_covered_turn(degree);
       check_rings(degree, 0);
       check_rings(degree, 0.01);
       check_blocks_in_space(degree);

@@ -98,18 +98,19 @@ namespace
                     c.name() + ": work of pressure on a closed surface");
   }
 
-  // A straight block turned by 90 degrees and stretched along its new height: the pressure on its right side,
-  // now at the top, pushes down, and covering that side leaves nothing.
+  // A straight block turned by 90 degrees and stretched along its new height: the pressure on its right side
+  // (face 1), now at the top, pushes down, on its left one up, and covering that side leaves nothing.
   void
-  check_covered(const unsigned int degree)
+  check_covered(const unsigned int degree, const unsigned int face)
   {
     Problem<2> problem({Kind::plane_strain, degree, 0.3, Law::neo_hookean}, {{1, 1, 1}});
     for (const auto &cell : problem.geometry.triangulation.active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
         cell->vertex(v) = Point<2>(1 + v % 2, v / 2);
-    problem.scene.conditions = {load(ConditionData::Type::pressure, {"right"}, Expression(3.))};
-    LA::Vector u             = problem.discretization->make_relevant_vector();
-    const auto all           = problem.discretization->dof_handler.begin_active();
+    problem.scene.conditions = {
+        load(ConditionData::Type::pressure, {face == 1 ? "right" : "left"}, Expression(3.))};
+    LA::Vector u   = problem.discretization->make_relevant_vector();
+    const auto all = problem.discretization->dof_handler.begin_active();
     {
       LA::Vector                           owned = problem.discretization->make_owned_vector();
       const FESystem<2>                   &fe    = problem.discretization->fe;
@@ -133,12 +134,12 @@ namespace
     };
     const LA::Vector loads = loads_at(problem, u);
     check::is_close(sum(loads, 0), 0, 1e-12, "no force across", 3);
-    check::is_close(sum(loads, 1), -4.5, 1e-12, "pressure on the turned side");
+    check::is_close(sum(loads, 1), face == 1 ? -4.5 : 4.5, 1e-12, "pressure on the turned side");
 
     const QGauss<1>              points(4);
     std::vector<CoveredPoint<2>> covered;
     for (unsigned int q = 0; q < points.size(); ++q)
-      covered.push_back({all, 1, Point<2>(1, points.point(q)[0]), 1.5 * points.weight(q)});
+      covered.push_back({all, face, Point<2>(face, points.point(q)[0]), 1.5 * points.weight(q)});
     check::is_close(assemble_loads<2>(*problem.discretization, 2, covered, &u).linfty_norm(),
                     0,
                     1e-12,
@@ -178,7 +179,10 @@ main(int argc, char **argv)
       for (const Kind kind : {Kind::plane_strain, Kind::axisymmetric})
         check_all<2>({kind, degree, 0.3, Law::neo_hookean});
       check_all<3>({Kind::three_dimensional, degree, 0.3, Law::neo_hookean});
-      check_covered(degree);
+      {
+        check_covered(degree, 0);
+        check_covered(degree, 1);
+      }
     }
   return check::result();
 }

@@ -124,6 +124,31 @@ check_blocks()
   check_shape<3>(body, 6, {{"left", 2}, {"right", 2}, {"bottom", 3}, {"top", 3}, {"front", 6}, {"back", 6}});
 }
 
+// x = c + R (X - c) + shift
+void
+check_placement()
+{
+  BodyData body = make_body("block");
+  body.lower    = {-1, 0, 1};
+  body.upper    = {2, 1, 3};
+  Scene scene;
+  scene.kind   = Kind::plane_strain;
+  scene.bodies = {body};
+  Geometry<2> geometry(MPI_COMM_WORLD);
+  make_geometry(scene, geometry);
+  Point<2> mean; // of the vertices: the block's centre, (0.5, 0.5) before
+  double   n = 0;
+  for (const auto &cell : geometry.triangulation.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      {
+        mean += cell->vertex(v) - Point<2>();
+        ++n;
+      }
+  const double c = std::sqrt(3.) / 2, s = 0.5; // of 30 degrees
+  check::is_close(mean[0] / n, 0.3 + c * 0.2 - s * 0.3 + 1, 1e-12, "placement in x");
+  check::is_close(mean[1] / n, 0.2 + s * 0.2 + c * 0.3 - 1, 1e-12, "placement in y");
+}
+
 void
 check_round_shapes()
 {
@@ -375,6 +400,7 @@ main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_blocks();
+  check_placement();
   check_round_shapes();
   check_round_shapes_3d();
   check_orientations();

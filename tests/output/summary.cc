@@ -90,7 +90,7 @@ int
 main()
 {
   RunSummary summary;
-  summary.status                   = "converged";
+  summary.converged                = true;
   summary.message                  = "a message";
   summary.scene                    = "scene.prm";
   summary.title                    = "A title";

@@ -27,7 +27,7 @@ run(const unsigned int n_increments, const bool fails, const bool quiet = false)
   terminal.iteration(line);
   terminal.estimate(EstimateSummary());
   RunSummary summary;
-  summary.status = "converged";
+  summary.converged = true;
   terminal.answer(summary);
   return text.str();
 }
@@ -64,7 +64,7 @@ void
 check_answer()
 {
   RunSummary summary;
-  summary.status         = "not converged";
+  summary.converged      = false;
   summary.message        = "why";
   summary.pairs          = {pair("one")};
   summary.error_estimate = {0.0123, 0.25};

@@ -194,6 +194,9 @@ end
     expect(
         message(good + "subsection Body b\n set Mesh = ring\n set Inner radius = 2\n set Radius = 1\nend\n"),
         {"scene.prm:31: Body b/Inner radius", "less than the outer"});
+    expect(
+        message(good + "subsection Body b\n set Mesh = ring\n set Inner radius = 1\n set Radius = 1\nend\n"),
+        {"scene.prm:31: Body b/Inner radius", "less than the outer"});
     // Radii are those after the shift.
     const auto shifted = [](const std::string &corners, const std::string &shift) {
       return message("set Kind = axisymmetric\nsubsection Body b\n set Lower corner = " + corners +

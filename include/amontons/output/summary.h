@@ -106,8 +106,8 @@ namespace Amontons
 
   struct RunSummary
   {
-    std::string status = "not converged"; // "converged", "not converged", ...
-    std::string message;
+    bool        converged = false;
+    std::string message;      // why not
     std::string scene, title; // scene: the file
     Kind        kind = Kind::plane_strain;
 
@@ -129,6 +129,12 @@ namespace Amontons
     std::optional<ReferenceSummary> reference;
     std::map<std::string, double>   checks; // force_balance, complementarity, ...
     std::vector<std::string>        notes;  // what was modelled and why, what regularises, what was left out
+
+    std::string
+    status() const
+    {
+      return converged ? "converged" : "not converged";
+    }
   };
 
   template <int dim>

@@ -1,19 +1,36 @@
-// Why an iteration did not converge, and what the user can change.
+/// Why an iteration did not converge, and what the user can change.
 #pragma once
 
+#include <amontons/elasticity/elasticity_operator.h>
+#include <amontons/solver/failure.h>
+#include <amontons/solver/newton_report.h>
 #include <amontons/solver/node_states.h>
-#include <amontons/solver/semismooth_newton.h>
 
 namespace Amontons
 {
   namespace Diagnosis
   {
+    /// For the user: what happened, and what may help.
     std::string
-    not_a_number();
+    sentence(const Failure &failure);
 
-    // motion: the rigid motions that only weak springs hold
-    std::string
-    moves_apart(const std::string &motion);
+    /// Of the state after the last iteration.
+    template <int dim>
+    Failure
+    no_states_found(const NewtonReport &report, const NodeStates<dim> &states, const bool any_friction);
+
+    /// None if contact forces within the bounds of friction might balance the loads.
+    template <int dim>
+    std::optional<Failure>
+    friction_beyond_limit(const NodeStates<dim> &states);
+
+    template <int dim>
+    Failure
+    friction_exceeded(const NodeStates<dim> &states);
+
+    template <int dim>
+    Failure
+    inverted(const Discretization<dim> &discretization, const InvertedCell<dim> &cell);
 
     // Increments that ended where damped motion led to: a note on those that went far.
     struct Snap
@@ -24,23 +41,5 @@ namespace Amontons
     };
     std::string
     snapped(const std::vector<Snap> &all, const bool far);
-
-    // The damped motion after n steps.
-    std::string
-    still_moving(const unsigned int n, const double residual);
-
-    // "" if friction might hold the bodies
-    template <int dim>
-    std::string
-    friction_too_weak(const NodeStates<dim> &states);
-
-    template <int dim>
-    std::string
-    friction_exceeded(const NodeStates<dim> &states);
-
-    // After the last iteration.
-    template <int dim>
-    std::string
-    no_states_found(const NewtonReport &report, const NodeStates<dim> &states, const bool any_friction);
   } // namespace Diagnosis
 } // namespace Amontons

@@ -85,9 +85,9 @@ namespace Amontons
     std::string
     describe(const std::vector<std::vector<double>> &motions) const;
 
-    // A rigid motion that friction cannot hold in whatever states, "" if there is none or Coulomb's
+    // A rigid motion that friction cannot hold in whatever states, empty if there is none or Coulomb's
     // coefficients are no constants: see motion_beyond_friction in friction/limit_load.h.
-    std::string
+    std::vector<double>
     beyond_friction() const;
 
     // How far shears are from the law of friction: sqrt sum (area |shear - shear of the law|)^2 (a force).
@@ -128,7 +128,7 @@ namespace Amontons
     {
       return is_frozen;
     }
-    // Nodes held against their bound after the last update, and the motion that they hold.
+    // Nodes held against their bound after the last update, and the motions that they hold.
     unsigned int
     held_too_much() const
     {
@@ -138,17 +138,17 @@ namespace Amontons
     // update.
     std::string
     where_unsettled() const;
-    const std::string &
-    held_motion() const
+    const std::vector<std::vector<double>> &
+    held_motions() const
     {
-      return motion;
+      return motions_held;
     }
-    // The last motion that no sticking node held, "" if that was in less than a tenth of all updates: in 3D
-    // bodies without equilibrium turn about ever other centres, and some nodes stick now and then.
-    std::string
+    // The last motions that no sticking node held, none if that was in less than a tenth of all updates: in
+    // 3D bodies without equilibrium turn about ever other centres, and some nodes stick now and then.
+    std::vector<std::vector<double>>
     often_sliding() const
     {
-      return 10 * n_sliding >= n_updates ? sliding_motion : "";
+      return 10 * n_sliding >= n_updates ? sliding_motions : std::vector<std::vector<double>>();
     }
 
   private:
@@ -187,7 +187,7 @@ namespace Amontons
     double                                    last_change = 0;     // of the bounds
     std::set<std::string>                     met;
     std::vector<unsigned int>                 held, changed; // in the last update
-    std::string                               motion, sliding_motion;
+    std::vector<std::vector<double>>          motions_held, sliding_motions;
     unsigned int                              n_updates = 0, n_sliding = 0;
   };
 } // namespace Amontons

@@ -8,6 +8,7 @@
 #include <amontons/contact/contact_interface.h>
 #include <amontons/elasticity/elasticity_operator.h>
 #include <amontons/solver/floating_bodies.h>
+#include <amontons/solver/newton_report.h>
 #include <amontons/solver/solution_state.h>
 
 #include <deal.II/base/timer.h>
@@ -22,28 +23,6 @@ namespace Amontons
 
     void
     declare(ParameterHandler &prm) override;
-  };
-
-  // What one solve did; failure is a value.
-  struct NewtonReport
-  {
-    struct Iteration
-    {
-      unsigned int n_open, n_slip, n_stick, n_changes, krylov;
-      double       residual;
-    };
-    bool                   converged = false;
-    std::string            message; // a diagnosis if not
-    std::vector<Iteration> iterations;
-    double                 one_linear_solve_seconds = 0;
-    double                 start_residual =
-        0; // of the first guess, moved on to the constraints, relative to the final forces
-    double      regularisation_force = 0; // carried by the proximal term in the end, relative to the load
-    bool        safeguarded          = false;
-    bool        frozen               = false; // bounds of friction were held for a while, see NodeStates
-    bool        moved                = false; // a damped motion was followed, see FiniteNewton
-    bool        unstable             = false; // from an equilibrium that was not stable
-    std::string note;
   };
 
   template <int dim>

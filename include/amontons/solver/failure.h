@@ -1,0 +1,37 @@
+/// Why an iteration ended without an answer: a value, on whose kind callers decide; diagnosis.h makes the
+/// sentence for the user.
+#pragma once
+
+#include <limits>
+#include <string>
+
+namespace Amontons
+{
+  struct Failure
+  {
+    enum class Kind
+    {
+      not_a_number,
+      linear_solver,
+      inverted_cell,         // by every step that was tried, however short
+      moves_apart,           // loads drive a rigid motion that no closed node holds
+      friction_beyond_limit, // limit analysis: no contact forces within the bounds balance the loads
+      friction_exceeded,     // where nodes are held against their bound nothing else changes
+      friction_slides,       // all nodes that could hold a motion slipped time and again
+      no_states,             // none of the above, after many iterations
+      still_moving,          // damped motion that does not come to rest
+      motion_lost            // damped motion whose steps become too short
+    };
+
+    Kind         kind;
+    unsigned int n        = 0; // iterations, or steps
+    double       residual = std::numeric_limits<double>::quiet_NaN();
+
+    // For the user: the rigid motion, places of nodes, the cell.
+    std::string motion, where, cell;
+    // Kind::no_states
+    unsigned int n_changes    = 0;                           // nodes that still change
+    bool         single_nodes = false, given_bounds = false; // tried, see NodeStates
+    bool         friction = false;                           // somewhere in the scene
+  };
+} // namespace Amontons

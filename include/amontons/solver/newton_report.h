@@ -1,0 +1,36 @@
+/// What one solve on one mesh did; failure is a value.
+#pragma once
+
+#include <amontons/solver/failure.h>
+
+#include <optional>
+#include <vector>
+
+namespace Amontons
+{
+  struct NewtonReport
+  {
+    struct Iteration
+    {
+      unsigned int n_open, n_slip, n_stick, n_changes, krylov;
+      double       residual;
+    };
+    bool                   converged = false;
+    std::optional<Failure> failure; // if it has not converged
+    std::vector<Iteration> iterations;
+    double                 one_linear_solve_seconds = 0;
+    double                 start_residual =
+        0; // of the first guess, moved on to the constraints, relative to the final forces
+    bool        safeguarded = false;
+    bool        frozen      = false; // bounds of friction were held for a while, see NodeStates
+    bool        moved       = false; // a damped motion was followed, see FiniteNewton
+    bool        unstable    = false; // from an equilibrium that was not stable
+    std::string note;
+
+    bool
+    goes_on() const
+    {
+      return !converged && !failure;
+    }
+  };
+} // namespace Amontons

@@ -131,6 +131,8 @@ namespace Amontons
     const auto              before = contact_answer(interfaces, trial);
     ElasticityOperator<dim> finite(*discretization, true);
     FiniteNewton<dim>       newton(parameters.newton, parameters.linear_solver, *discretization, timer);
+    discretization->finite_strain = true; // rotations of platens are given exactly
+    supports                      = discretization->make_supports(state.t);
     couple_moved(*discretization, supports, state.displacement, state.t, interfaces);
     const auto report =
         newton.solve(finite, interfaces, supports, follower_loads(), trial, [](const auto &) {});
@@ -145,6 +147,7 @@ namespace Amontons
         if (const double size = old.linfty_norm(); size > 0)
           change = std::max(*change, difference.linfty_norm() / size);
       }
+    discretization->finite_strain = false;
     couple_surfaces();
     return change;
   }
@@ -210,13 +213,13 @@ namespace Amontons
     if (automatic && !harmless && !any_free_rotation(*discretization))
       {
         note(describe_small_strain() + ": finite strain is used" + allowed.str());
-        restart(Kinematics::finite_strain);
+        restart(true);
         if (run_all_meshes())
           return true;
         if (!success || kinematic_error() > too_much)
           return false;
         note("warning: finite strain failed (" + summary.message + "): the answer is that of small strain");
-        restart(Kinematics::small_strain);
+        restart(false);
         return run_all_meshes();
       }
     if (!success)
@@ -242,12 +245,12 @@ namespace Amontons
   // On the mesh that the last one ended with.
   template <int dim>
   void
-  ContactProblem<dim>::restart(const Kinematics kinematics)
+  ContactProblem<dim>::restart(const bool with_finite_strain)
   {
-    scene.kinematics = kinematics;
-    finite_strain    = kinematics == Kinematics::finite_strain;
-    incremental      = has_history || finite_strain;
-    elasticity       = std::make_unique<ElasticityOperator<dim>>(*discretization, finite_strain);
+    finite_strain                 = with_finite_strain;
+    discretization->finite_strain = finite_strain;
+    incremental                   = has_history || finite_strain;
+    elasticity                    = std::make_unique<ElasticityOperator<dim>>(*discretization, finite_strain);
     summary.meshes.clear();
     summary.newton.clear();
     path.clear();

@@ -70,7 +70,7 @@ namespace Amontons
     bool
     choose_kinematics(const bool success);
     void
-    restart(const Kinematics kinematics);
+    restart(const bool with_finite_strain);
     double
     kinematic_error() const;
     std::string
@@ -184,10 +184,10 @@ namespace Amontons
     std::vector<CoveredPoint<dim>>
     covered_points() const;
 
-    Scene               scene; // its kinematics: those in effect
-    bool                finite_strain;
-    bool                has_history; // friction: the answer depends on the path of the load
-    bool                incremental; // it is applied in increments
+    const Scene         scene;
+    bool                finite_strain; // in effect
+    bool                has_history;   // friction: the answer depends on the path of the load
+    bool                incremental;   // it is applied in increments
     const Parameters   &parameters;
     const std::string   folder;
     const MPI_Comm      communicator;

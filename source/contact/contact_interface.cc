@@ -217,7 +217,7 @@ namespace Amontons
                       std::vector<ContactInterface<dim>> &interfaces,
                       const bool                          moved)
   {
-    const bool stays = !moved && discretization.scene.kinematics != Kinematics::finite_strain;
+    const bool                     stays = !moved && !discretization.finite_strain;
     std::vector<std::vector<bool>> carries;
     for (auto &interface : interfaces)
       {
@@ -243,7 +243,7 @@ namespace Amontons
                  const double                        t,
                  std::vector<ContactInterface<dim>> &interfaces)
   {
-    const bool stays = discretization.scene.kinematics != Kinematics::finite_strain;
+    const bool stays = !discretization.finite_strain;
     for (auto &interface : interfaces)
       {
         const bool changes = gap_grows(interface) && t != interface.t;

@@ -280,7 +280,7 @@ namespace Amontons
   bool
   must_face(const Discretization<dim> &discretization, const PairData &pair)
   {
-    return pair.tied || discretization.scene.kinematics != Kinematics::finite_strain;
+    return pair.tied || !discretization.finite_strain;
   }
 
   template <int dim>

@@ -23,8 +23,8 @@ namespace Amontons
   Discretization<dim>::Discretization(const Scene         &scene,
                                       const Geometry<dim> &geometry,
                                       const unsigned int   degree)
-      : scene(scene), geometry(geometry), fe(FE_Q<dim>(degree), dim), mapping(degree),
-        dof_handler(geometry.triangulation)
+      : scene(scene), geometry(geometry), finite_strain(scene.kinematics == Kinematics::finite_strain),
+        fe(FE_Q<dim>(degree), dim), mapping(degree), dof_handler(geometry.triangulation)
   {
     for (const auto &body : scene.bodies)
       carrier_of_body.push_back(body.rigid ? geometry.carrier(body.rigid->name)

@@ -188,7 +188,7 @@ namespace Amontons
             else if (motion.displacement[c])
               tie(u[0][c], {}, motion.displacement[c]->value(motion.reference, t));
           }
-        if (axisymmetric || scene.kinematics == Kinematics::finite_strain)
+        if (axisymmetric || finite_strain)
           {
             const Tensor<2, 3> turned =
                 axisymmetric ? Tensor<2, 3>(unit_symmetric_tensor<3>()) : turned_axes<dim>(motion, t);

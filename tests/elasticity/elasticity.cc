@@ -374,6 +374,37 @@ check_cook(const unsigned int degree, const unsigned int n, const double toleran
                   "Cook's membrane, degree " + std::to_string(degree));
 }
 
+// Displacement a (X, ...) in axisymmetry and space, a (X, Y) in the plane: H = a 1, e = a^2/2 in each of the
+// n directions that it has, so that the density is 2 mu n a^4/4 + min(lambda, 2 mu) (n a^2/2)^2.
+template <int dim>
+void
+check_quadratic_strain(const Kind kind, const unsigned int degree)
+{
+  const double       a = 0.1, poisson = 0.3;
+  const Problem<dim> problem(block(kind, poisson), degree, 0.);
+  const LA::Vector   u = problem.interpolate([a](const Point<dim> &X) { return a * X; });
+
+  const double mu = 7. / 2 / (1 + poisson), lambda = 7 * poisson / (1 + poisson) / (1 - 2 * poisson);
+  const double n = kind == Kind::plane_strain ? 2 : 3;
+  const double density =
+      2 * mu * n * std::pow(a, 4) / 4 + std::min(lambda, 2 * mu) * std::pow(n * a * a / 2, 2);
+  const double volume = kind == Kind::axisymmetric ? numbers::PI * (9 - 1) : 2;
+
+  const QGauss<dim> gauss(degree + 1);
+  FEValues<dim>     values(problem.discretization->mapping,
+                       problem.discretization->fe,
+                       gauss,
+                       ElasticityOperator<dim>::needed_flags() | update_JxW_values);
+  double            energy = 0;
+  for (const auto &cell : problem.discretization->dof_handler.active_cell_iterators())
+    {
+      values.reinit(cell);
+      energy += problem.elasticity->energy_of_quadratic_strain(values, cell, u);
+    }
+  check::is_close(
+      energy, density * volume, 1e-12, name_of(kind, degree) + ": energy of the quadratic strain");
+}
+
 int
 main(int argc, char **argv)
 {
@@ -385,7 +416,10 @@ main(int argc, char **argv)
           check_patch<2>(kind, degree, 0.3);
           check_patch<2>(kind, degree, kind == Kind::plane_stress ? 0.49 : 0.499);
           check_rigid_motions<2>(kind, degree);
+          if (kind != Kind::plane_stress)
+            check_quadratic_strain<2>(kind, degree);
         }
+      check_quadratic_strain<3>(Kind::three_dimensional, degree);
       check_patch<3>(Kind::three_dimensional, degree, 0.3);
       check_rigid_motions<3>(Kind::three_dimensional, degree);
     }

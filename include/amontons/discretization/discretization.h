@@ -53,9 +53,11 @@ namespace Amontons
 
     const Scene         &scene;
     const Geometry<dim> &geometry;
-    FESystem<dim>        fe;
-    MappingQ<dim>        mapping;
-    DoFHandler<dim>      dof_handler;
+    // Given rotations are finite, and surfaces move. As the scene has it; `auto` begins without.
+    bool            finite_strain;
+    FESystem<dim>   fe;
+    MappingQ<dim>   mapping;
+    DoFHandler<dim> dof_handler;
 
     // Lines of the hanging nodes of owned and ghosted cells, closed.
     Constraints hanging_nodes;

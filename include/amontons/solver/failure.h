@@ -28,7 +28,7 @@ namespace Amontons
     double       residual = std::numeric_limits<double>::quiet_NaN();
 
     // For the user: the rigid motion, places of nodes, the cell.
-    std::string motion, where, cell;
+    std::string motion = "", where = "", cell = "";
     // Kind::no_states
     unsigned int n_changes    = 0;                           // nodes that still change
     bool         single_nodes = false, given_bounds = false; // tried, see NodeStates

@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-BOUNDS = {"largest file": 935, "functions over 80 code lines": 5, "functions over 40 code lines": 56, "data members of the largest class": 54}
+BOUNDS = {"largest file": 965, "functions over 80 code lines": 4, "functions over 40 code lines": 46, "data members of the largest class": 53}
 MODES = re.compile(r"\b(finite_strain|has_history|incremental|is_repeat|only_increments|measured_increments|follow_motion|automatic)\b")
 
 

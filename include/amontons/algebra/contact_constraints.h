@@ -25,8 +25,8 @@ namespace Amontons
   };
 
   // Frictionless contact, tied interfaces and stick: trial and test functions obey the same constraints
-  // (DESIGN.md section 1), and the condensed matrix is symmetric. Slip with friction: both eliminate the same
-  // DoF, by different lines.
+  // (doc/introduction.md, "Closed nodes are constraints"), and the condensed matrix is symmetric. Slip with
+  // friction: both eliminate the same DoF, by different lines.
   class ContactConstraints
   {
   public:

@@ -26,7 +26,7 @@ namespace Amontons
   // The gap of a node on a curved surface also depends on its neighbours, so that eliminated components would
   // refer to each other. Hence C_test^T K on all displacements that the supports leave, where the test
   // functions of closed nodes leave one row for each of their equations; the linearised gap or stick equation
-  // is written there (DESIGN.md section 1).
+  // is written there (doc/introduction.md, "Written rows").
   class TangentSystem
   {
   public:

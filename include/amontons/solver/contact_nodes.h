@@ -54,9 +54,9 @@ namespace Amontons
   double
   evaluate(const LinearEquation &equation, const LA::Vector &u);
 
-  // What DESIGN.md section 1 says of each state. Open: nothing. Slip: the gap is closed, while test functions
-  // obey (normal + slope d) . Delta = 0 (frictionless: slope = 0). Stick: Delta is that of the closed gap
-  // across and `origin` along the surface; tied: zero.
+  // What each state asks of displacements (doc/introduction.md, "Closed nodes are constraints"). Open:
+  // nothing. Slip: the gap is closed, while test functions obey (normal + slope d) . Delta = 0 (frictionless:
+  // slope = 0). Stick: Delta is that of the closed gap across and `origin` along the surface; tied: zero.
   template <int dim>
   std::vector<ContactEquation>
   equations_of(const CandidateNode<dim> &node,

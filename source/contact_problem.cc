@@ -45,6 +45,7 @@ namespace Amontons
     if (scene.reference)
       reference = make_reference_solution(scene.reference->solution, scene);
     state.t = LoadProgram(scene, incremental).next();
+    //! [run]
     make_mesh();
     rebuild();
     refuse_hidden_sides(*discretization, interfaces);
@@ -59,6 +60,7 @@ namespace Amontons
     summary.converged = success;
     finish();
     return summary;
+    //! [run]
   }
 
   template <int dim>
@@ -170,6 +172,7 @@ namespace Amontons
   typename ContactProblem<dim>::Increment
   ContactProblem<dim>::solve_increment(const LoadProgram &program)
   {
+    //! [increment]
     for (;;)
       {
         do
@@ -180,6 +183,7 @@ namespace Amontons
           return Increment::converged;
         if (has_history && program.time() > 0 && !rebalance(program))
           return Increment::lost;
+        //! [increment]
       }
   }
 

@@ -15,6 +15,7 @@ namespace Amontons
     unsigned int       n_failures = 0;                   // in a row
     const unsigned int patience   = has_history ? 5 : 3; // friction: mostly states that are hard to find
     start_history();
+    //! [load program]
     while (!program.finished())
       {
         set_time(program.next());
@@ -25,6 +26,7 @@ namespace Amontons
             note_snaps(program.next() - program.time());
             program.accept(last_report.moved ? 0 : last_report.iterations.size());
             commit(program);
+            //! [load program]
             failure       = FailedIncrement();
             n_failures    = 0;
             follow_motion = false;
@@ -36,12 +38,14 @@ namespace Amontons
             follow_motion = true;
             roll_back(state.t);
           }
+        //! [load program]
         else if (incremental && (finite_strain || !failed_alike(failure)) && program.cut_back())
           {
             failure       = {last_report, loads, prescribed_values(), growing_gaps()};
             follow_motion = false;
             roll_back(state.t);
           }
+        //! [load program]
         else
           {
             if (incremental && program.number() > 1)

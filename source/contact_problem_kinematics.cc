@@ -74,23 +74,10 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  FollowerLoads
-  ContactProblem<dim>::follower_loads() const
+  FiniteMechanics<dim>
+  ContactProblem<dim>::finite_mechanics(ElasticityOperator<dim> &bodies) const
   {
-    FollowerLoads follower;
-    follower.forces = [this](const LA::Vector &u) {
-      return assemble_loads(*discretization, state.t, covered_points(), &u);
-    };
-    follower.stiffness = [this](const LA::Vector &u) {
-      std::vector<RectangularMatrix> matrices;
-      for (auto &part : pressure_stiffness(*discretization, state.t, u))
-        {
-          part.matrix *= -1;
-          matrices.push_back({part.dofs, part.dofs, part.matrix});
-        }
-      return matrices;
-    };
-    return follower;
+    return FiniteMechanics<dim>(*discretization, bodies, state.t, [this]() { return covered_points(); });
   }
 
   template <int dim>
@@ -98,10 +85,9 @@ namespace Amontons
   ContactProblem<dim>::iterate_with_finite_strain(const typename SemismoothNewton<dim>::Observer &observer)
   {
     FiniteNewton<dim> newton(parameters.newton, parameters.linear_solver, *discretization, timer);
-    const auto        follower = follower_loads();
-    const auto        report =
-        newton.solve(*elasticity, interfaces, supports, follower, state, observer, follow_motion);
-    loads = follower.forces(state.displacement);
+    auto              mechanics = finite_mechanics(*elasticity);
+    const auto        report = newton.solve(mechanics, interfaces, supports, state, observer, follow_motion);
+    loads                    = mechanics.loads_at(state.displacement);
     return report;
   }
 
@@ -134,8 +120,8 @@ namespace Amontons
     discretization->finite_strain = true; // rotations of platens are given exactly
     supports                      = discretization->make_supports(state.t);
     couple_moved(*discretization, supports, state.displacement, state.t, interfaces);
-    const auto report =
-        newton.solve(finite, interfaces, supports, follower_loads(), trial, [](const auto &) {});
+    auto                  mechanics = finite_mechanics(finite);
+    const auto            report = newton.solve(mechanics, interfaces, supports, trial, [](const auto &) {});
     std::optional<double> change;
     if (report.converged)
       {
@@ -262,10 +248,10 @@ namespace Amontons
     rebuild();
   }
 
-  template FollowerLoads
-  ContactProblem<2>::follower_loads() const;
-  template FollowerLoads
-  ContactProblem<3>::follower_loads() const;
+  template FiniteMechanics<2>
+  ContactProblem<2>::finite_mechanics(ElasticityOperator<2> &) const;
+  template FiniteMechanics<3>
+  ContactProblem<3>::finite_mechanics(ElasticityOperator<3> &) const;
   template NewtonReport
   ContactProblem<2>::iterate_with_finite_strain(const SemismoothNewton<2>::Observer &);
   template NewtonReport

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs one scene in several ways and compares: compare_runs.py AMONTONS OUTPUT SCENE [--set X]... --run "RANKS | SET | SET"... [--check X]... [OPTION]...
 
-The first run is the reference. The same forces, peaks, sizes, sets, energies and rows of contact.csv (sorted by place), to a relative tolerance.
+The first run is the reference. The same forces, reactions, peaks, sizes, sets, energies and rows of contact.csv (sorted by place), to a relative tolerance.
 --check: of the first run, as those of run_scene.py.
 --tolerance 1e-8: of forces and pressures;  --iterations 0: by how much the iterations on a mesh may differ;
 --any-iterations: by whatever;  --forces-only: no contact.csv.
@@ -56,6 +56,12 @@ def compare(first, other, tolerance, iterations, forces_only):
         for kind in "n_open", "n_stick", "n_slip":
             if p[kind] != q[kind]:
                 messages.append(f"{p['name']} {kind}: {p[kind]} and {q[kind]}")
+    size = max([abs(float(r[c])) for r in rows for c in "XYZ"] or [0])
+    largest = max([abs(f) for r in s["reactions"] for f in r["force"]] or [0])
+    for p, q in zip(s["reactions"], t["reactions"]):
+        for kind, scale in ("force", largest), ("moment", largest * size):
+            for a, b in zip(p[kind], q[kind]):
+                near(f"reaction {p['boundary']} {kind}", a, b, scale)
     # Where increments differ, so does the dissipation: it is the sum of their last tractions times slip.
     for kind in ("energy", "external_work") if iterations is None else ("energy", "external_work", "dissipation"):
         a, b = (m["meshes"][-1].get(kind) for m in (s, t))

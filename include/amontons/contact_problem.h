@@ -127,8 +127,8 @@ namespace Amontons
     iterate();
     NewtonReport
     iterate_with_finite_strain(const typename SemismoothNewton<dim>::Observer &observer);
-    FollowerLoads
-    follower_loads() const;
+    FiniteMechanics<dim>
+    finite_mechanics(ElasticityOperator<dim> &bodies) const;
     void
     move_surfaces();
     std::optional<double>

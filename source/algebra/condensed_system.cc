@@ -210,10 +210,10 @@ namespace Amontons
   }
 
   void
-  CondensedSystem::assemble(const CellMatrices               &cells,
-                            const ContactConstraints         &constraints,
-                            const LA::Vector                 *diagonal,
-                            const std::vector<FurtherMatrix> &further)
+  CondensedSystem::assemble(const CellMatrices             &cells,
+                            const ContactConstraints       &constraints,
+                            const LA::Vector               *diagonal,
+                            const std::vector<LocalMatrix> &further)
   {
     restore_bulk_rows();
     const auto add = [&](const FullMatrix<double> &matrix, const std::vector<types::global_dof_index> &dofs) {
@@ -221,8 +221,8 @@ namespace Amontons
     };
     for (const unsigned int c : surface_cells)
       add(cells.matrix(c), cells.dofs(c));
-    for (const FurtherMatrix &matrix : further)
-      add(matrix.matrix, matrix.dofs);
+    for (const LocalMatrix &part : further)
+      add_condensed(part.matrix, part.rows, part.columns, constraints.test(), constraints.trial(), system);
     if (diagonal != nullptr)
       {
         FullMatrix<double> one(1, 1);

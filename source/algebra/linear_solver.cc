@@ -274,6 +274,7 @@ namespace Amontons
   LinearSolver::solve_directly(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs)
   {
     LinearSolveReport report;
+    //! [stale factorisation]
     if (direct && factorisation_is_old && !all_values_are_new && n_changed <= (symmetric ? 20 : 6))
       {
         // Beyond about 20 solves a new factorisation is cheaper (2D: one costs some 10 to 20 of them).
@@ -283,6 +284,7 @@ namespace Amontons
             run_krylov(symmetric, control, matrix, x, rhs, *direct);
             report.iterations = control.last_step();
             return report;
+            //! [stale factorisation]
           }
         catch (const SolverControl::NoConvergence &)
           {

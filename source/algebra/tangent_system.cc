@@ -118,10 +118,10 @@ namespace Amontons
   // New ones are kept, so that surfaces that slide to and fro need no new pattern. All that a DoF has ever
   // stood for counts: a block that was linked once is linked whatever the constraints are now.
   bool
-  TangentSystem::link(const Constraints                    &supports,
-                      const ContactConstraints             &test,
-                      const std::vector<RectangularMatrix> &further,
-                      const std::vector<WrittenRow>        &rows)
+  TangentSystem::link(const Constraints              &supports,
+                      const ContactConstraints       &test,
+                      const std::vector<LocalMatrix> &further,
+                      const std::vector<WrittenRow>  &rows)
   {
     bool is_new = false;
     for (const auto &pivot : test.pivots())
@@ -221,13 +221,13 @@ namespace Amontons
   }
 
   void
-  TangentSystem::assemble(const CellMatrices                   &cells,
-                          const Constraints                    &supports,
-                          const ContactConstraints             &test,
-                          const std::vector<RectangularMatrix> &further,
-                          const LA::Vector                     *diagonal,
-                          const std::vector<WrittenRow>        &rows,
-                          const bool                            with_eliminated_form)
+  TangentSystem::assemble(const CellMatrices             &cells,
+                          const Constraints              &supports,
+                          const ContactConstraints       &test,
+                          const std::vector<LocalMatrix> &further,
+                          const LA::Vector               *diagonal,
+                          const std::vector<WrittenRow>  &rows,
+                          const bool                      with_eliminated_form)
   {
     constraints = &test;
     if (pattern_is_old)

@@ -117,14 +117,14 @@ namespace Amontons
   CouplingDerivatives<dim>::~CouplingDerivatives() = default;
 
   template <int dim>
-  std::vector<SurfaceMatrix>
+  std::vector<LocalMatrix>
   CouplingDerivatives<dim>::stiffness(const std::vector<Tensor<1, dim>> &tractions) const
   {
     auto tractions_here = tractions;
     for (unsigned int r = 0; r < wanted.size(); ++r)
       if (!wanted[r])
         tractions_here[r] = 0;
-    std::vector<SurfaceMatrix> matrices;
+    std::vector<LocalMatrix> matrices;
     for (const auto &face : faces)
       matrices.push_back(face.stiffness(tractions_here));
     return matrices;

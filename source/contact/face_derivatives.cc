@@ -208,7 +208,7 @@ namespace Amontons
   // lambda_k = sum_i t_i C_ik, so that with Y = G^-1 N
   //   d(force_q) = -sum_k lambda_k dN_kq - sum_r tau_r dD_r (W N)_rq + sum_kl lambda_k dG_kl Y_lq.
   template <int dim>
-  SurfaceMatrix
+  LocalMatrix
   FaceDerivatives<dim>::stiffness(const std::vector<Tensor<1, dim>> &tractions) const
   {
     const unsigned int          n = moments.n, n_master = moments.master.size(), n_v = moments.n_variables;
@@ -231,7 +231,7 @@ namespace Amontons
         G_inverse.mmult(Y, moments.N);
       }
 
-    SurfaceMatrix       result{forced_dofs, dofs, FullMatrix<double>(forced_dofs.size(), dofs.size())};
+    LocalMatrix         result{forced_dofs, dofs, FullMatrix<double>(forced_dofs.size(), dofs.size())};
     std::vector<double> by_dof(dofs.size());
     const auto          add = [&](const std::vector<double> &gradient, const Line &where) {
       std::fill(by_dof.begin(), by_dof.end(), 0.);

@@ -255,6 +255,17 @@ namespace Amontons
   }
 
   template <int dim>
+  CellMatrices
+  ElasticityOperator<dim>::tangent() const
+  {
+    CellMatrices result;
+    result.n      = n_cells();
+    result.dofs   = [this](const unsigned int c) -> const auto   &{ return dofs(c); };
+    result.matrix = [this](const unsigned int c) { return matrix(c); };
+    return result;
+  }
+
+  template <int dim>
   LA::Vector
   ElasticityOperator<dim>::internal_forces(const LA::Vector &u) const
   {

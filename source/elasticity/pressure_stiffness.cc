@@ -26,16 +26,17 @@ namespace Amontons
       {
       }
 
-      CellFaceMatrix<dim>
+      LocalMatrix
       matrix(const typename DoFHandler<dim>::active_cell_iterator &cell,
              const unsigned int                                    f,
              const Expression                                     &pressure)
       {
         values.reinit(cell, f);
-        const auto          face = deform(values, &u);
-        const unsigned int  n    = fe.n_dofs_per_cell();
-        CellFaceMatrix<dim> result{std::vector<types::global_dof_index>(n), FullMatrix<double>(n, n)};
-        cell->get_dof_indices(result.dofs);
+        const auto         face = deform(values, &u);
+        const unsigned int n    = fe.n_dofs_per_cell();
+        LocalMatrix        result{std::vector<types::global_dof_index>(n), {}, FullMatrix<double>(n, n)};
+        cell->get_dof_indices(result.rows);
+        result.columns = result.rows;
         for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
           {
             const double p = pressure.value(as_3d(values.quadrature_point(q)), t) * values.JxW(q);
@@ -73,11 +74,11 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  std::vector<CellFaceMatrix<dim>>
+  std::vector<LocalMatrix>
   pressure_stiffness(const Discretization<dim> &discretization, const double t, const LA::Vector &u)
   {
-    PressureStiffness<dim>           stiffness(discretization, t, u);
-    std::vector<CellFaceMatrix<dim>> matrices;
+    PressureStiffness<dim>   stiffness(discretization, t, u);
+    std::vector<LocalMatrix> matrices;
     for (const auto &condition : discretization.scene.conditions)
       if (condition.type == ConditionData::Type::pressure)
         for (const auto &name : condition.boundaries)
@@ -89,8 +90,8 @@ namespace Amontons
     return matrices;
   }
 
-  template std::vector<CellFaceMatrix<2>>
+  template std::vector<LocalMatrix>
   pressure_stiffness(const Discretization<2> &, const double, const LA::Vector &);
-  template std::vector<CellFaceMatrix<3>>
+  template std::vector<LocalMatrix>
   pressure_stiffness(const Discretization<3> &, const double, const LA::Vector &);
 } // namespace Amontons

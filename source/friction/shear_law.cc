@@ -48,12 +48,14 @@ namespace Amontons
     const double norm = trial.norm();
     if (norm > 0)
       law.direction = trial / norm;
+    //! [law of a slipping node]
     law.slope    = bound.slope;
     law.constant = bound.value - bound.slope * std::max(0., pressure);
     if (std::abs(law.constant) <= 1e-12 * bound.value)
       law.constant = 0;
     if (dim == 3)
       law.stiffness = std::min(1e4 * c, bound.value * c / std::max(norm - bound.value, 1e-100));
+    //! [law of a slipping node]
     return law;
   }
 

@@ -175,17 +175,18 @@ namespace Amontons
   }
 
   template <int dim>
-  FurtherMatrix
+  LocalMatrix
   slip_stiffness(const CandidateNode<dim> &node, const SlipLaw<dim> &law)
   {
-    FurtherMatrix                                further;
+    LocalMatrix                                  further;
     std::vector<std::pair<unsigned int, double>> terms; // component and weight of each DoF
     for (unsigned int c = 0; c < dim; ++c)
       for (const auto &[dof, weight] : node.components[c].equation.coefficients)
         {
-          further.dofs.push_back(dof);
+          further.rows.push_back(dof);
           terms.emplace_back(c, weight);
         }
+    further.columns        = further.rows;
     const Tensor<1, dim> n = node.normal / node.normal.norm(), d = law.direction;
     further.matrix.reinit(terms.size(), terms.size());
     for (unsigned int i = 0; i < terms.size(); ++i)
@@ -273,9 +274,9 @@ namespace Amontons
   all_components(const CandidateNode<2> &);
   template ContactEquation
   all_components(const CandidateNode<3> &);
-  template FurtherMatrix
+  template LocalMatrix
   slip_stiffness(const CandidateNode<2> &, const SlipLaw<2> &);
-  template FurtherMatrix
+  template LocalMatrix
   slip_stiffness(const CandidateNode<3> &, const SlipLaw<3> &);
   template std::vector<LinearEquation>
   resistance_of(const CandidateNode<2> &, const ContactState, const SlipLaw<2> &);

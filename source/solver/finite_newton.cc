@@ -41,15 +41,14 @@ namespace Amontons
       FiniteIteration(const NewtonParameters             &parameters,
                       const LinearSolverParameters       &solver_parameters,
                       const Discretization<dim>          &discretization,
-                      ElasticityOperator<dim>            &elasticity,
+                      FiniteMechanics<dim>               &mechanics,
                       std::vector<ContactInterface<dim>> &interfaces,
                       const Constraints                  &prescribed,
-                      const FollowerLoads                &follower_loads,
                       SolutionState                      &state,
                       TimerOutput                        &timer)
           : parameters(parameters), solver_parameters(solver_parameters), discretization(discretization),
-            elasticity(elasticity), interfaces(interfaces), prescribed(prescribed),
-            supports(without_values(prescribed)), follower_loads(follower_loads), state(state), timer(timer),
+            mechanics(mechanics), elasticity(mechanics.bodies()), interfaces(interfaces),
+            prescribed(prescribed), supports(without_values(prescribed)), state(state), timer(timer),
             communicator(discretization.geometry.communicator),
             contact(discretization, supports, interfaces, state, parameters.scaling),
             floating(discretization, supports, interfaces, &state.displacement),
@@ -242,7 +241,7 @@ namespace Amontons
             [&](LA::Vector &y, const LA::Vector &x) {
               LA::Vector force(x);
               force.scale(damping.values);
-              LA::Vector rhs = condense(force, assembled->test(), loads);
+              LA::Vector rhs = condense(force, assembled->test(), mechanics.loads());
               zero_constrained(assembled->test(), discretization.locally_owned, rhs);
               const auto result = solver.solve(system.matrix(), y, rhs, 0.); // by its factors
               supports.distribute(y);
@@ -268,21 +267,19 @@ namespace Amontons
       prepare()
       {
         contact.move(state.displacement);
-        const bool is_new_mesh = elasticity.is_cleared();
-        bool       possible    = evaluate();
-        if (const auto dilatations = elasticity.dilatations_after_refinement();
-            possible && is_new_mesh && dilatations)
-          possible = evaluate(*dilatations);
-        if (!possible)
-          {
-            report.failure = inversion;
-            return false;
-          }
+        {
+          TimerOutput::Scope scope(timer, "assemble stiffness");
+          if (const auto inverted = mechanics.start(state.displacement))
+            {
+              report.failure = Diagnosis::inverted(discretization, *inverted);
+              return false;
+            }
+        }
         std::vector<const LinearEquation *> equations;
         for (const auto &node : contact.nodes())
           for (const auto *e : node.holding())
             equations.push_back(&e->equation);
-        floating.set_loads(loads);
+        floating.set_loads(mechanics.loads());
         report.note = floating.check_loads(equations);
         floating.choose_pins(equations);
         fit_states(interfaces, state);
@@ -347,24 +344,15 @@ namespace Amontons
         return first_guess_of_closed_nodes(contact.nodes(), interfaces, floating, rest);
       }
 
-      // Forces at state.displacement, where the surfaces are, and stiffness; dilatations: empty for those of
-      // the displacement.
+      // At state.displacement; dilatations: empty for those of the displacement.
       bool
       evaluate(const std::vector<double> &dilatations = {}, const bool with_stiffness = true)
       {
         TimerOutput::Scope scope(timer, "assemble stiffness");
-        stiffness_is_here = with_stiffness;
-        if (const auto inverted = with_stiffness ? elasticity.assemble(state.displacement, dilatations)
-                                                 : elasticity.update_forces(state.displacement, dilatations))
-          {
-            inversion = Diagnosis::inverted(discretization, *inverted);
-            return false;
-          }
-        internal = elasticity.forces();
-        loads    = follower_loads.forces(state.displacement);
-        raw      = internal;
-        raw -= loads;
-        return true;
+        const auto         inverted = mechanics.evaluate(state.displacement, dilatations, with_stiffness);
+        if (inverted)
+          inversion = Diagnosis::inverted(discretization, *inverted);
+        return !inverted;
       }
 
       ContactConstraints
@@ -391,16 +379,6 @@ namespace Amontons
         return !solver.is_direct(discretization.dof_handler.n_dofs());
       }
 
-      CellMatrices
-      cells() const
-      {
-        CellMatrices result;
-        result.n      = elasticity.n_cells();
-        result.dofs   = [this](const unsigned int c) -> const auto   &{ return elasticity.dofs(c); };
-        result.matrix = [this](const unsigned int c) { return elasticity.matrix(c); };
-        return result;
-      }
-
       void
       linearise()
       {
@@ -417,7 +395,7 @@ namespace Amontons
         if (!tangent_serves_again())
           differentiate();
         further = contact.stiffness(states, answers, state.displacement);
-        for (auto &matrix : follower_loads.stiffness(state.displacement))
+        for (auto &matrix : mechanics.stiffness_of_loads(state.displacement))
           further.push_back(std::move(matrix));
         write_rows();
         TimerOutput::Scope scope(timer, "assemble condensed system");
@@ -435,7 +413,7 @@ namespace Amontons
               sum += *added;
             added = &sum;
           }
-        system.assemble(cells(), supports, *constraints, further, added, rows, is_iterative());
+        system.assemble(elasticity.tangent(), supports, *constraints, further, added, rows, is_iterative());
         assembled     = constraints;
         damped_system = steps != nullptr;
       }
@@ -445,8 +423,10 @@ namespace Amontons
       void
       differentiate()
       {
-        if (!stiffness_is_here)
-          evaluate(std::vector<double>(elasticity.dilatations()));
+        {
+          TimerOutput::Scope scope(timer, "assemble stiffness");
+          mechanics.complete(state.displacement);
+        }
         place_of_tangent = u;
         TimerOutput::Scope scope(timer, "differentiate contact");
         const bool         is_first = report.iterations.empty();
@@ -630,13 +610,13 @@ namespace Amontons
       {
         const LA::Vector change   = prescribed_change();
         LA::Vector       residual = known_shear_forces();
-        residual -= raw;
+        residual -= mechanics.unbalanced();
         residual -= elasticity.forces_of_excess();
         residual -= forces_of(change);
         if (steps)
           residual -= damping_force;
         LA::Vector rhs(discretization.locally_owned, communicator);
-        rhs = condense(residual, constraints->test(), loads);
+        rhs = condense(residual, constraints->test(), mechanics.loads());
         zero_constrained(constraints->test(), discretization.locally_owned, rhs);
         const LA::Vector push(rhs);
         for (const auto &row : rows)
@@ -681,14 +661,6 @@ namespace Amontons
         return result;
       }
 
-      static std::vector<double>
-      moved(std::vector<double> values, const double factor, const std::vector<double> &change)
-      {
-        for (unsigned int k = 0; k < values.size(); ++k)
-          values[k] += factor * change[k];
-        return values;
-      }
-
       // u + factor step with the largest factor of 1, 1/2, ... that leaves cells as they are.
       bool
       advance(const LA::Vector &step, const unsigned int n_tries = 5)
@@ -699,18 +671,17 @@ namespace Amontons
             return false;
           }
         const LA::Vector start(u);
-        const auto       dilatations = elasticity.dilatations();
-        LA::Vector       relevant    = discretization.make_relevant_vector();
-        relevant                     = step;
-        const auto change            = elasticity.change_of_dilatations(relevant);
-        const bool with_stiffness    = steps || step.linfty_norm() > 1e-3 * smallest_cell;
-        double     factor            = 1;
+        LA::Vector       relevant = discretization.make_relevant_vector();
+        relevant                  = step;
+        const auto change         = mechanics.change_of_dilatations(relevant);
+        const bool with_stiffness = steps || step.linfty_norm() > 1e-3 * smallest_cell;
+        double     factor         = 1;
         for (unsigned int n = 0; n < n_tries; ++n, factor /= 2)
           {
             u = start;
             u.add(factor, step);
             state.displacement = u;
-            if (evaluate(moved(dilatations, factor, change), with_stiffness))
+            if (evaluate(change.after(factor), with_stiffness))
               {
                 TimerOutput::Scope scope(timer, "contact surfaces");
                 contact.move(state.displacement);
@@ -735,7 +706,7 @@ namespace Amontons
       recover_contact()
       {
         constraints = std::make_shared<ContactConstraints>(constraints_of(states));
-        balance     = raw;
+        balance     = mechanics.unbalanced();
         balance -= known_shear_forces();
         damped_balance = balance;
         if (steps)
@@ -790,8 +761,7 @@ namespace Amontons
       double
       relative_residual()
       {
-        const double rounding = 1e-14 * elasticity.rounding_scale(state.displacement);
-        force_scale  = std::max({internal.l2_norm(), loads.l2_norm(), rounding / parameters.tolerance});
+        force_scale  = mechanics.force_scale(state.displacement, parameters.tolerance);
         damped_error = relative_residual_of(damped_balance);
         return std::max({relative_residual_of(balance),
                          largest_violation(),
@@ -810,7 +780,7 @@ namespace Amontons
       double
       relative_force(const LA::Vector &forces) const
       {
-        LA::Vector free = condense(forces, constraints->test(), loads);
+        LA::Vector free = condense(forces, constraints->test(), mechanics.loads());
         zero_constrained(constraints->test(), discretization.locally_owned, free);
         return relative(std::hypot(free.l2_norm(), states.law_error(answers)));
       }
@@ -892,11 +862,11 @@ namespace Amontons
       const NewtonParameters             &parameters;
       const LinearSolverParameters       &solver_parameters;
       const Discretization<dim>          &discretization;
-      ElasticityOperator<dim>            &elasticity;
+      FiniteMechanics<dim>               &mechanics;
+      const ElasticityOperator<dim>      &elasticity;
       std::vector<ContactInterface<dim>> &interfaces;
       const Constraints                  &prescribed;
       const Constraints                   supports; // homogeneous
-      const FollowerLoads                &follower_loads;
       SolutionState                      &state;
       TimerOutput                        &timer;
       const MPI_Comm                      communicator;
@@ -910,17 +880,16 @@ namespace Amontons
       NewtonReport                        report;
       ProximalTerms                       proximal;
       bool                                any_friction = false;
-      LA::Vector                          u, du, internal, loads, raw, balance;
+      LA::Vector                          u, du, balance;
       std::vector<NodeAnswer<dim>>        answers;
       std::vector<SlipLaw<dim>>           laws;
-      std::vector<RectangularMatrix>      further;
+      std::vector<LocalMatrix>            further;
       std::vector<WrittenRow>             rows;
       std::shared_ptr<ContactConstraints> constraints, assembled; // now; of the matrix
       LA::Vector                          place_of_tangent; // u when cells and contact were differentiated
       std::optional<double>               contraction_by_strain;
       double                              residual_of_step = 0, linear_residual = 0; // before and after it
-      bool                                stiffness_is_here = false;                 // in the last evaluate()
-      bool                                damped_system     = false;
+      bool                                damped_system = false;
       std::vector<unsigned int>           first_equation; // by node, in the constraints made last
       std::vector<std::vector<double>>    free_modes;     // rigid motions that the closed nodes leave
       std::optional<Failure>              inversion;      // the last one
@@ -938,24 +907,16 @@ namespace Amontons
 
   template <int dim>
   NewtonReport
-  FiniteNewton<dim>::solve(ElasticityOperator<dim>                        &elasticity,
+  FiniteNewton<dim>::solve(FiniteMechanics<dim>                           &mechanics,
                            std::vector<ContactInterface<dim>>             &interfaces,
                            const Constraints                              &supports,
-                           const FollowerLoads                            &loads,
                            SolutionState                                  &state,
                            const typename SemismoothNewton<dim>::Observer &observer,
                            const bool                                      damped)
   {
     TimerOutput::Scope scope(timer, "contact iteration");
-    return FiniteIteration<dim>(parameters,
-                                solver_parameters,
-                                discretization,
-                                elasticity,
-                                interfaces,
-                                supports,
-                                loads,
-                                state,
-                                timer)
+    return FiniteIteration<dim>(
+               parameters, solver_parameters, discretization, mechanics, interfaces, supports, state, timer)
         .run(damped, observer);
   }
 

@@ -388,7 +388,7 @@ namespace Amontons
   //   dt = p d normal - n (q . dn) + stiffness (1 - d d^T) dv,
   // with force area dt . d(jump).
   template <int dim>
-  RectangularMatrix
+  LocalMatrix
   MovingContact<dim>::turning_traction(const unsigned int     k,
                                        const SlipLaw<dim>    &law,
                                        const NodeAnswer<dim> &answer,
@@ -417,8 +417,8 @@ namespace Amontons
                 dv[d]);
       }
 
-    RectangularMatrix result;
-    auto             &columns = result.columns;
+    LocalMatrix result;
+    auto       &columns = result.columns;
     for (const auto &component : dt)
       for (const auto &entry : component)
         columns.push_back(entry.first);
@@ -442,10 +442,10 @@ namespace Amontons
   }
 
   template <int dim>
-  std::vector<RectangularMatrix>
+  std::vector<LocalMatrix>
   MovingContact<dim>::links() const
   {
-    std::vector<RectangularMatrix> result;
+    std::vector<LocalMatrix> result;
     for (const auto &part : derivatives)
       if (part)
         for (const auto &dofs : part->links())
@@ -454,12 +454,12 @@ namespace Amontons
   }
 
   template <int dim>
-  std::vector<RectangularMatrix>
+  std::vector<LocalMatrix>
   MovingContact<dim>::stiffness(const NodeStates<dim>              &states,
                                 const std::vector<NodeAnswer<dim>> &answers,
                                 const LA::Vector                   &u) const
   {
-    std::vector<RectangularMatrix> result;
+    std::vector<LocalMatrix> result;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         if (interfaces[i].pair->tied)
@@ -469,7 +469,7 @@ namespace Amontons
           if (states[k] != ContactState::open && differentiated[k] < tractions.size())
             tractions[differentiated[k]] = answers[k].pressure * all[k].normal + answers[k].shear;
         for (auto &part : derivatives[i]->stiffness(tractions))
-          result.push_back({part.rows, part.columns, std::move(part.matrix)});
+          result.push_back(std::move(part));
       }
     for (unsigned int k = 0; k < all.size(); ++k)
       if (!all[k].tied && states[k] == ContactState::slip && is_opposite(k) &&

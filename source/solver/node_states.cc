@@ -83,23 +83,31 @@ namespace Amontons
           largest = std::max(largest, std::abs(answers[k].pressure));
         }
     const double tolerance = std::max(1e-9 * largest, rounding);
+    //! [globalisation]
     active_set.update(p, g, c, tolerance, next);
+    //! [globalisation]
 
     const auto        old = states;
     std::vector<bool> closed(nodes.size(), true);
     for (unsigned int i = 0; i < may_open.size(); ++i)
       closed[may_open[i]] = next[i];
+    //! [globalisation]
     choose_friction_states(answers, closed, tolerance);
+    //! [globalisation]
     first = false;
     if (single)
       keep_last_change(old);
+    //! [globalisation]
     hold_motions(answers, tolerance);
+    //! [globalisation]
     changed.clear();
     for (unsigned int k = 0; k < nodes.size(); ++k)
       if (old[k] != states[k])
         changed.push_back(k);
+    //! [globalisation]
     if (any_friction)
       watch_for_cycles(answers, changed.size());
+    //! [globalisation]
     return changed.size();
   }
 

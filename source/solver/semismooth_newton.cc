@@ -79,6 +79,7 @@ namespace Amontons
       {
         prepare();
         bool set_changed = true;
+        //! [small strain]
         while (report.iterations.size() < parameters.max_iterations)
           {
             NewtonReport::Iteration step{};
@@ -95,6 +96,7 @@ namespace Amontons
             if (!report.goes_on())
               break;
             choose_forcing(step, set_changed);
+            //! [small strain]
           }
         finish();
         return report;
@@ -161,17 +163,8 @@ namespace Amontons
                 candidates.push_back(all_components(node));
                 substitute(candidates.back().equation, supports);
               }
-        system.setup(cells(), supports, candidates, floating.any() ? &proximal.springs : nullptr);
-      }
-
-      CellMatrices
-      cells() const
-      {
-        CellMatrices result;
-        result.n      = elasticity.n_cells();
-        result.dofs   = [this](const unsigned int c) -> const auto   &{ return elasticity.dofs(c); };
-        result.matrix = [this](const unsigned int c) { return elasticity.matrix(c); };
-        return result;
+        system.setup(
+            elasticity.tangent(), supports, candidates, floating.any() ? &proximal.springs : nullptr);
       }
 
       void
@@ -192,7 +185,7 @@ namespace Amontons
         laws.clear();
         for (unsigned int k = 0; k < nodes.size(); ++k)
           laws.push_back(states.law(k));
-        system.assemble(cells(),
+        system.assemble(elasticity.tangent(),
                         *constraints,
                         !free_modes.empty()        ? &proximal.springs
                         : !floating.pins().empty() ? &proximal.pins
@@ -208,10 +201,10 @@ namespace Amontons
         return nodes[k].frictional && states[k] == ContactState::slip;
       }
 
-      std::vector<FurtherMatrix>
+      std::vector<LocalMatrix>
       stiffness_across_slip() const
       {
-        std::vector<FurtherMatrix> matrices;
+        std::vector<LocalMatrix> matrices;
         for (unsigned int k = 0; k < nodes.size(); ++k)
           if (slips_with_friction(k) && laws[k].stiffness > 0 &&
               discretization.locally_owned.is_element(nodes[k].components[0].candidates[0]))

@@ -48,13 +48,13 @@ namespace
     const LA::Vector u = problem.random_field(0.2 / c.degree), v = problem.random_field(1. / c.degree);
     LA::Vector       difference = derivative([&](const LA::Vector &w) { return loads_at(problem, w); }, u, v);
     const double     scale      = difference.linfty_norm();
-    for (const auto &[dofs, matrix] : pressure_stiffness(*problem.discretization, 2, u))
+    for (const auto &part : pressure_stiffness(*problem.discretization, 2, u))
       {
-        Vector<double> local(dofs.size()), force(dofs.size());
-        v.extract_subvector_to(dofs.begin(), dofs.end(), local.begin());
-        matrix.vmult(force, local);
+        Vector<double> local(part.columns.size()), force(part.rows.size());
+        v.extract_subvector_to(part.columns.begin(), part.columns.end(), local.begin());
+        part.matrix.vmult(force, local);
         force *= -1;
-        difference.add(dofs, force);
+        difference.add(part.rows, force);
       }
     difference.compress(VectorOperation::add);
     check::is_close(difference.linfty_norm(), 0, 1e-10, c.name() + ": stiffness of the pressure", scale);

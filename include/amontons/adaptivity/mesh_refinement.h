@@ -7,6 +7,7 @@
 
 namespace Amontons
 {
+  //! [parameters]
   struct RefinementParameters : ParameterGroup
   {
     unsigned int cycles   = 0;       // refinements after the first solve
@@ -25,6 +26,7 @@ namespace Amontons
     void
     declare(ParameterHandler &prm) override;
   };
+  //! [parameters]
 
   // Marks the cells of deformable bodies with the largest indicators until their squares make `fraction` of
   // the sum; uniform: all of them. Fewer where the mesh would get more than about max_dofs DoFs (uniform:

@@ -3,6 +3,7 @@
 
 #include <amontons/base/linear_algebra.h>
 #include <amontons/algebra/contact_constraints.h>
+#include <amontons/base/local_matrix.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -25,21 +26,6 @@ namespace Amontons
   void
   distribute(const Constraints &constraints, LA::Vector &owned, LA::Vector &readable);
 
-  // Cell matrices as the system sees them: dofs and matrix of cell c in [0, n).
-  struct CellMatrices
-  {
-    unsigned int                                                              n;
-    std::function<const std::vector<types::global_dof_index> &(unsigned int)> dofs;
-    std::function<FullMatrix<double>(unsigned int)>                           matrix;
-  };
-
-  // A matrix on some DoFs beside those of the cells: springs of nodes that slip (3D).
-  struct FurtherMatrix
-  {
-    std::vector<types::global_dof_index> dofs;
-    FullMatrix<double>                   matrix;
-  };
-
   // A linear scene does not change between iterations but for the closed nodes. So cells without a DoF of a
   // possible slave node (the bulk) are assembled once per mesh; a change of state restores their sum in the
   // rows that the few others reach, and adds these again. The sparsity pattern holds all `candidates`, so
@@ -60,10 +46,10 @@ namespace Amontons
     // C_test^T (K + further) C_trial. diagonal (may be null): added to the diagonal entry of each DoF before
     // condensation. further: each on one rank; their DoFs must be those of one of the candidates.
     void
-    assemble(const CellMatrices               &cells,
-             const ContactConstraints         &constraints,
-             const LA::Vector                 *diagonal,
-             const std::vector<FurtherMatrix> &further);
+    assemble(const CellMatrices             &cells,
+             const ContactConstraints       &constraints,
+             const LA::Vector               *diagonal,
+             const std::vector<LocalMatrix> &further);
 
     const LA::SparseMatrix &
     matrix() const

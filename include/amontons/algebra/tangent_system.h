@@ -16,13 +16,6 @@ namespace Amontons
     LinearEquation          equation;
   };
 
-  // A matrix with rows and columns of its own.
-  struct RectangularMatrix
-  {
-    std::vector<types::global_dof_index> rows, columns;
-    FullMatrix<double>                   matrix;
-  };
-
   // The gap of a node on a curved surface also depends on its neighbours, so that eliminated components would
   // refer to each other. Hence C_test^T K on all displacements that the supports leave, where the test
   // functions of closed nodes leave one row for each of their equations; the linearised gap or stick equation
@@ -37,22 +30,22 @@ namespace Amontons
 
     // Whether assemble() with these makes the matrices anew: what refers to them must go. Before each one.
     bool
-    link(const Constraints                    &supports,
-         const ContactConstraints             &test,
-         const std::vector<RectangularMatrix> &further,
-         const std::vector<WrittenRow>        &rows);
+    link(const Constraints              &supports,
+         const ContactConstraints       &test,
+         const std::vector<LocalMatrix> &further,
+         const std::vector<WrittenRow>  &rows);
 
     // supports: homogeneous, always on the same DoFs. test: supports and equations(). further: each on one
     // rank. diagonal (may be null) is added to the entries of its DoFs. rows: those of other ranks are left
     // out.
     void
-    assemble(const CellMatrices                   &cells,
-             const Constraints                    &supports,
-             const ContactConstraints             &test,
-             const std::vector<RectangularMatrix> &further,
-             const LA::Vector                     *diagonal,
-             const std::vector<WrittenRow>        &rows,
-             const bool                            with_eliminated_form);
+    assemble(const CellMatrices             &cells,
+             const Constraints              &supports,
+             const ContactConstraints       &test,
+             const std::vector<LocalMatrix> &further,
+             const LA::Vector               *diagonal,
+             const std::vector<WrittenRow>  &rows,
+             const bool                      with_eliminated_form);
 
     // For multigrid, if it was asked for each time: the same with displacements that obey test.trial(), too.
     // `test` of the last assemble() must still be there.

@@ -38,6 +38,7 @@ namespace Amontons
   // contact says
   //   g = gap - normal . Delta >= 0,   p >= 0,   p g = 0,
   // with virtual work -area p normal . delta(Delta).
+  //! [coupling row]
   template <int dim>
   struct CouplingRow
   {
@@ -51,6 +52,7 @@ namespace Amontons
     std::vector<std::pair<unsigned int, double>>
         traces; // int psi B_j dA, by slave node: B_j are the traces of the control values
   };
+  //! [coupling row]
 
   // Delta; u readable at relevant DoFs.
   template <int dim>

@@ -2,6 +2,7 @@
 // needs.
 #pragma once
 
+#include <amontons/base/local_matrix.h>
 #include <amontons/contact/contact_interface.h>
 
 #include <boost/serialization/utility.hpp>
@@ -47,12 +48,6 @@ namespace Amontons
     }
   };
 
-  struct SurfaceMatrix
-  {
-    std::vector<types::global_dof_index> rows, columns; // of the force and of the displacement
-    FullMatrix<double>                   matrix;
-  };
-
   template <int dim>
   class FaceDerivatives;
 
@@ -81,7 +76,7 @@ namespace Amontons
     // df/du of the forces f_d = sum_i area_i t_i . dDelta_i/du_d: on traces of the slave sum_i t_i int psi_i
     // B_j, on the master -sum_i t_i int psi_i N_q, with the tractions t_i held fixed (by row; those not
     // wanted count as zero). This rank's part; the sum over ranks is the whole.
-    std::vector<SurfaceMatrix>
+    std::vector<LocalMatrix>
     stiffness(const std::vector<Tensor<1, dim>> &tractions) const;
 
     // Groups of DoFs that may depend on each other here or after a little sliding: those of each slave face,

@@ -35,7 +35,7 @@ namespace Amontons
                       const double          a) const;
 
     // d(forces); tractions by coupling row.
-    SurfaceMatrix
+    LocalMatrix
     stiffness(const std::vector<Tensor<1, dim>> &tractions) const;
 
     std::vector<types::global_dof_index>

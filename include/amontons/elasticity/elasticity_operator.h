@@ -2,6 +2,7 @@
 // finite strain.
 #pragma once
 
+#include <amontons/base/local_matrix.h>
 #include <amontons/discretization/discretization.h>
 #include <amontons/elasticity/finite_strain_cell.h>
 #include <amontons/elasticity/linear_elastic.h>
@@ -100,6 +101,9 @@ namespace Amontons
     {
       return values[c * n_values + i * (i + 1) / 2 + i];
     }
+    // All of them; the operator must outlive what is returned.
+    CellMatrices
+    tangent() const;
     const std::vector<types::global_dof_index> &
     dofs(const unsigned int c) const
     {

@@ -1,9 +1,8 @@
 // External forces of the scene at time t.
 #pragma once
 
+#include <amontons/base/local_matrix.h>
 #include <amontons/discretization/discretization.h>
-
-#include <deal.II/lac/full_matrix.h>
 
 namespace Amontons
 {
@@ -33,16 +32,8 @@ namespace Amontons
                  const std::vector<CoveredPoint<dim>> &covered,
                  const LA::Vector                     *u = nullptr);
 
-  // d f_i/d u_j of the loads f on the degrees of freedom of a cell.
+  // d f/du of the loads f, by owned face under pressure: unsymmetric, and as if no point was covered.
   template <int dim>
-  struct CellFaceMatrix
-  {
-    std::vector<types::global_dof_index> dofs;
-    FullMatrix<double>                   matrix;
-  };
-
-  // How the loads change with u, by owned face under pressure: unsymmetric, and as if no point was covered.
-  template <int dim>
-  std::vector<CellFaceMatrix<dim>>
+  std::vector<LocalMatrix>
   pressure_stiffness(const Discretization<dim> &discretization, const double t, const LA::Vector &u);
 } // namespace Amontons

@@ -54,6 +54,7 @@ namespace Amontons
   double
   evaluate(const LinearEquation &equation, const LA::Vector &u);
 
+  //! [equations]
   // What each state asks of displacements (doc/introduction.md, "Closed nodes are constraints"). Open:
   // nothing. Slip: the gap is closed, while test functions obey (normal + slope d) . Delta = 0 (frictionless:
   // slope = 0). Stick: Delta is that of the closed gap across and `origin` along the surface; tied: zero.
@@ -63,6 +64,7 @@ namespace Amontons
                const ContactState        state,
                const SlipLaw<dim>       &law,
                const Tensor<1, dim>     &origin);
+  //! [equations]
 
   // An equation of all DoFs of the node's jump, for the sparsity pattern: slip mixes the components.
   template <int dim>
@@ -71,7 +73,7 @@ namespace Amontons
 
   // area stiffness (1 - n n^T - d d^T) on the jump (3D): the forces of the shear across the slip.
   template <int dim>
-  FurtherMatrix
+  LocalMatrix
   slip_stiffness(const CandidateNode<dim> &node, const SlipLaw<dim> &law);
 
   // What resists rigid motions in this state: the equations above and, in 3D, the stiffness across the slip.

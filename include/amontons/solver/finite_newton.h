@@ -1,18 +1,12 @@
 // The semismooth Newton iteration with large deformation and sliding.
 #pragma once
 
+#include <amontons/elasticity/finite_mechanics.h>
 #include <amontons/solver/moving_contact.h>
 #include <amontons/solver/semismooth_newton.h>
 
 namespace Amontons
 {
-  // External forces at displacements u, and the derivative of those that follow the surface.
-  struct FollowerLoads
-  {
-    std::function<LA::Vector(const LA::Vector &u)>                     forces;
-    std::function<std::vector<RectangularMatrix>(const LA::Vector &u)> stiffness; // - d forces/du
-  };
-
   // As SemismoothNewton, for
   //   internal forces(u) - contact forces(u, p, q) = loads(u),   gaps(u) >= 0, ...
   // Each iteration integrates surfaces and bodies where they are, takes the multipliers from the residual of
@@ -37,10 +31,9 @@ namespace Amontons
     // committed the last converged one; states (if they fit the couplings) the first guess. damped: start
     // with the damped motion.
     NewtonReport
-    solve(ElasticityOperator<dim>                        &elasticity,
+    solve(FiniteMechanics<dim>                           &mechanics,
           std::vector<ContactInterface<dim>>             &interfaces,
           const Constraints                              &supports,
-          const FollowerLoads                            &loads,
           SolutionState                                  &state,
           const typename SemismoothNewton<dim>::Observer &observer,
           const bool                                      damped = false);

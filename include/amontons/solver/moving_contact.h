@@ -86,14 +86,14 @@ namespace Amontons
     row_values(const unsigned int k, const ContactState state, const LA::Vector &u) const;
 
     // Derivatives of the contact forces at fixed multipliers. This rank's part.
-    std::vector<RectangularMatrix>
+    std::vector<LocalMatrix>
     stiffness(const NodeStates<dim>              &states,
               const std::vector<NodeAnswer<dim>> &answers,
               const LA::Vector                   &u) const;
 
     // Blocks that stiffness() and rows may have now or after a little sliding; without values. This rank's
     // part.
-    std::vector<RectangularMatrix>
+    std::vector<LocalMatrix>
     links() const;
 
   private:
@@ -136,7 +136,7 @@ namespace Amontons
     {
       return derivatives[all[k].interface]->rows()[differentiated[k]];
     }
-    RectangularMatrix
+    LocalMatrix
     turning_traction(const unsigned int     k,
                      const SlipLaw<dim>    &law,
                      const NodeAnswer<dim> &answer,

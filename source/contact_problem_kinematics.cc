@@ -161,6 +161,8 @@ namespace Amontons
     text.precision(2);
     text << "small strain leaves out " << neglected.largest().strain << " of the strain and "
          << neglected.largest().contact << " in the contact";
+    if (neglected.largest().stiffening > allowed_error())
+      text << ", and what stress does to the stiffness of slender bodies";
     if (change_of_answer)
       text << "; finite strain changes the answer by " << *change_of_answer;
     else if (tried_finite_strain)
@@ -182,19 +184,22 @@ namespace Amontons
     std::ostringstream allowed;
     allowed << " (allowed are " << allowed_error() << ")";
     const bool automatic = scene.kinematics == Kinematics::automatic;
+    const bool stiffens  = automatic && neglected.largest().stiffening > allowed_error();
     {
       TimerOutput::Scope scope(timer, "choice of the model");
       neglected.measure_gaps(*discretization, supports, interfaces);
-      tried_finite_strain = success && !any_free_rotation(*discretization) &&
-                            neglected.largest().largest() > (automatic ? allowed_error() : too_much);
+      tried_finite_strain =
+          success && !any_free_rotation(*discretization) &&
+          (stiffens || neglected.largest().largest() > (automatic ? allowed_error() : too_much));
       if (tried_finite_strain)
         change_of_answer = change_by_finite_strain();
       neglected_checks = {{"neglected_strain", neglected.largest().strain},
-                          {"neglected_contact", neglected.largest().contact}};
+                          {"neglected_contact", neglected.largest().contact},
+                          {"neglected_stiffening", neglected.largest().stiffening}};
       if (tried_finite_strain)
         neglected_checks["change_of_answer"] = change_of_answer.value_or(unknown);
     }
-    const bool harmless = neglected.largest().largest() <= allowed_error() ||
+    const bool harmless = (neglected.largest().largest() <= allowed_error() && !tried_finite_strain) ||
                           (change_of_answer && *change_of_answer <= allowed_error());
     if (automatic && !harmless && !any_free_rotation(*discretization))
       {
@@ -214,6 +219,10 @@ namespace Amontons
       {
         if (automatic)
           note(describe_small_strain() + ": small strain is enough" + allowed.str());
+        else if (neglected.largest().stiffening > 1)
+          note("warning: stress may stiffen or buckle a slender body, which small strain leaves out "
+               "('Kinematics = "
+               "auto' looks)");
         return true;
       }
     const std::string advice = any_free_rotation(*discretization)
@@ -241,6 +250,7 @@ namespace Amontons
     summary.newton.clear();
     path.clear();
     measured_increments = false;
+    reaches.clear(); // how far surfaces see depends on how far they move
     summary.increments.reset();
     vtu.restart();
     state   = SolutionState();

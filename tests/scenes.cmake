@@ -795,6 +795,11 @@ add_scene_test(NAME auto_tried SCENE hertz_sphere_axisymmetric.prm SET "Kinemati
                CHECK "checks.neglected_strain ~ 0.0139 0.1" "checks.change_of_answer <= 0.01" "notes.0 has small strain is enough")
 add_scene_test(NAME auto_finite SCENE verification/patch_finite.prm SET "Kinematics=auto"
                CHECK ${EXACT_FINITE} "checks.neglected_strain ~ 0.16 0.1" "checks.change_of_answer ~ 0.22 0.1" "notes.0 has finite strain is used")
+# auto ends where finite strain does: where surfaces move on (it once looked for them no farther than small strain had), and where stress stiffens a slender body.
+add_comparison_test(NAME auto_slides_far SCENE verification/slid_block.prm RUN "1 | Kinematics=finite strain" "1 | Kinematics=auto" CHECK "pairs.0.normal_force.1 ~ 1.3195 1e-3"
+                    OPTIONS --tolerance 1e-6 --any-iterations)
+add_comparison_test(NAME auto_strip SCENE verification/pulled_strip.prm RUN "1 | Kinematics=finite strain" "1 | Kinematics=auto" CHECK "pairs.0.normal_force.1 ~ -2.5e-3 0.1"
+                    OPTIONS --tolerance 1e-6 --any-iterations)
 add_scene_test(NAME target_error SCENE hertz_cylinder.prm SET "Refinement/Cycles=9" "Refinement/Target error=0.03"
                CHECK "error_estimate.contact <= 0.03" "meshes.-2.error_estimate.contact >= 0.03" "meshes.-1.mesh <= 8")
 add_scene_test(NAME auto_target SCENE hertz_cylinder.prm SET "Kinematics=auto" "Refinement/Cycles=3" "Refinement/Target error=0.0005"

@@ -46,6 +46,50 @@ namespace Amontons
     }
   } // namespace
 
+  namespace
+  {
+    // NeglectedTerms::stiffening, with sigma in the mean square, the size L of the body and h = 2
+    // volume/surface. Collective.
+    template <int dim>
+    double
+    stress_stiffening(const Discretization<dim> &discretization, const StressRecovery<dim> &recovery)
+    {
+      const unsigned int                 n = discretization.scene.bodies.size();
+      std::vector<std::array<double, 3>> sums(n,
+                                              {{0, 0, 0}}); // volume, surface, integral of the squared stress
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
+          {
+            auto        &sum    = sums[cell->material_id()];
+            const double volume = cell->measure();
+            const auto  &points = recovery.unsmoothed(cell->active_cell_index());
+            double       square = 0;
+            for (const auto &stress : points)
+              for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+                square += (k < 3 ? 1 : 2) * stress[k] * stress[k];
+            sum[0] += volume;
+            sum[2] += volume * square / points.size();
+            for (const auto &face : cell->face_iterators())
+              if (face->at_boundary())
+                sum[1] += face->measure();
+          }
+      double largest = 0;
+      for (unsigned int b = 0; b < n; ++b)
+        {
+          for (double &value : sums[b])
+            value = Utilities::MPI::sum(value, discretization.geometry.communicator);
+          const auto &[volume, surface, square] = sums[b];
+          if (volume == 0)
+            continue;
+          const double stress = std::sqrt(square / volume) / discretization.scene.bodies[b].material.young,
+                       slenderness = discretization.geometry.body_sizes[b] * surface / (2 * volume);
+          largest                  = std::max(
+              largest, 48 / std::pow(numbers::PI, 2) * stress * std::max(0., std::pow(slenderness, 2) - 25));
+        }
+      return largest;
+    }
+  } // namespace
+
   template <int dim>
   void
   NeglectedTermsOfHistory<dim>::add(const Discretization<dim>                &discretization,
@@ -57,6 +101,7 @@ namespace Amontons
     largest_energy = std::max(largest_energy, 2 * energy);
     if (const double quadratic = recovery.energy_of_quadratic_strain(); largest_energy > 0)
       terms.strain = std::max(terms.strain, std::sqrt(quadratic / largest_energy));
+    terms.stiffening = std::max(terms.stiffening, stress_stiffening(discretization, recovery));
     Place place;
     place.displacement = state.displacement;
     place.motion       = largest_motion(discretization, interfaces, state.displacement);

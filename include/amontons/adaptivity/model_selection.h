@@ -19,6 +19,11 @@ namespace Amontons
     // nothing is opposite any more; and, where surfaces overlap that carry no force, how far, against their
     // motion.
     double contact = 0;
+    // How much stress changes the stiffness of the most slender body, as in a cantilever under the load P:
+    // P over Euler's load, 48/pi^2 (sigma/E) (L/h)^2. No error, which it overestimates (bodies may be held
+    // all along); but where it is small, strings do not stiffen and columns do not buckle. 0 for bodies that
+    // are stout (L < 5 h): for these `strain` is of the same size.
+    double stiffening = 0;
 
     double
     largest() const

@@ -179,6 +179,10 @@ def check_bodies(output, summary, contact, t):
             largest_u = max(largest_u, norm(u))
             X = tuple(part["Points"][i])
             places.setdefault(tuple(round(x, 4) for x in X), []).append((X, u, {n: part["stress_" + n][i] for n in names}, part["von_mises"][i]))
+    with open(summary["scene"]) as scene:
+        n_bodies = sum(line.split()[:2] == ["subsection", "Body"] for line in scene)
+    bodies = {label for part in pieces(path) for label in part["body"]}
+    yield "bodies.vtu: body", bodies == set(range(n_bodies)), sorted(bodies)
     subdivisions = n_cells / summary["cells"]
     yield "bodies.vtu: cells", subdivisions in (1, 2 ** summary["dimension"]) and not empty, f"{n_cells} of {summary['cells']}, {empty} empty"
     yield "bodies.vtu: von Mises of the stresses", wrong_mises <= 1e-5 * largest_s, wrong_mises

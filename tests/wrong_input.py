@@ -258,6 +258,9 @@ def scenes():
            text=BASE.replace("  set Lower corner  = 0, 0\n  set Upper corner  = 2, 1\n  set Cells         = 3, 2\n",
                              "  set Mesh = half disk\n  set Centre = 0, 1\n  set Radius = 1\n"), part="Body upper")
     change("End time", "set Kind", "set End time = 0\nset Kind", "positive")
+    change("third component in the plane", "Value      = 0; -0.01", "Value      = 0; -0.01; 3", r"3 component\(s\).*2 component\(s\)")
+    case("third component that says nothing", BASE.replace("Value      = 0; -0.01", "Value      = 0; -0.01; 0"), None)
+    change("negative End time", "set Kind", "set End time = -1\nset Kind", "positive")
     change("Increments", "set Kind", "set Increments = 0\nset Kind", "found '0'.*automatic, or an integer n >= 1")
     for name, entry, words in [("no integer", "Increments = 2.5", r"found '2\.5'.*automatic"), ("minimum increment", "Minimum increment = 2", "found 2.*fraction"),
                                ("no minimum increment", "Minimum increment = 0", "positive"), ("output time after the end", "Output times = 0.5, 3", r"found 3.*\(0, End time\]"),

@@ -244,7 +244,7 @@ namespace Amontons
         "small strain, then finite strain if small strain leaves out more than the target error "
         "(or 1 %) and the answer would change by more than that.");
     prm.declare_entry(
-        "End time", "1", Patterns::Double(0), "Loads are functions of a time t from 0 to this one.");
+        "End time", "1", Patterns::Double(), "Loads are functions of a time t from 0 to this one.");
     prm.declare_entry("Increments",
                       "automatic",
                       anything,

@@ -166,7 +166,8 @@ namespace Amontons
   SectionInput::components(const std::string &entry, const unsigned int n) const
   {
     std::vector<std::string> pieces = split(text(entry), ';');
-    if (pieces.size() == n + 1 && n == 2)
+    // A third component that says nothing may stay in plane scenes.
+    if (pieces.size() == n + 1 && n == 2 && (pieces.back() == "0" || pieces.back() == "free"))
       pieces.pop_back();
     if (!pieces.empty() && pieces.size() != n)
       fail(entry,

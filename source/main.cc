@@ -2,6 +2,7 @@
 #include <amontons/base/version.h>
 #include <amontons/contact_problem.h>
 #include <amontons/output/files.h>
+#include <amontons/scene/reference_solution.h>
 #include <amontons/scene/scene_reader.h>
 #include <amontons/studies/convergence_study.h>
 
@@ -94,8 +95,9 @@ namespace
             const std::string              &output,
             const bool                      quiet)
   {
-    Parameters        parameters;
-    const Scene       scene   = read_scene(file, overrides, parameters.groups());
+    Parameters  parameters;
+    const Scene scene = read_scene(
+        file, overrides, parameters.groups(), {make_displacement_field, displacement_field_corners});
     const std::string folder  = output.empty() ? default_output(file) : output;
     const RunSummary  summary = scene.kind == Kind::three_dimensional
                                     ? ContactProblem<3>(scene, parameters, folder, quiet).run()

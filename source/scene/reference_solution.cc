@@ -259,7 +259,7 @@ namespace Amontons
     unknown(data, names);
   }
 
-  std::function<dealii::Tensor<1, 3>(const Point<3> &, const double)>
+  DisplacementField
   make_displacement_field(const FieldData &data, const MaterialData &material, const Kind kind)
   {
     if (data.name == half_space_hertz().name)

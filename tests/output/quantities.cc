@@ -6,6 +6,7 @@
 #include <amontons/base/points.h>
 #include <amontons/contact/surface_fields.h>
 #include <amontons/output/quantities.h>
+#include <amontons/scene/reference_solution.h>
 #include <amontons/scene/scene_reader.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -141,8 +142,11 @@ void
 check_errors_of_fields()
 {
   RefinementParameters refinement;
-  const Scene          scene = read_scene(
-      std::string(std::getenv("AMONTONS_SOURCE_DIR")) + "/parameters/half_plane_box.prm", {}, {&refinement});
+  const Scene          scene =
+      read_scene(std::string(std::getenv("AMONTONS_SOURCE_DIR")) + "/parameters/half_plane_box.prm",
+                 {},
+                 {&refinement},
+                 {make_displacement_field, displacement_field_corners});
   Problem<2> problem(scene, 2);
   for (unsigned int i = 0; i < 2; ++i)
     {

@@ -263,5 +263,12 @@ main()
   check::is_close(*at_90.contact_size, round.size, 1e-6, "cylinders at a right angle");
   check::is_close(*at_90.approach, round.approach, 1e-6, "cylinders at a right angle: approach");
   check::is_true(reference_solution_names().size() == 17, "names");
+  const FieldData constant{"halfplane_elliptic", {{"P", 1}, {"a", 1}}, {}},
+      normal{"halfplane_elliptic", {{"P", 1}, {"a", 1}, {"friction", .3}}, {}},
+      to_and_fro{"halfplane_elliptic", {{"P", 1}, {"a", 1}, {"friction", .3}, {"shear_ratio", .5}}, {}};
+  check::is_true(displacement_field_corners(constant, 5).empty(), "a constant field bends nowhere");
+  check::is_true(displacement_field_corners(normal, 5) == std::vector<double>({1}), "one after the load");
+  check::is_true(displacement_field_corners(to_and_fro, 4.5) == std::vector<double>({1, 2, 3, 4}),
+                 "one at each reversal");
   return check::result();
 }

@@ -58,7 +58,7 @@ namespace Amontons
   // Displacement field `data` for a body of the given material, to be imposed as boundary values at time t.
   // The kind says which axis is normal to the surface of a half space. A field without friction does not
   // depend on t.
-  std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &, const double t)>
+  DisplacementField
   make_displacement_field(const FieldData    &data,
                           const MaterialData &material,
                           const Kind          kind = Kind::three_dimensional);

@@ -1,6 +1,7 @@
 #include <amontons/base/blas_threads.h>
 #include <amontons/base/version.h>
 #include <amontons/contact_problem.h>
+#include <amontons/output/comparison.h>
 #include <amontons/output/files.h>
 #include <amontons/scene/reference_solution.h>
 #include <amontons/scene/scene_reader.h>
@@ -98,10 +99,11 @@ namespace
     Parameters  parameters;
     const Scene scene = read_scene(
         file, overrides, parameters.groups(), {make_displacement_field, displacement_field_corners});
-    const std::string folder  = output.empty() ? default_output(file) : output;
-    const RunSummary  summary = scene.kind == Kind::three_dimensional
-                                    ? ContactProblem<3>(scene, parameters, folder, quiet).run()
-                                    : ContactProblem<2>(scene, parameters, folder, quiet).run();
+    const std::string folder = output.empty() ? default_output(file) : output;
+    const RunSummary  summary =
+        scene.kind == Kind::three_dimensional
+             ? ContactProblem<3>(scene, parameters, folder, quiet, make_reference<3>).run()
+             : ContactProblem<2>(scene, parameters, folder, quiet, make_reference<2>).run();
     keep_output_folder();
     return summary;
   }

@@ -1,11 +1,11 @@
 #include <amontons/base/blas_threads.h>
 #include <amontons/base/version.h>
 #include <amontons/contact_problem.h>
-#include <amontons/output/comparison.h>
 #include <amontons/output/files.h>
-#include <amontons/scene/reference_solution.h>
 #include <amontons/scene/scene_reader.h>
-#include <amontons/studies/convergence_study.h>
+#include <amontons/verification/comparison.h>
+#include <amontons/verification/convergence_study.h>
+#include <amontons/verification/reference_solution.h>
 
 #include <deal.II/base/mpi.templates.h>
 

@@ -22,10 +22,11 @@ namespace Amontons
   }
 
   template <int dim>
-  ContactProblem<dim>::ContactProblem(const Scene       &scene,
-                                      const Parameters  &parameters,
-                                      const std::string &output_folder,
-                                      const bool         quiet)
+  ContactProblem<dim>::ContactProblem(const Scene              &scene,
+                                      const Parameters         &parameters,
+                                      const std::string        &output_folder,
+                                      const bool                quiet,
+                                      const MakeReference<dim> &make_reference)
       : scene(scene), finite_strain(scene.kinematics == Kinematics::finite_strain),
         has_history(std::any_of(scene.pairs.begin(),
                                 scene.pairs.end(),
@@ -33,7 +34,7 @@ namespace Amontons
         incremental(has_history || finite_strain), parameters(parameters), folder(output_folder),
         communicator(MPI_COMM_WORLD), terminal(communicator, quiet),
         timer(std::cout, TimerOutput::never, TimerOutput::wall_times), geometry(communicator),
-        vtu(output_folder, communicator)
+        make_reference(make_reference), vtu(output_folder, communicator)
   {
   }
 
@@ -43,7 +44,7 @@ namespace Amontons
   {
     terminal.scene(scene, Utilities::MPI::n_mpi_processes(communicator));
     if (scene.reference)
-      reference = make_reference_solution(scene.reference->solution, scene);
+      reference = make_reference(scene);
     state.t = LoadProgram(scene, incremental).next();
     //! [run]
     make_mesh();
@@ -350,10 +351,7 @@ namespace Amontons
     if (!scene.probes.empty() && !is_repeat)
       mesh.probes = evaluate_probes(*discretization, *recovery, state.displacement, summary.notes);
     if (reference && !is_repeat && !interfaces.empty() && program.is_last())
-      {
-        ReferenceData data = *scene.reference;
-        mesh.reference     = compare(answer(), data, *reference);
-      }
+      mesh.reference = reference->compare(answer());
     if (incremental) // known when the increment is committed
       mesh.external_work = mesh.contact_work = mesh.dissipation = unknown;
     summary.meshes.push_back(mesh);
@@ -529,15 +527,13 @@ namespace Amontons
           pressure_maps.emplace_back(interfaces[i].pair->name,
                                      make_pressure_picture(interfaces[i], fields[i]));
         if (parameters.output.report)
-          write_report(folder + "/report.html",
-                       summary,
-                       pressure_curves(table,
-                                       summary.pairs,
-                                       dim,
-                                       reference ? &*reference : nullptr,
-                                       scene.reference ? scene.reference->pair : ""),
-                       picture,
-                       pressure_maps);
+          write_report(
+              folder + "/report.html",
+              summary,
+              pressure_curves(
+                  table, summary.pairs, dim, reference ? reference->tractions() : ReferenceTractions()),
+              picture,
+              pressure_maps);
         write_contact_csv(folder + "/contact.csv", table);
         write_history(folder + "/history.csv", summary.meshes, scene.kind);
         write_summary(summary, folder + "/summary.json");

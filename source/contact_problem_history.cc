@@ -86,8 +86,8 @@ namespace Amontons
         mesh.external_work = work.external_work;
         mesh.contact_work  = work.contact_work;
         mesh.dissipation   = work.dissipation;
-        if (mesh.reference && reference->dissipation)
-          compare_dissipation(answer(), *scene.reference, *reference, work.dissipation, *mesh.reference);
+        if (mesh.reference)
+          reference->compare_dissipation(answer(), work.dissipation, *mesh.reference);
         remember_path();
       }
     if (!finite_strain && !is_repeat)

@@ -3,7 +3,9 @@
 #include <amontons/contact_problem.h>
 #include <amontons/output/files.h>
 #include <amontons/scene/scene_reader.h>
-#include <amontons/studies/convergence_study.h>
+#include <amontons/verification/comparison.h>
+#include <amontons/verification/convergence_study.h>
+#include <amontons/verification/reference_solution.h>
 
 #include <deal.II/base/mpi.templates.h>
 
@@ -94,12 +96,14 @@ namespace
             const std::string              &output,
             const bool                      quiet)
   {
-    Parameters        parameters;
-    const Scene       scene   = read_scene(file, overrides, parameters.groups());
-    const std::string folder  = output.empty() ? default_output(file) : output;
-    const RunSummary  summary = scene.kind == Kind::three_dimensional
-                                    ? ContactProblem<3>(scene, parameters, folder, quiet).run()
-                                    : ContactProblem<2>(scene, parameters, folder, quiet).run();
+    Parameters  parameters;
+    const Scene scene = read_scene(
+        file, overrides, parameters.groups(), {make_displacement_field, displacement_field_corners});
+    const std::string folder = output.empty() ? default_output(file) : output;
+    const RunSummary  summary =
+        scene.kind == Kind::three_dimensional
+             ? ContactProblem<3>(scene, parameters, folder, quiet, make_reference<3>).run()
+             : ContactProblem<2>(scene, parameters, folder, quiet, make_reference<2>).run();
     keep_output_folder();
     return summary;
   }

@@ -25,7 +25,7 @@ def commands(build):
     subprocess.run(["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DAMONTONS_UNITY=OFF",
                     "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON"], check=True, stdout=subprocess.DEVNULL)
     entries = json.loads((folder / "compile_commands.json").read_text())
-    return folder, {e["file"]: shlex.split(e["command"]) for e in entries if "amontons_release" in e["command"]}
+    return folder, {e["file"]: shlex.split(e["command"]) for e in entries if "_release.dir" in e["command"]}
 
 
 def compile_header(flags, header):

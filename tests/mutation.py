@@ -47,13 +47,9 @@ CHANGES = [
     ("shifted radius", "scene/body_reader.cc", "body.lower[0] + body.shift[0] < 0", "body.lower[0] < 0", "^scene/wrong_scenes$"),
     ("open nodes beside steps", "contact/mortar_integrator.cc", "row.gap = std::max(row.gap, sums.smallest_gap);", ";", "^contact/mortar$"),
     ("slope of mu(p) p", "friction/shear_law.cc", "bound.slope = (bound_value(pair, X, t, p + step) - bound_value(pair, X, t, std::max(0., p - step))) /\n                  (step + std::min(p, step));", "bound.slope = bound.value / std::max(p, step);", "^friction/shear_law$"),
-    # ---- base, scene
-    ("approach of elliptic contacts' radius", "base/closed_forms.cc", "{P, a, 3 * P / (2 * pi * a * a), a * a / R}", "{P, a, 3 * P / (2 * pi * a * a), a * a / (2 * R)}", "^base/closed_forms$|scenes/two_spheres_3d$"),
-    ("Poisson's ratio of a bore", "base/closed_forms_tubes.cc", "t.inner / t.E * ((o + i) / (o - i) + t.nu)", "t.inner / t.E * ((o + i) / (o - i) - t.nu)", "^base/closed_forms$|scenes/shrink_fit_finer_slave$"),
+    # ---- scene
     ("tables after their last time", "scene/expression.cc", "std::string text = points.back().value;", "std::string text = points.front().value;", "^scene/scene_reader$|scenes/cattaneo_mindlin_75$"),
     ("tables' slope", "scene/expression.cc", '"))/(" << b.t - a.t', '"))/(" << b.t', "^scene/scene_reader$"),
-    ("degrees of crossed axes", "scene/reference_builders.cc", 'get("angle") * dealii::numbers::PI / 180', 'get("angle")', "^scene/reference_solution$"),
-    ("plane stress of tubes", "scene/reference_builders.cc", "return plane_stress ? Confinement::plane_stress : Confinement::plane_strain;", "return Confinement::plane_strain;", "^scene/reference_solution$|scenes/shrink_fit_plane_stress$"),
     ("Poisson's ratio of 0.5", "scene/body_reader.cc", "material.poisson >= 0.5", "material.poisson > 0.5", "^scene/wrong_scenes$"),
     ("inner radius of the outer one", "scene/body_reader.cc", "!(body.inner_radius < body.radius)", "!(body.inner_radius <= body.radius)", "^scene/wrong_scenes$|wrong_input"),
     # ---- geometry
@@ -121,9 +117,6 @@ CHANGES = [
     ("shears beyond the cone", "output/quantities.cc", "excess  = std::max(excess, answer.state.shears[i][r].norm() - bound);", ";", "^output/"),
     ("work of contact", "output/energy.cc", "by_contact -= 0.5 *", "by_contact += 0.5 *", FRICTION),
     ("work of one rank", "output/energy.cc", "    work       = Utilities::MPI::sum(work, answer.discretization.geometry.communicator);", "", RANKS),
-    ("error of gradients", "output/comparison.cc", "std::sqrt(sums[2] / sums[3])", "std::sqrt(sums[2] / sums[1])", "scenes/half_plane_box_lengths$"),
-    ("error of displacements", "output/comparison.cc", "std::sqrt(sums[0] / sums[1])", "std::sqrt(sums[0] / sums[3])", "scenes/half_plane_box_lengths$"),
-    ("motion of supports across", "output/approach.cc", "if (support->second && std::abs(values.normal_vector(0) * e) < 0.999)", "if (std::abs(values.normal_vector(0) * e) < 0)", "scenes/(two_spheres_3d|hertz_sphere)$"),
     ("points of long probes", "output/probes.cc", "double(i) / (probe.n_points - 1)", "double(i) / probe.n_points", "scenes/greco$"),
     ("stresses of probes", "output/probes.cc", "point.stress.assign(values + dim, values + dim + n_voigt<dim>);", "point.stress.assign(values, values + n_voigt<dim>);", READ),
     ("tangential force of the chart", "output/report_history.cc", "x /= std::copysign(length, largest);", "x /= length;", "^output/report$"),
@@ -135,8 +128,15 @@ CHANGES = [
     ("open and stick on the terminal", "output/terminal.cc", "                    l.n_open,\n                    l.n_stick,\n                    l.n_slip,\n                    l.changes,", "                    l.n_stick,\n                    l.n_open,\n                    l.n_slip,\n                    l.changes,", "^output/terminal$"),
     ("bulk and contact in summary.json", "output/summary.cc", '.add("centre", pair.centre)', '.add("centre", pair.normal_force)', "^output/summary$"),
     ("von Mises of the picture", "output/mesh_picture.cc", "outline.push_back(values.quadrature_point(q)[d] + u[q][d]);", "outline.push_back(values.quadrature_point(q)[d]);", READ),
-    # ---- studies
-    ("refer to the last row", "studies/convergence_study.cc", "std::abs(r.errors[q] - last[q]) / (last[q]", "std::abs(r.errors[q] + last[q]) / (last[q]", "^studies/"),
+    # ---- verification
+    ("approach of elliptic contacts' radius", "verification/closed_forms.cc", "{P, a, 3 * P / (2 * pi * a * a), a * a / R}", "{P, a, 3 * P / (2 * pi * a * a), a * a / (2 * R)}", "^verification/closed_forms$|scenes/two_spheres_3d$"),
+    ("Poisson's ratio of a bore", "verification/closed_forms_tubes.cc", "t.inner / t.E * ((o + i) / (o - i) + t.nu)", "t.inner / t.E * ((o + i) / (o - i) - t.nu)", "^verification/closed_forms$|scenes/shrink_fit_finer_slave$"),
+    ("degrees of crossed axes", "verification/reference_builders.cc", 'get("angle") * dealii::numbers::PI / 180', 'get("angle")', "^verification/reference_solution$"),
+    ("plane stress of tubes", "verification/reference_builders.cc", "return plane_stress ? Confinement::plane_stress : Confinement::plane_strain;", "return Confinement::plane_strain;", "^verification/reference_solution$|scenes/shrink_fit_plane_stress$"),
+    ("error of gradients", "verification/reference_errors.cc", "std::sqrt(sums[2] / sums[3])", "std::sqrt(sums[2] / sums[1])", "scenes/half_plane_box_lengths$"),
+    ("error of displacements", "verification/reference_errors.cc", "std::sqrt(sums[0] / sums[1])", "std::sqrt(sums[0] / sums[3])", "scenes/half_plane_box_lengths$"),
+    ("motion of supports across", "verification/approach.cc", "if (support->second && std::abs(values.normal_vector(0) * e) < 0.999)", "if (std::abs(values.normal_vector(0) * e) < 0)", "scenes/(two_spheres_3d|hertz_sphere)$"),
+    ("refer to the last row", "verification/convergence_study.cc", "std::abs(r.errors[q] - last[q]) / (last[q]", "std::abs(r.errors[q] + last[q]) / (last[q]", "^verification/convergence_study$"),
 ]
 
 

@@ -7,7 +7,7 @@
 #include <amontons/elasticity/loads.h>
 #include <amontons/output/contact_csv.h>
 #include <amontons/output/energy.h>
-#include <amontons/output/quantities.h>
+#include <amontons/output/reference.h>
 #include <amontons/output/terminal.h>
 #include <amontons/output/vtu_output.h>
 #include <amontons/solver/diagnosis.h>
@@ -45,10 +45,12 @@ namespace Amontons
   class ContactProblem
   {
   public:
-    ContactProblem(const Scene       &scene,
-                   const Parameters  &parameters,
-                   const std::string &output_folder,
-                   const bool         quiet);
+    // make_reference: not needed for scenes without `reference`.
+    ContactProblem(const Scene              &scene,
+                   const Parameters         &parameters,
+                   const std::string        &output_folder,
+                   const bool                quiet,
+                   const MakeReference<dim> &make_reference = {});
 
     // Throws InputError; a failed iteration is reported in the summary's status.
     RunSummary
@@ -221,16 +223,17 @@ namespace Amontons
     double                       last_speed        = 0; // largest displacement over t in the last increment
     double                       transfer_residual = 0; // largest, of the transferred state on its new mesh
     NewtonReport                 last_report;
-    std::vector<SurfaceFields<dim>>      fields;
-    std::unique_ptr<StressRecovery<dim>> recovery;
-    ErrorEstimate<dim>                   error;
-    std::optional<ReferenceSolution>     reference;
-    VtuOutput                            vtu;
-    unsigned int                         mesh_number = 0;
-    NeglectedTermsOfHistory<dim>         neglected; // small strain
-    std::map<std::string, double>        neglected_checks;
-    bool                                 tried_finite_strain = false; // after small strain, and
-    std::optional<double>                change_of_answer;            // by it, if it converged
+    std::vector<SurfaceFields<dim>>       fields;
+    std::unique_ptr<StressRecovery<dim>>  recovery;
+    ErrorEstimate<dim>                    error;
+    const MakeReference<dim>              make_reference;
+    std::unique_ptr<const Reference<dim>> reference;
+    VtuOutput                             vtu;
+    unsigned int                          mesh_number = 0;
+    NeglectedTermsOfHistory<dim>          neglected; // small strain
+    std::map<std::string, double>         neglected_checks;
+    bool                                  tried_finite_strain = false; // after small strain, and
+    std::optional<double>                 change_of_answer;            // by it, if it converged
     // Friction: the load program on the present mesh, and its repeat with other increments.
     LoadRecord record;
     double     coarser             = 1;

@@ -2,7 +2,6 @@
 #include <amontons/base/points.h>
 #include <amontons/discretization/discretization.h>
 #include <amontons/discretization/elimination.h>
-#include <amontons/scene/reference_solution.h>
 
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/physics/transformations.h>
@@ -321,7 +320,7 @@ namespace Amontons
         std::function<Tensor<1, 3>(const Point<3> &)> field;
         if (condition.field)
           field = [t,
-                   of_time = make_displacement_field(
+                   of_time = scene.boundary_fields.displacement(
                        *condition.field, scene.bodies[boundary.body].material, scene.kind)](
                       const Point<3> &p) { return of_time(p, t); };
         for_each_node_on(*this, boundary.id, [&](const auto &node, const auto &X, const auto &) {

@@ -90,7 +90,7 @@ namespace Amontons
 
     // On the side or sides of the centre where there are nodes.
     void
-    fill_exact(PressureCurve &curve, const ReferenceSolution &exact)
+    fill_exact(PressureCurve &curve, const ReferenceTractions &exact)
     {
       double range = curve.shown > 0 ? curve.shown : 0;
       if (range == 0)
@@ -105,8 +105,8 @@ namespace Amontons
             continue;
           curve.exact_s.push_back(s);
           curve.exact_pressure.push_back(exact.pressure(std::abs(s)));
-          if (exact.shear_traction && !curve.shear.empty())
-            curve.exact_shear.push_back(exact.shear_traction(std::abs(s)));
+          if (exact.shear && !curve.shear.empty())
+            curve.exact_shear.push_back(exact.shear(std::abs(s)));
         }
     }
 
@@ -146,8 +146,7 @@ namespace Amontons
   pressure_curves(const std::vector<ContactNode> &table,
                   const std::vector<PairSummary> &pairs,
                   const int                       dim,
-                  const ReferenceSolution        *exact,
-                  const std::string              &exact_pair)
+                  const ReferenceTractions       &reference)
   {
     std::vector<PressureCurve> curves;
     for (const PairSummary &pair : pairs)
@@ -155,11 +154,11 @@ namespace Amontons
         PressureCurve curve = make_curve(pair, nodes_of(table, pair.name), dim);
         if (curve.s.empty())
           continue;
-        const bool described = exact_pair.empty() ? curves.empty() : exact_pair == pair.name;
-        if (exact != nullptr && exact->pressure && described)
+        const bool described = reference.pair.empty() ? curves.empty() : reference.pair == pair.name;
+        if (reference.pressure && described)
           {
             curve.exact_name = "closed form";
-            fill_exact(curve, *exact);
+            fill_exact(curve, reference);
           }
         curves.push_back(curve);
       }

@@ -1,5 +1,4 @@
 #include <amontons/scene/load_program.h>
-#include <amontons/scene/reference_solution.h>
 #include <amontons/scene/text.h>
 
 #include <algorithm>
@@ -128,7 +127,7 @@ namespace Amontons
         if (condition.motion)
           corners.add(*condition.motion);
         if (condition.field)
-          corners.add(displacement_field_corners(*condition.field, scene.end_time));
+          corners.add(scene.boundary_fields.corner_times(*condition.field, scene.end_time));
       }
     for (const PairData &pair : scene.pairs)
       {

@@ -52,10 +52,12 @@ namespace Amontons
   Scene
   read_scene(const std::string              &file,
              const std::vector<std::string> &overrides,
-             const ParameterGroups          &groups)
+             const ParameterGroups          &groups,
+             const BoundaryFields           &fields)
   {
     const SceneInput input(file, overrides, groups);
     Scene            scene;
+    scene.boundary_fields = fields;
     read_top_level(input, scene);
     for (const SectionInput &section : input.sections("Body"))
       scene.bodies.push_back(read_body(section));

@@ -102,6 +102,27 @@ check_shear()
   check::is_true(state_map(space[0]).curves.size() == 3, "tractions and two states");
 }
 
+// What a pair is compared with is drawn beside it, and beside no other.
+void
+check_reference()
+{
+  PairSummary pair;
+  pair.name             = "pair";
+  pair.centre           = {2, 0};
+  pair.tangential_force = {2, 0};
+  ReferenceTractions reference;
+  reference.pressure = [](const double s) { return 10 - s; };
+  const auto curve   = pressure_curves(surface(1), {pair}, 2, reference)[0];
+  check::is_true(curve.exact_name == "closed form" && curve.exact_shear.empty(), "pressure alone is known");
+  check::is_close(curve.exact_s.front(), -2, 1e-12, "from the first node");
+  check::is_close(curve.exact_pressure.front(), 8, 1e-12, "pressure at the distance from the centre");
+  reference.shear = [](const double s) { return s; };
+  check::is_close(
+      pressure_curves(surface(1), {pair}, 2, reference)[0].exact_shear.back(), 2, 1e-12, "shear, too");
+  reference.pair = "other";
+  check::is_true(pressure_curves(surface(1), {pair}, 2, reference)[0].exact_name.empty(), "of another pair");
+}
+
 const Chart &
 chart_of(const std::vector<Chart> &charts, const std::string &title)
 {
@@ -255,6 +276,7 @@ main()
   check_numbers_of_charts();
   check_tables();
   check_shear();
+  check_reference();
   check_broken_line();
   return check::result();
 }

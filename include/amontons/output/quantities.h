@@ -1,10 +1,8 @@
-// The numbers of a run: forces, sizes, energies, reactions, errors against closed forms, and checks of the
-// physics.
+// The numbers of a run: forces, sizes, energies, reactions, and checks of the physics.
 #pragma once
 
 #include <amontons/elasticity/elasticity_operator.h>
 #include <amontons/output/summary.h>
-#include <amontons/scene/reference_solution.h>
 #include <amontons/solver/solution_state.h>
 
 namespace Amontons
@@ -42,21 +40,6 @@ namespace Amontons
   template <int dim>
   std::vector<ReactionSummary>
   compute_reactions(const Answer<dim> &answer);
-
-  // Errors against the closed form. Forces of models cut by symmetry planes through the contact are compared
-  // as full ones.
-  template <int dim>
-  ReferenceSummary
-  compare(const Answer<dim> &answer, const ReferenceData &data, const ReferenceSolution &reference);
-
-  // Adds the work of friction, which the closed form must know. Cut models as above.
-  template <int dim>
-  void
-  compare_dissipation(const Answer<dim>       &answer,
-                      const ReferenceData     &data,
-                      const ReferenceSolution &reference,
-                      const double             dissipation,
-                      ReferenceSummary        &summary);
 
   // force_balance: norm of loads + reactions + contact forces - internal forces where no support acts,
   // relative to that of all of them; moment_balance: their moment on a body about the origin, relative to

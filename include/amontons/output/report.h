@@ -5,7 +5,6 @@
 #include <amontons/output/mesh_picture.h>
 #include <amontons/output/summary.h>
 #include <amontons/output/svg_chart.h>
-#include <amontons/scene/reference_solution.h>
 
 namespace Amontons
 {
@@ -31,14 +30,20 @@ namespace Amontons
     std::array<unsigned int, 2>        axes = {{0, 1}};
   };
 
-  // table: contact_table(...); pairs: in the same order. `exact` describes the pair `exact_pair` (empty: the
-  // first).
+  // What a pair's curves are compared with: tractions by the distance from the centre of the contact. Empty
+  // functions are not known.
+  struct ReferenceTractions
+  {
+    std::string                   pair; // empty: the first
+    std::function<double(double)> pressure, shear;
+  };
+
+  // table: contact_table(...); pairs: in the same order.
   std::vector<PressureCurve>
   pressure_curves(const std::vector<ContactNode> &table,
                   const std::vector<PairSummary> &pairs,
                   const int                       dim,
-                  const ReferenceSolution        *exact      = nullptr,
-                  const std::string              &exact_pair = "");
+                  const ReferenceTractions       &reference = {});
 
   // Changes by iteration, a curve per mesh of the last increment that took several; errors and estimates by
   // DoFs, without rounding errors.

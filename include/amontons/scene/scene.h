@@ -7,6 +7,7 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -130,12 +131,25 @@ namespace Amontons
     std::vector<std::string> more = {}; // contact surfaces may go on over further boundaries of the same body
   };
 
-  // A displacement field of the reference library (see reference_solution.h), by name and parameters.
+  // A closed form, by name and parameters.
   struct FieldData
   {
     std::string                   name;
     std::map<std::string, double> parameters;
     Where                         where;
+  };
+
+  using DisplacementField = std::function<Tensor<1, 3>(const Point<3> &, const double t)>;
+
+  // The displacement fields that a scene may name as boundary values. The program has none of its own:
+  // whoever reads a scene that names some hands them over (see read_scene).
+  struct BoundaryFields
+  {
+    // For a body of this material. Throws InputError at data.where.
+    std::function<DisplacementField(const FieldData &data, const MaterialData &material, const Kind kind)>
+        displacement;
+    // The times up to `end_time` at which the field bends.
+    std::function<std::vector<double>(const FieldData &data, const double end_time)> corner_times;
   };
 
   struct ConditionData
@@ -222,7 +236,7 @@ namespace Amontons
     unsigned int n_points = 1;
   };
 
-  // A closed form that the answer is compared with (see reference_solution.h).
+  // A closed form that the answer is compared with.
   struct ReferenceData
   {
     FieldData   solution;
@@ -246,5 +260,6 @@ namespace Amontons
     std::vector<PairData>        pairs;
     std::vector<ProbeData>       probes;
     std::optional<ReferenceData> reference;
+    BoundaryFields               boundary_fields; // of `conditions`
   };
 } // namespace Amontons

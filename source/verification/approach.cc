@@ -1,0 +1,138 @@
+#include <amontons/verification/approach.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // Whether a condition holds its boundaries along e; nothing if it does so by a field.
+    std::optional<bool>
+    holds(const ConditionData &condition, const Tensor<1, 3> &e)
+    {
+      if (condition.type == ConditionData::Type::displacement)
+        {
+          if (condition.field)
+            return {};
+          for (unsigned int c = 0; c < 3; ++c)
+            if (std::abs(e[c]) > 1e-3 && !condition.displacement[c])
+              return false;
+          return true;
+        }
+      return condition.type == ConditionData::Type::platen || condition.type == ConditionData::Type::symmetry;
+    }
+
+    // Mean of u . e over the boundaries of a body that hold it along e.
+    template <int dim>
+    std::optional<double>
+    motion_of_supports(const Answer<dim> &answer, const unsigned int body, const Tensor<1, dim> &e)
+    {
+      const auto  &discretization = answer.discretization;
+      const Scene &scene          = discretization.scene;
+      Tensor<1, 3> direction;
+      for (unsigned int c = 0; c < dim; ++c)
+        direction[c] = e[c];
+      std::map<types::boundary_id, bool> supports; // true: only where it is normal to e
+      for (const auto &condition : scene.conditions)
+        for (const auto &name : condition.boundaries)
+          {
+            const Boundary &boundary = discretization.geometry.boundary(name, scene);
+            const auto      holding  = holds(condition, direction);
+            if (boundary.body == body && !holding)
+              return {};
+            if (boundary.body == body && *holding)
+              supports[boundary.id] = condition.type == ConditionData::Type::symmetry;
+          }
+
+      const auto                      &fe = discretization.fe;
+      const FEValuesExtractors::Vector u(0);
+      FEFaceValues<dim>                values(discretization.mapping,
+                               fe,
+                               QGauss<dim - 1>(fe.degree + 1),
+                               update_values | update_quadrature_points | update_normal_vectors |
+                                   update_JxW_values);
+      std::vector<Tensor<1, dim>>      displacement(values.n_quadrature_points);
+      std::vector<double>              sums(2, 0.);
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned() && cell->material_id() == body)
+          for (const unsigned int f : cell->face_indices())
+            if (const auto support = supports.find(cell->face(f)->boundary_id());
+                cell->face(f)->at_boundary() && support != supports.end())
+              {
+                values.reinit(cell, f);
+                if (support->second && std::abs(values.normal_vector(0) * e) < 0.999)
+                  continue;
+                values[u].get_function_values(answer.state.displacement, displacement);
+                for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+                  {
+                    const double weight =
+                        values.JxW(q) * measure<dim>(scene.kind, values.quadrature_point(q));
+                    sums[0] += weight * (displacement[q] * e);
+                    sums[1] += weight;
+                  }
+              }
+      Utilities::MPI::sum(sums, discretization.geometry.communicator, sums);
+      if (sums[1] == 0)
+        return {};
+      return sums[0] / sums[1];
+    }
+
+    template <int dim>
+    double
+    motion_of_carrier(const Answer<dim> &answer, const unsigned int carrier, const Tensor<1, dim> &e)
+    {
+      double motion = 0;
+      for (unsigned int c = 0; c < dim; ++c)
+        motion += answer.state.displacement(answer.discretization.carrier_dofs[carrier][0][c]) * e[c];
+      return motion;
+    }
+
+    // Of a body (by name) along e.
+    template <int dim>
+    std::optional<double>
+    motion_of_body(const Answer<dim> &answer, const std::string &name, const Tensor<1, dim> &e)
+    {
+      const auto &discretization = answer.discretization;
+      const auto &bodies         = discretization.scene.bodies;
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        if (bodies[b].name == name)
+          {
+            if (!discretization.is_deformable(b))
+              return motion_of_carrier(answer, discretization.carrier_of_body[b], e);
+            return motion_of_supports(answer, b, e);
+          }
+      return {};
+    }
+  } // namespace
+
+  template <int dim>
+  std::optional<double>
+  compute_approach(const Answer<dim> &answer, const unsigned int pair)
+  {
+    const auto               &interface = answer.interfaces[pair];
+    const PairData           &data      = *interface.pair;
+    const SurfaceFields<dim> &fields    = answer.fields[pair];
+    Tensor<1, dim>            e         = fields.normal_force;
+    for (const auto &normal : fields.symmetry_planes)
+      e -= (e * normal) * normal;
+    if (e.norm() == 0 || interface.coupling.points.empty())
+      return {};
+    e /= e.norm();
+
+    const auto first = motion_of_body(answer, data.first.body, e);
+    const auto second =
+        data.second ? motion_of_body(answer, data.second->body, e)
+                    : motion_of_carrier(answer, answer.discretization.geometry.carrier(data.obstacle), e);
+    if (!first || !second)
+      return {};
+    double gap = std::numeric_limits<double>::max();
+    for (const auto &p : interface.coupling.points)
+      gap = std::min(gap, p.gap);
+    return std::abs(*second - *first) - gap;
+  }
+
+  template std::optional<double>
+  compute_approach(const Answer<2> &, const unsigned int);
+  template std::optional<double>
+  compute_approach(const Answer<3> &, const unsigned int);
+} // namespace Amontons

@@ -45,7 +45,7 @@ namespace Amontons
     terminal.scene(scene, Utilities::MPI::n_mpi_processes(communicator));
     if (scene.reference)
       reference = make_reference(scene);
-    state.t = LoadProgram(scene, incremental).next();
+    history.state.t = LoadProgram(scene, incremental).next();
     //! [run]
     make_mesh();
     rebuild();
@@ -115,15 +115,15 @@ namespace Amontons
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         interfaces[i].reach = reaches[i];
-        interfaces[i].t     = state.t;
+        interfaces[i].t     = history.state.t;
       }
     for (const auto &interface : interfaces)
       for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
         if (surface != nullptr)
           discretization->add_relevant(surface->dofs());
-    supports         = discretization->make_supports(state.t);
-    time_of_supports = state.t;
-    if (!finite_strain || state.displacement.size() == 0)
+    supports         = discretization->make_supports(history.state.t);
+    time_of_supports = history.state.t;
+    if (!finite_strain || history.state.displacement.size() == 0)
       integrate_couplings(*discretization, supports, interfaces);
   }
 
@@ -131,7 +131,7 @@ namespace Amontons
   void
   ContactProblem<dim>::set_time(const double t)
   {
-    state.t = t;
+    history.state.t = t;
     if (time_of_supports == t)
       return;
     supports         = discretization->make_supports(t);
@@ -213,8 +213,8 @@ namespace Amontons
       estimate();
     summarise_mesh(program, report, solve_seconds);
     add_notes(report);
-    summary.message = report.failure ? Diagnosis::sentence(*report.failure) : "";
-    last_report     = report;
+    summary.message     = report.failure ? Diagnosis::sentence(*report.failure) : "";
+    history.last_report = report;
     return report.converged;
   }
 
@@ -223,8 +223,8 @@ namespace Amontons
   NewtonReport
   ContactProblem<dim>::iterate()
   {
-    if (state.displacement.size() != discretization->dof_handler.n_dofs())
-      state.displacement = discretization->make_relevant_vector();
+    if (history.state.displacement.size() != discretization->dof_handler.n_dofs())
+      history.state.displacement = discretization->make_relevant_vector();
     unsigned int iteration = 0;
     const auto   observer  = [&](const NewtonReport::Iteration &step) {
       IterationLine line;
@@ -242,11 +242,11 @@ namespace Amontons
     {
       TimerOutput::Scope scope(timer, "assemble stiffness");
       if (elasticity->n_cells() == 0)
-        elasticity->assemble(state.displacement);
-      loads = assemble_loads(*discretization, state.t, covered_points());
+        elasticity->assemble(history.state.displacement);
+      loads = assemble_loads(*discretization, history.state.t, covered_points());
     }
     SemismoothNewton<dim> newton(parameters.newton, parameters.linear_solver, *discretization, timer);
-    return newton.solve(*elasticity, interfaces, supports, loads, state, observer);
+    return newton.solve(*elasticity, interfaces, supports, loads, history.state, observer);
   }
 
   template <int dim>
@@ -258,12 +258,12 @@ namespace Amontons
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       fields.push_back(make_surface_fields(*discretization,
                                            interfaces[i],
-                                           state.states[i],
-                                           state.pressures[i],
-                                           state.gaps[i],
-                                           state.shears[i],
+                                           history.state.states[i],
+                                           history.state.pressures[i],
+                                           history.state.gaps[i],
+                                           history.state.shears[i],
                                            unused[i],
-                                           state.displacement));
+                                           history.state.displacement));
   }
 
   // What the shear leaves of the bound of friction, by pair and row.
@@ -276,11 +276,12 @@ namespace Amontons
       for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
         {
           unused[i].push_back(0);
-          if (state.states[i][r] != ContactState::stick)
+          if (history.state.states[i][r] != ContactState::stick)
             continue;
-          const auto X     = as_3d(interfaces[i].slave->nodes[interfaces[i].coupling.rows[r].node].X);
-          const auto bound = shear_bound(*interfaces[i].pair, X, state.t, state.pressures[i][r]);
-          unused[i][r]     = std::max(0., bound.value - state.shears[i][r].norm());
+          const auto X = as_3d(interfaces[i].slave->nodes[interfaces[i].coupling.rows[r].node].X);
+          const auto bound =
+              shear_bound(*interfaces[i].pair, X, history.state.t, history.state.pressures[i][r]);
+          unused[i][r] = std::max(0., bound.value - history.state.shears[i][r].norm());
         }
     return unused;
   }
@@ -291,7 +292,7 @@ namespace Amontons
   {
     TimerOutput::Scope scope(timer, "error estimate");
     recovery = std::make_unique<StressRecovery<dim>>(*discretization, *elasticity);
-    recovery->recover(state.displacement);
+    recovery->recover(history.state.displacement);
     const auto before = error;
     error             = estimate_error(*discretization, *recovery, interfaces, fields);
     // What the load history needs is the worst of its increments.
@@ -311,7 +312,7 @@ namespace Amontons
   Answer<dim>
   ContactProblem<dim>::answer() const
   {
-    return {*discretization, *elasticity, interfaces, fields, supports, loads, state};
+    return {*discretization, *elasticity, interfaces, fields, supports, loads, history.state};
   }
 
   template <int dim>
@@ -338,7 +339,7 @@ namespace Amontons
     MeshSummary mesh;
     mesh.increment         = program.number();
     mesh.mesh              = mesh_number;
-    mesh.t                 = state.t;
+    mesh.t                 = history.state.t;
     mesh.cells             = newton.cells;
     mesh.dofs              = newton.dofs;
     mesh.iterations        = newton.iterations;
@@ -349,7 +350,7 @@ namespace Amontons
     mesh.error_estimate    = {error.bulk, error.contact, error.facets};
     mesh.energy            = stored_energy(answer());
     if (!scene.probes.empty() && !is_repeat)
-      mesh.probes = evaluate_probes(*discretization, *recovery, state.displacement, summary.notes);
+      mesh.probes = evaluate_probes(*discretization, *recovery, history.state.displacement, summary.notes);
     if (reference && !is_repeat && !interfaces.empty() && program.is_last())
       mesh.reference = reference->compare(answer());
     if (incremental) // known when the increment is committed
@@ -398,9 +399,10 @@ namespace Amontons
     if (!parameters.output.vtu || is_repeat)
       return;
     TimerOutput::Scope scope(timer, "output");
-    vtu.write_bodies(BodyFields<dim>{*discretization, state.displacement, *recovery, error.cell_indicators},
-                     state.t);
-    vtu.write_contact(interfaces, fields, state.t);
+    vtu.write_bodies(
+        BodyFields<dim>{*discretization, history.state.displacement, *recovery, error.cell_indicators},
+        history.state.t);
+    vtu.write_contact(interfaces, fields, history.state.t);
   }
 
   // The balance of W, the stored energy and the contact work, and dissipation >= 0, relative to the work.
@@ -408,26 +410,27 @@ namespace Amontons
   void
   ContactProblem<dim>::add_energy_checks()
   {
-    const double negative = work.largest_work > 0 ? -work.smallest_dissipation / work.largest_work : 0;
-    summary.checks["energy_balance"]       = work.energy_error;
+    const double negative =
+        history.work.largest_work > 0 ? -history.work.smallest_dissipation / history.work.largest_work : 0;
+    summary.checks["energy_balance"]       = history.work.energy_error;
     summary.checks["negative_dissipation"] = negative;
     std::ostringstream text;
     text.precision(3);
-    if (work.energy_error > 1e-6 && !finite_strain)
-      text << "the energy balance is violated by " << work.energy_error << " of the work";
+    if (history.work.energy_error > 1e-6 && !finite_strain)
+      text << "the energy balance is violated by " << history.work.energy_error << " of the work";
     if (negative > 1e-9)
       text << (text.str().empty() ? "" : "; ") << "an increment had a negative dissipation, " << negative
            << " of the work";
     if (text.str() != "")
       summary.notes.push_back("warning: " + text.str());
-    if (transfer_residual > 0)
+    if (history.transfer_residual > 0)
       {
-        summary.checks["transfer_residual"] = transfer_residual;
+        summary.checks["transfer_residual"] = history.transfer_residual;
         std::ostringstream note;
         note.precision(3);
-        note << "states transferred to refined meshes were up to " << transfer_residual
+        note << "states transferred to refined meshes were up to " << history.transfer_residual
              << " of the forces out of equilibrium; solving them again changed the stored energy by "
-             << work.transferred_energy << " in all";
+             << history.work.transferred_energy << " in all";
         summary.notes.push_back(note.str());
       }
   }
@@ -518,10 +521,10 @@ namespace Amontons
     summary.wall_seconds = wall.wall_time();
     MeshPicture picture;
     if (parameters.output.report && recovery)
-      picture = gather_mesh_picture(*discretization, *recovery, state.displacement);
+      picture = gather_mesh_picture(*discretization, *recovery, history.state.displacement);
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        const auto                                       table = contact_table(interfaces, fields, state.t);
+        const auto table = contact_table(interfaces, fields, history.state.t);
         std::vector<std::pair<std::string, MeshPicture>> pressure_maps;
         for (unsigned int i = 0; i < interfaces.size(); ++i)
           pressure_maps.emplace_back(interfaces[i].pair->name,

@@ -24,26 +24,27 @@ namespace Amontons
         if (result == Increment::converged)
           {
             note_snaps(program.next() - program.time());
-            program.accept(last_report.moved ? 0 : last_report.iterations.size());
+            program.accept(history.last_report.moved ? 0 : history.last_report.iterations.size());
             commit(program);
             //! [load program]
-            failure       = FailedIncrement();
-            n_failures    = 0;
-            follow_motion = false;
+            failure               = FailedIncrement();
+            n_failures            = 0;
+            history.follow_motion = false;
           }
         else if (is_repeat || result == Increment::lost)
           return false;
-        else if (finite_strain && !follow_motion && (++n_failures == patience || program.is_smallest()))
+        else if (finite_strain && !history.follow_motion &&
+                 (++n_failures == patience || program.is_smallest()))
           {
-            follow_motion = true;
-            roll_back(state.t);
+            history.follow_motion = true;
+            roll_back(history.state.t);
           }
         //! [load program]
         else if (incremental && (finite_strain || !failed_alike(failure)) && program.cut_back())
           {
-            failure       = {last_report, loads, prescribed_values(), growing_gaps()};
-            follow_motion = false;
-            roll_back(state.t);
+            failure               = {history.last_report, loads, prescribed_values(), growing_gaps()};
+            history.follow_motion = false;
+            roll_back(history.state.t);
           }
         //! [load program]
         else
@@ -62,15 +63,10 @@ namespace Amontons
   void
   ContactProblem<dim>::start_history()
   {
-    work.restart();
+    history.restart();
     error = ErrorEstimate<dim>();
-    snaps.clear();
-    record = LoadRecord();
     if (!finite_strain && !is_repeat)
       neglected = NeglectedTermsOfHistory<dim>();
-    state.committed   = LA::Vector();
-    state.committed_t = 0;
-    last_converged    = SolutionState();
   }
 
   // The increment becomes history. Where the load path turns, slip stops: the next guess is stick.
@@ -80,28 +76,28 @@ namespace Amontons
   {
     if (incremental)
       {
-        work.add(answer());
+        history.work.add(answer());
         keep_record(program);
         auto &mesh         = summary.meshes.back();
-        mesh.external_work = work.external_work;
-        mesh.contact_work  = work.contact_work;
-        mesh.dissipation   = work.dissipation;
+        mesh.external_work = history.work.external_work;
+        mesh.contact_work  = history.work.contact_work;
+        mesh.dissipation   = history.work.dissipation;
         if (mesh.reference)
-          reference->compare_dissipation(answer(), work.dissipation, *mesh.reference);
+          reference->compare_dissipation(answer(), history.work.dissipation, *mesh.reference);
         remember_path();
       }
     if (!finite_strain && !is_repeat)
-      neglected.add(*discretization, *recovery, state, interfaces, summary.meshes.back().energy);
+      neglected.add(*discretization, *recovery, history.state, interfaces, summary.meshes.back().energy);
     write_increment();
     if (program.finished())
       return;
-    state.committed   = state.displacement;
-    state.committed_t = state.t;
+    history.state.committed   = history.state.displacement;
+    history.state.committed_t = history.state.t;
     if (may_transfer())
       make_traction_field();
-    last_converged = state;
+    history.last_converged = history.state;
     for (unsigned int i = 0; program.at_corner() && i < interfaces.size(); ++i)
-      for (auto &s : state.states[i])
+      for (auto &s : history.state.states[i])
         if (interfaces[i].pair->has_friction() && s == ContactState::slip)
           s = ContactState::stick;
   }
@@ -111,21 +107,22 @@ namespace Amontons
   ContactProblem<dim>::note_snaps(const double duration)
   {
     LA::Vector moved = discretization->make_owned_vector(), before = moved;
-    moved = state.displacement;
-    if (state.committed.size() == state.displacement.size())
-      before = state.committed;
+    moved = history.state.displacement;
+    if (history.state.committed.size() == history.state.displacement.size())
+      before = history.state.committed;
     moved -= before;
-    const double distance = moved.linfty_norm(), expected = last_speed * duration;
-    if (!last_report.moved)
+    const double distance = moved.linfty_norm(), expected = history.last_speed * duration;
+    if (!history.last_report.moved)
       {
-        last_speed = distance / duration;
+        history.last_speed = distance / duration;
         return;
       }
     auto      &notes = summary.notes;
-    const auto note  = [&](const bool far) { return Diagnosis::snapped(snaps, far); };
+    const auto note  = [&](const bool far) { return Diagnosis::snapped(history.snaps, far); };
     for (const bool far : {true, false})
       notes.erase(std::remove(notes.begin(), notes.end(), note(far)), notes.end());
-    snaps.push_back({state.t, distance, distance > 3 * expected, last_report.unstable});
+    history.snaps.push_back(
+        {history.state.t, distance, distance > 3 * expected, history.last_report.unstable});
     for (const bool far : {true, false})
       if (const std::string text = note(far); !text.empty())
         notes.push_back(text);
@@ -137,7 +134,7 @@ namespace Amontons
   {
     std::ostringstream text;
     text << "increments were cut back first before t = " << failed_time << ": " << summary.message;
-    if (n_cut_backs++ == 0)
+    if (history.n_cut_backs++ == 0)
       summary.notes.push_back(text.str());
     summary.meshes.pop_back();
     go_back();
@@ -149,11 +146,11 @@ namespace Amontons
   void
   ContactProblem<dim>::go_back()
   {
-    state = last_converged;
-    if (state.displacement.size() == 0)
-      state.displacement = discretization->make_relevant_vector();
+    history.state = history.last_converged;
+    if (history.state.displacement.size() == 0)
+      history.state.displacement = discretization->make_relevant_vector();
     move_surfaces();
-    if (last_converged.displacement.size() > 0 && last_converged.states.empty())
+    if (history.last_converged.displacement.size() > 0 && history.last_converged.states.empty())
       carry_active_set();
   }
 
@@ -208,8 +205,8 @@ namespace Amontons
       return false;
     if (std::abs(scale - 1) < 1e-10)
       return true;
-    const auto &a = before.report.iterations, &b = last_report.iterations;
-    return last_converged.displacement.size() == 0 && a.size() == b.size() &&
+    const auto &a = before.report.iterations, &b = history.last_report.iterations;
+    return history.last_converged.displacement.size() == 0 && a.size() == b.size() &&
            std::equal(a.begin(), a.end(), b.begin(), [](const auto &x, const auto &y) {
              return x.n_open == y.n_open && x.n_slip == y.n_slip && x.n_changes == y.n_changes;
            });
@@ -221,18 +218,18 @@ namespace Amontons
   void
   ContactProblem<dim>::return_to_last_converged()
   {
-    const double failed_time = state.t;
+    const double failed_time = history.state.t;
     summary.meshes.pop_back();
-    const bool is_transferred = last_converged.states.empty();
+    const bool is_transferred = history.last_converged.states.empty();
     go_back();
-    const double t = state.t;
+    const double t = history.state.t;
     set_time(t);
     if (is_transferred)
       iterate();
-    loads =
-        assemble_loads(*discretization, t, covered_points(), finite_strain ? &state.displacement : nullptr);
+    loads = assemble_loads(
+        *discretization, t, covered_points(), finite_strain ? &history.state.displacement : nullptr);
     collect_fields();
-    recovery->recover(state.displacement);
+    recovery->recover(history.state.displacement);
     std::ostringstream text;
     text << "the increment from t = " << t << " to " << failed_time
          << " failed (results are those of t = " << t << "): " << summary.message;
@@ -290,31 +287,31 @@ namespace Amontons
   bool
   ContactProblem<dim>::rebalance(const LoadProgram &program)
   {
-    const double t = state.t;
+    const double t = history.state.t;
     set_time(program.time());
-    const LA::Vector traction_at_end = state.traction;
-    const auto       peaks_at_end    = state.peaks;
-    state.displacement               = state.committed;
+    const LA::Vector traction_at_end = history.state.traction;
+    const auto       peaks_at_end    = history.state.peaks;
+    history.state.displacement       = history.state.committed;
     move_surfaces();
-    state.traction = last_converged.traction;
-    state.peaks    = last_converged.peaks;
+    history.state.traction = history.last_converged.traction;
+    history.state.peaks    = history.last_converged.peaks;
     carry_active_set();
-    terminal.note("equilibrium of the transferred state at t = " + std::to_string(state.t));
+    terminal.note("equilibrium of the transferred history.state at t = " + std::to_string(history.state.t));
     const auto report = iterate();
     if (!report.converged)
       {
         collect_fields();
-        summary.message = "after refinement at t = " + std::to_string(state.t) + ": " +
+        summary.message = "after refinement at t = " + std::to_string(history.state.t) + ": " +
                           Diagnosis::sentence(*report.failure);
         return false;
       }
-    transfer_residual = std::max(transfer_residual, report.start_residual);
-    work.rebase(answer());
-    state.committed   = state.displacement;
-    state.committed_t = state.t;
-    last_converged    = state;
-    state.traction    = traction_at_end;
-    state.peaks       = peaks_at_end;
+    history.transfer_residual = std::max(history.transfer_residual, report.start_residual);
+    history.work.rebase(answer());
+    history.state.committed   = history.state.displacement;
+    history.state.committed_t = history.state.t;
+    history.last_converged    = history.state;
+    history.state.traction    = traction_at_end;
+    history.state.peaks       = peaks_at_end;
     set_time(t);
     carry_active_set();
     return true;
@@ -328,20 +325,21 @@ namespace Amontons
         cycle >= parameters.refinement.cycles)
       return;
     make_traction_field();
-    path.push_back({state.t, state.displacement, state.traction, state.peaks});
+    history.path.push_back(
+        {history.state.t, history.state.displacement, history.state.traction, history.state.peaks});
   }
 
   template <int dim>
   void
   ContactProblem<dim>::guess_from_path()
   {
-    for (const auto &point : path)
-      if (std::abs(point.t - state.t) <= 1e-12 * scene.end_time &&
+    for (const auto &point : history.path)
+      if (std::abs(point.t - history.state.t) <= 1e-12 * scene.end_time &&
           point.displacement.size() == discretization->dof_handler.n_dofs())
         {
-          state.displacement = point.displacement;
-          state.traction     = point.traction;
-          state.peaks        = point.peaks;
+          history.state.displacement = point.displacement;
+          history.state.traction     = point.traction;
+          history.state.peaks        = point.peaks;
           move_surfaces();
           carry_active_set();
         }

@@ -14,12 +14,12 @@ namespace Amontons
   {
     if (!has_history)
       return;
-    ++record.n_increments;
-    record.largest_work = work.largest_work;
+    ++history.record.n_increments;
+    history.record.largest_work = history.work.largest_work;
     if (!program.has_landed())
       return;
-    record.landings.emplace_back();
-    record.landings.back().dissipation = work.dissipation;
+    history.record.landings.emplace_back();
+    history.record.landings.back().dissipation = history.work.dissipation;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         const PairData &pair = *interfaces[i].pair;
@@ -29,10 +29,10 @@ namespace Amontons
         for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
           {
             const auto  &row     = interfaces[i].coupling.rows[r];
-            const double p       = state.pressures[i][r];
+            const double p       = history.state.pressures[i][r];
             const auto   X       = as_3d(interfaces[i].slave->nodes[row.node].X);
-            const double bound   = pair.has_friction() ? shear_bound(pair, X, state.t, p).value : 0;
-            kept.nodes[row.node] = {row.area, p, bound, state.shears[i][r]};
+            const double bound   = pair.has_friction() ? shear_bound(pair, X, history.state.t, p).value : 0;
+            kept.nodes[row.node] = {row.area, p, bound, history.state.shears[i][r]};
           }
         for (unsigned int c = 0; c < dim; ++c)
           {
@@ -42,7 +42,7 @@ namespace Amontons
         kept.contact_size = fields[i].contact_size;
         kept.stick_size   = fields[i].stick_size;
         kept.tresca_alone = !pair.friction;
-        record.landings.back().pairs.push_back(kept);
+        history.record.landings.back().pairs.push_back(kept);
       }
   }
 
@@ -55,9 +55,10 @@ namespace Amontons
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       if (interfaces[i].pair->has_friction())
         most = std::max<unsigned int>(
-            most, std::count_if(state.states[i].begin(), state.states[i].end(), [](const ContactState s) {
-              return s != ContactState::open;
-            }));
+            most,
+            std::count_if(history.state.states[i].begin(),
+                          history.state.states[i].end(),
+                          [](const ContactState s) { return s != ContactState::open; }));
     return most >= (dim == 2 ? 10 : 20);
   }
 
@@ -74,48 +75,37 @@ namespace Amontons
     const bool few = plan.number() - 1 < 4 * plan.n_landings();
 
     auto       kept_interfaces = std::move(interfaces);
-    const auto kept_state = state, kept_last = last_converged;
-    const auto kept_error   = error;
-    const auto kept_fields  = fields;
-    const auto kept_loads   = loads;
-    const auto kept_reaches = reaches;
-    const auto kept_work    = work;
-    const auto kept_snaps   = snaps;
-    const auto kept_speed   = last_speed;
-    const auto kept_report  = last_report;
-    const auto kept_record  = record;
-    auto       kept_summary = summary;
-    auto       kept_bodies  = std::move(elasticity);
+    auto       kept_bodies     = std::move(elasticity);
+    auto       kept_summary    = summary;
+    const auto kept_history    = history;
+    const auto kept_error      = error;
+    const auto kept_fields     = fields;
+    const auto kept_loads      = loads;
+    const auto kept_reaches    = reaches;
 
     is_repeat = true;
     terminal.be_quiet(true);
-    coarser    = few ? 0.5 : 2;
-    elasticity = std::make_unique<ElasticityOperator<dim>>(*discretization, finite_strain);
-    state      = SolutionState();
-    state.t    = LoadProgram(scene, incremental, coarser).next();
+    coarser         = few ? 0.5 : 2;
+    elasticity      = std::make_unique<ElasticityOperator<dim>>(*discretization, finite_strain);
+    history.state   = SolutionState();
+    history.state.t = LoadProgram(scene, incremental, coarser).next();
     couple_surfaces();
-    if (run_load_program() && record.n_increments != kept_record.n_increments)
-      kept_summary.increments = error_of_increments(kept_record, record);
+    if (run_load_program() && history.record.n_increments != kept_history.record.n_increments)
+      kept_summary.increments = error_of_increments(kept_history.record, history.record);
 
     is_repeat = false;
     terminal.be_quiet(false);
     coarser             = 1;
     interfaces          = std::move(kept_interfaces);
-    state               = kept_state;
-    last_converged      = kept_last;
+    elasticity          = std::move(kept_bodies);
+    summary             = std::move(kept_summary);
+    history             = kept_history;
     error               = kept_error;
     fields              = kept_fields;
     loads               = kept_loads;
     reaches             = kept_reaches;
-    work                = kept_work;
-    snaps               = kept_snaps;
-    last_speed          = kept_speed;
-    last_report         = kept_report;
-    record              = kept_record;
-    summary             = std::move(kept_summary);
-    elasticity          = std::move(kept_bodies);
-    supports            = discretization->make_supports(state.t);
-    time_of_supports    = state.t;
+    supports            = discretization->make_supports(history.state.t);
+    time_of_supports    = history.state.t;
     measured_increments = true;
   }
 
@@ -166,7 +156,7 @@ namespace Amontons
   ContactProblem<dim>::run_to_measure_increments()
   {
     only_increments = true;
-    state.t         = LoadProgram(scene, incremental).next();
+    history.state.t = LoadProgram(scene, incremental).next();
     make_mesh();
     rebuild();
     refine_where_bodies_are_close();

@@ -77,7 +77,8 @@ namespace Amontons
   FiniteMechanics<dim>
   ContactProblem<dim>::finite_mechanics(ElasticityOperator<dim> &bodies) const
   {
-    return FiniteMechanics<dim>(*discretization, bodies, state.t, [this]() { return covered_points(); });
+    return FiniteMechanics<dim>(
+        *discretization, bodies, history.state.t, [this]() { return covered_points(); });
   }
 
   template <int dim>
@@ -86,8 +87,9 @@ namespace Amontons
   {
     FiniteNewton<dim> newton(parameters.newton, parameters.linear_solver, *discretization, timer);
     auto              mechanics = finite_mechanics(*elasticity);
-    const auto        report = newton.solve(mechanics, interfaces, supports, state, observer, follow_motion);
-    loads                    = mechanics.loads_at(state.displacement);
+    const auto        report =
+        newton.solve(mechanics, interfaces, supports, history.state, observer, history.follow_motion);
+    loads = mechanics.loads_at(history.state.displacement);
     return report;
   }
 
@@ -100,10 +102,11 @@ namespace Amontons
       return;
     TimerOutput::Scope scope(timer, "contact surfaces");
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      if (i < state.carried.size() && state.carried[i].size() == interfaces[i].slave->nodes.size())
-        interfaces[i].carried = state.carried[i];
-    couple_moved(*discretization, supports, state.displacement, state.t, interfaces);
-    fit_states(interfaces, state);
+      if (i < history.state.carried.size() &&
+          history.state.carried[i].size() == interfaces[i].slave->nodes.size())
+        interfaces[i].carried = history.state.carried[i];
+    couple_moved(*discretization, supports, history.state.displacement, history.state.t, interfaces);
+    fit_states(interfaces, history.state);
   }
 
   // The iteration with finite strain goes on from the answer of small strain: the largest relative change of
@@ -113,13 +116,13 @@ namespace Amontons
   std::optional<double>
   ContactProblem<dim>::change_by_finite_strain()
   {
-    SolutionState           trial  = state;
+    SolutionState           trial  = history.state;
     const auto              before = contact_answer(interfaces, trial);
     ElasticityOperator<dim> finite(*discretization, true);
     FiniteNewton<dim>       newton(parameters.newton, parameters.linear_solver, *discretization, timer);
     discretization->finite_strain = true; // rotations of platens are given exactly
-    supports                      = discretization->make_supports(state.t);
-    couple_moved(*discretization, supports, state.displacement, state.t, interfaces);
+    supports                      = discretization->make_supports(history.state.t);
+    couple_moved(*discretization, supports, history.state.displacement, history.state.t, interfaces);
     auto                  mechanics = finite_mechanics(finite);
     const auto            report = newton.solve(mechanics, interfaces, supports, trial, [](const auto &) {});
     std::optional<double> change;
@@ -128,7 +131,7 @@ namespace Amontons
         change                = change_of_contact(before, contact_answer(interfaces, trial));
         LA::Vector difference = discretization->make_owned_vector(), old = difference;
         difference = trial.displacement;
-        old        = state.displacement;
+        old        = history.state.displacement;
         difference -= old;
         if (const double size = old.linfty_norm(); size > 0)
           change = std::max(*change, difference.linfty_norm() / size);
@@ -248,13 +251,13 @@ namespace Amontons
     elasticity                    = std::make_unique<ElasticityOperator<dim>>(*discretization, finite_strain);
     summary.meshes.clear();
     summary.newton.clear();
-    path.clear();
+    history.path.clear();
     measured_increments = false;
     reaches.clear(); // how far surfaces see depends on how far they move
     summary.increments.reset();
     vtu.restart();
-    state   = SolutionState();
-    state.t = LoadProgram(scene, incremental).next();
+    history.state   = SolutionState();
+    history.state.t = LoadProgram(scene, incremental).next();
     rebuild();
   }
 

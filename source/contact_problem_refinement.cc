@@ -37,8 +37,8 @@ namespace Amontons
         bool   any_closed = false;
         for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
           {
-            const double initial = interfaces[i].coupling.rows[r].gap, now = state.gaps[i][r];
-            const bool   closed = state.states[i][r] != ContactState::open;
+            const double initial = interfaces[i].coupling.rows[r].gap, now = history.state.gaps[i][r];
+            const bool   closed = history.state.states[i][r] != ContactState::open;
             any_closed          = any_closed || closed;
             needed              = std::max(needed, closed ? std::abs(initial) : initial - now);
           }
@@ -68,22 +68,22 @@ namespace Amontons
   void
   ContactProblem<dim>::states_to_new_rows(const std::vector<std::vector<CouplingRow<dim>>> &old_rows)
   {
-    const auto old = state;
+    const auto old = history.state;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         std::map<unsigned int, unsigned int> row_of_node;
         for (unsigned int r = 0; r < old_rows[i].size(); ++r)
           row_of_node[old_rows[i][r].node] = r;
         const auto &rows = interfaces[i].coupling.rows;
-        state.states[i].assign(rows.size(), ContactState::open);
-        state.pressures[i].assign(rows.size(), 0.);
-        state.trials[i].assign(rows.size(), Tensor<1, 3>());
+        history.state.states[i].assign(rows.size(), ContactState::open);
+        history.state.pressures[i].assign(rows.size(), 0.);
+        history.state.trials[i].assign(rows.size(), Tensor<1, 3>());
         for (unsigned int r = 0; r < rows.size(); ++r)
           if (const auto known = row_of_node.find(rows[r].node); known != row_of_node.end())
             {
-              state.states[i][r]    = old.states[i][known->second];
-              state.pressures[i][r] = old.pressures[i][known->second];
-              state.trials[i][r]    = old.trials[i][known->second];
+              history.state.states[i][r]    = old.states[i][known->second];
+              history.state.pressures[i][r] = old.pressures[i][known->second];
+              history.state.trials[i][r]    = old.trials[i][known->second];
             }
       }
   }
@@ -106,13 +106,17 @@ namespace Amontons
     make_traction_field();
     if (!finite_strain && parameters.refinement.history == "transfer")
       neglected.measure_gaps(*discretization, supports, interfaces);
-    std::vector<LA::Vector *> moving = {&state.displacement, &state.traction, &state.committed};
+    std::vector<LA::Vector *> moving = {
+        &history.state.displacement, &history.state.traction, &history.state.committed};
     if (may_transfer())
-      for (auto *vector : {&last_converged.displacement, &last_converged.traction, &last_converged.committed})
+      for (auto *vector : {&history.last_converged.displacement,
+                           &history.last_converged.traction,
+                           &history.last_converged.committed})
         moving.push_back(vector);
     else
-      last_converged = SolutionState(); // there is none, or the history starts anew on the refined mesh
-    for (auto &point : path)
+      history.last_converged =
+          SolutionState(); // there is none, or the history starts anew on the refined mesh
+    for (auto &point : history.path)
       {
         moving.push_back(&point.displacement);
         moving.push_back(&point.traction);
@@ -120,8 +124,8 @@ namespace Amontons
     refine_and_transfer(*discretization, geometry, moving, [&]() { rebuild(); });
     ++mesh_number;
     ++cycle;
-    last_converged.states.clear(); // those of the rows before, see go_back()
-    last_converged.carried.clear();
+    history.last_converged.states.clear(); // those of the rows before, see go_back()
+    history.last_converged.carried.clear();
     move_surfaces();
     carry_active_set();
     return true;
@@ -134,17 +138,17 @@ namespace Amontons
   ContactProblem<dim>::make_traction_field()
   {
     LA::Vector traction = discretization->make_owned_vector();
-    state.peaks.clear();
+    history.state.peaks.clear();
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         const auto &slave = *interfaces[i].slave;
-        state.peaks.push_back(fields[i].peak_pressure);
+        history.state.peaks.push_back(fields[i].peak_pressure);
         const double scale = fields[i].peak_pressure > 0 ? std::pow(fields[i].peak_pressure, -2) : 0;
         const auto   edge  = signed_pressure_square(interfaces[i], fields[i]);
         std::vector<Tensor<1, dim>> shear(slave.nodes.size());
         for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
           for (unsigned int c = 0; c < dim; ++c)
-            shear[interfaces[i].coupling.rows[r].node][c] = state.trials[i][r][c];
+            shear[interfaces[i].coupling.rows[r].node][c] = history.state.trials[i][r][c];
         auto continued = shear;
         for (const auto &face : slave.faces)
           for (const unsigned int n : face.nodes)
@@ -158,8 +162,8 @@ namespace Amontons
               traction(dof) += scale * edge[n] * fields[i].normal[n][c] + continued[n][c];
       }
     traction.compress(VectorOperation::add);
-    state.traction = discretization->make_relevant_vector();
-    state.traction = traction;
+    history.state.traction = discretization->make_relevant_vector();
+    history.state.traction = traction;
   }
 
   // Nodes of the new mesh start closed where the old mesh's pressure, continued beyond its last node, is
@@ -168,34 +172,34 @@ namespace Amontons
   void
   ContactProblem<dim>::carry_active_set()
   {
-    state.states.assign(interfaces.size(), {});
-    state.pressures.assign(interfaces.size(), {});
-    state.trials.assign(interfaces.size(), {});
-    state.gaps.assign(interfaces.size(), {});
-    state.shears.assign(interfaces.size(), {});
-    state.slips.assign(interfaces.size(), {});
+    history.state.states.assign(interfaces.size(), {});
+    history.state.pressures.assign(interfaces.size(), {});
+    history.state.trials.assign(interfaces.size(), {});
+    history.state.gaps.assign(interfaces.size(), {});
+    history.state.shears.assign(interfaces.size(), {});
+    history.state.slips.assign(interfaces.size(), {});
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       for (const auto &row : interfaces[i].coupling.rows)
         {
           const auto    &node = interfaces[i].slave->nodes[row.node];
           Tensor<1, dim> field;
           for (unsigned int c = 0; c < dim; ++c)
-            field[c] = state.traction(node.dofs[c]);
+            field[c] = history.state.traction(node.dofs[c]);
           const double   edge  = field * node.normal;
           Tensor<1, dim> shear = field - edge * node.normal;
           const bool     slips = !interfaces[i].pair->has_friction() || shear.norm() > 1;
-          state.states[i].push_back(interfaces[i].pair->tied ? ContactState::stick
-                                    : edge <= 0              ? ContactState::open
-                                    : slips                  ? ContactState::slip
-                                                             : ContactState::stick);
-          state.pressures[i].push_back(state.peaks[i] * std::sqrt(std::max(0., edge)));
+          history.state.states[i].push_back(interfaces[i].pair->tied ? ContactState::stick
+                                            : edge <= 0              ? ContactState::open
+                                            : slips                  ? ContactState::slip
+                                                                     : ContactState::stick);
+          history.state.pressures[i].push_back(history.state.peaks[i] * std::sqrt(std::max(0., edge)));
           Tensor<1, 3> trial;
           for (unsigned int c = 0; c < dim; ++c)
             trial[c] = shear[c];
-          state.trials[i].push_back(trial);
-          state.gaps[i].push_back(0);
-          state.shears[i].emplace_back();
-          state.slips[i].emplace_back();
+          history.state.trials[i].push_back(trial);
+          history.state.gaps[i].push_back(0);
+          history.state.shears[i].emplace_back();
+          history.state.slips[i].emplace_back();
         }
   }
 

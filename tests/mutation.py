@@ -37,7 +37,7 @@ CHANGES = [
     ("mean gaps of one rank only", "contact/mortar_integrator.cc", "        trace_gap += other.trace_gap;\n", "", RANKS),
     ("half a face is whole", "contact/covered_shares.cc", "covered_area > 0.999 * face_area", "covered_area > 0.5 * face_area", "^contact/mortar$"),
     ("nodes come from nowhere", "solver/moving_contact.cc", "old_gap[node_of[i][interfaces[i].coupling.rows[r].node]];", "0.;", FINITE),
-    ("committed state not transferred", "contact_problem_refinement.cc", "&state.traction, &state.committed, &last", "&state.traction, &last", "scenes/transfer_.*"),
+    ("committed state not transferred", "contact_problem_refinement.cc", "&history.state.traction, &history.state.committed};", "&history.state.traction};", "scenes/transfer_.*"),
     ("von Mises' shear", "elasticity/linear_elastic.cc", "3 * shear);", "2 * shear);", "^elasticity/linear_elastic$"),
     ("sign of moments", "output/quantities.cc", "c == 0 ? -X[1] * force", "c == 0 ? X[1] * force", "scenes/tied_beam"),
     ("current position", "output/contact_csv.cc", "nodes[i].X + fields.displacement[i], node.x", "nodes[i].X, node.x", "^output/contact_csv$"),

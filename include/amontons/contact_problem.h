@@ -5,6 +5,7 @@
 #include <amontons/adaptivity/mesh_refinement.h>
 #include <amontons/adaptivity/model_selection.h>
 #include <amontons/elasticity/loads.h>
+#include <amontons/load_history.h>
 #include <amontons/output/contact_csv.h>
 #include <amontons/output/energy.h>
 #include <amontons/output/reference.h>
@@ -205,37 +206,21 @@ namespace Amontons
     std::vector<ContactInterface<dim>>       interfaces;
     Constraints                              supports;
     LA::Vector                               loads;
-    SolutionState                            state, last_converged; // both on the present mesh
     std::optional<double>                    time_of_supports;
-    // Replay: the increments on the mesh before, as first guesses.
-    struct PathPoint
-    {
-      double              t;
-      LA::Vector          displacement, traction;
-      std::vector<double> peaks;
-    };
-    std::vector<PathPoint>       path;
-    WorkDone<dim>                work;
-    unsigned int                 cycle         = 0; // refinements so far
-    unsigned int                 n_cut_backs   = 0;
-    bool                         follow_motion = false; // in the next increment, see FiniteNewton
-    std::vector<Diagnosis::Snap> snaps;
-    double                       last_speed        = 0; // largest displacement over t in the last increment
-    double                       transfer_residual = 0; // largest, of the transferred state on its new mesh
-    NewtonReport                 last_report;
-    std::vector<SurfaceFields<dim>>       fields;
-    std::unique_ptr<StressRecovery<dim>>  recovery;
-    ErrorEstimate<dim>                    error;
-    const MakeReference<dim>              make_reference;
-    std::unique_ptr<const Reference<dim>> reference;
-    VtuOutput                             vtu;
-    unsigned int                          mesh_number = 0;
-    NeglectedTermsOfHistory<dim>          neglected; // small strain
-    std::map<std::string, double>         neglected_checks;
-    bool                                  tried_finite_strain = false; // after small strain, and
-    std::optional<double>                 change_of_answer;            // by it, if it converged
-    // Friction: the load program on the present mesh, and its repeat with other increments.
-    LoadRecord record;
+    LoadHistory<dim>                         history;
+    unsigned int                             cycle = 0; // refinements so far
+    std::vector<SurfaceFields<dim>>          fields;
+    std::unique_ptr<StressRecovery<dim>>     recovery;
+    ErrorEstimate<dim>                       error;
+    const MakeReference<dim>                 make_reference;
+    std::unique_ptr<const Reference<dim>>    reference;
+    VtuOutput                                vtu;
+    unsigned int                             mesh_number = 0;
+    NeglectedTermsOfHistory<dim>             neglected; // small strain
+    std::map<std::string, double>            neglected_checks;
+    bool                                     tried_finite_strain = false; // after small strain, and
+    std::optional<double>                    change_of_answer;            // by it, if it converged
+    // Friction: the repeat of the load program with other increments.
     double     coarser             = 1;
     bool       is_repeat           = false;
     bool       measured_increments = false, only_increments = false; // only: what this run is for

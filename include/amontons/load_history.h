@@ -1,0 +1,48 @@
+/// Where the load program is on the present mesh, and what it has done so far.
+#pragma once
+
+#include <amontons/adaptivity/increment_error.h>
+#include <amontons/output/energy.h>
+#include <amontons/solver/diagnosis.h>
+#include <amontons/solver/newton_report.h>
+#include <amontons/solver/solution_state.h>
+
+namespace Amontons
+{
+  /// A value: the repeat of a load program with other increments works on a new one, and the run goes on from
+  /// the old one. Both states belong to the present mesh; a refinement moves all of it or drops it.
+  template <int dim>
+  struct LoadHistory
+  {
+    SolutionState state, last_converged;
+    /// Replay: the increments on the mesh before, as first guesses.
+    struct PathPoint
+    {
+      double              t;
+      LA::Vector          displacement, traction;
+      std::vector<double> peaks;
+    };
+    std::vector<PathPoint> path;
+    WorkDone<dim>          work;
+    LoadRecord             record;      // friction: what the error of the increments is measured by
+    NewtonReport           last_report; // of the last solve
+
+    bool                         follow_motion = false; // in the next increment, see FiniteNewton
+    std::vector<Diagnosis::Snap> snaps;
+    double                       last_speed        = 0; // largest displacement over t in the last increment
+    double                       transfer_residual = 0; // largest, of the transferred state on its new mesh
+    unsigned int                 n_cut_backs       = 0;
+
+    /// The load program starts; the state is where it starts from.
+    void
+    restart()
+    {
+      work.restart();
+      record = LoadRecord();
+      snaps.clear();
+      state.committed   = LA::Vector();
+      state.committed_t = 0;
+      last_converged    = SolutionState();
+    }
+  };
+} // namespace Amontons

@@ -6,6 +6,7 @@
 #include <amontons/solver/proximal_terms.h>
 #include <amontons/solver/stability.h>
 #include <amontons/solver/stored_states.h>
+#include <amontons/solver/tangent_reuse.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -55,7 +56,8 @@ namespace Amontons
             states(contact.nodes(), interfaces, floating, state.t),
             system(discretization.locally_owned, discretization.relevant, dim, communicator),
             solver(solver_parameters, dim, false), answers(contact.nodes().size()),
-            smallest_cell(GridTools::minimal_cell_diameter(discretization.geometry.triangulation))
+            smallest_cell(GridTools::minimal_cell_diameter(discretization.geometry.triangulation)),
+            tangent(smallest_cell)
       {
         u.reinit(discretization.locally_owned, communicator);
         du.reinit(discretization.locally_owned, communicator);
@@ -123,7 +125,8 @@ namespace Amontons
         recover_contact();
         count_states(step);
         step.residual = relative_residual();
-        measure_contraction(step.residual);
+        if (!motion && !report.iterations.empty())
+          tangent.measure(u, step.residual * force_scale);
         step.n_changes = update_states(step.residual);
         report.iterations.push_back(step);
       }
@@ -152,7 +155,7 @@ namespace Amontons
         report.converged                      = false;
         report.moved                          = true;
         damping                               = lumped_damping(discretization);
-        steps                                 = std::make_unique<DampedSteps>(first_step);
+        motion                                = DampedMotion{DampedSteps(first_step), {}, {}};
         double     residual                   = 0;
         const auto no_balance_here            = Diagnosis::friction_beyond_limit(states);
         while (report.goes_on())
@@ -163,13 +166,13 @@ namespace Amontons
               {
                 const auto &last = report.iterations.back();
                 stop_or_go_on(last);
-                steps->accept(residual / last.residual);
+                motion->steps.accept(residual / last.residual);
                 residual = last.residual;
               }
             else
               go_back(start);
           }
-        steps.reset();
+        motion.reset();
         if (!report.converged && no_balance_here) // it may move to where there is one
           report.failure = no_balance_here;
       }
@@ -180,26 +183,26 @@ namespace Amontons
       move_on(const LA::Vector &start, const typename SemismoothNewton<dim>::Observer &observer)
       {
         const unsigned int max_iterations = 8;
-        damping_force                     = discretization.make_owned_vector();
+        motion->force                     = discretization.make_owned_vector();
         states.forget();
         for (unsigned int n = 0; n < max_iterations; ++n)
           {
             NewtonReport::Iteration step{};
             LA::Vector              change;
             linearise();
-            if (!solve_step(step, change) || (n == 0 && !is_downhill) || !advance(change, 1))
+            if (!solve_step(step, change) || (n == 0 && !motion->is_downhill) || !advance(change, 1))
               return false;
-            damping_force = u;
-            damping_force -= start;
-            if (damping_force.linfty_norm() > 0.1 * damping.length)
+            motion->force = u;
+            motion->force -= start;
+            if (motion->force.linfty_norm() > 0.1 * damping.length)
               return false;
-            damping_force.scale(damping.values);
-            damping_force /= steps->size();
+            motion->force.scale(damping.values);
+            motion->force /= motion->steps.size();
             look_at_states(step);
             observer(step);
             if (!std::isfinite(step.residual))
               return false;
-            if (step.n_changes == 0 && damped_error <= std::max(0.1 * step.residual, parameters.tolerance) &&
+            if (step.n_changes == 0 && motion->error <= std::max(0.1 * step.residual, parameters.tolerance) &&
                 largest_violation() <= 1e-4)
               return true;
           }
@@ -210,7 +213,7 @@ namespace Amontons
       go_back(const LA::Vector &start)
       {
         report.failure.reset();
-        if (!put(start) || !steps->reject())
+        if (!put(start) || !motion->steps.reject())
           {
             report.failure = Failure{Failure::Kind::motion_lost};
             if (inversion)
@@ -405,17 +408,17 @@ namespace Amontons
           solver.values_changed();
         const LA::Vector *added = springs();
         LA::Vector        sum;
-        if (steps)
+        if (motion)
           {
             sum = damping.values;
-            sum /= steps->size();
+            sum /= motion->steps.size();
             if (added != nullptr)
               sum += *added;
             added = &sum;
           }
         system.assemble(elasticity.tangent(), supports, *constraints, further, added, rows, is_iterative());
         assembled     = constraints;
-        damped_system = steps != nullptr;
+        damped_system = motion.has_value();
       }
 
       // Bodies and contact. The pattern of the system knows from the beginning what nodes beside closed ones
@@ -427,7 +430,7 @@ namespace Amontons
           TimerOutput::Scope scope(timer, "assemble stiffness");
           mechanics.complete(state.displacement);
         }
-        place_of_tangent = u;
+        tangent.made_at(u);
         TimerOutput::Scope scope(timer, "differentiate contact");
         const bool         is_first = report.iterations.empty();
         NodeStates<dim>    more(states);
@@ -459,49 +462,22 @@ namespace Amontons
         return {first, first + (states[k] == ContactState::stick ? dim : 1)};
       }
 
-      // Newton's residuals get smaller by a factor that goes like the strain of the step: between 0.1 and 5
-      // of it, more where faces turn as they slide over edges. Not known from the first step, whose residual
-      // is large and local, nor from one that the linear solve ended.
-      void
-      measure_contraction(const double residual)
-      {
-        if (!steps && !report.iterations.empty() && linear_residual < 0.1 * residual * force_scale)
-          contraction_by_strain =
-              std::max(contraction_by_strain.value_or(0),
-                       residual * force_scale / (residual_of_step * strain_since_tangent()));
-      }
-
-      // With a tangent of another place, which is twice as far off as that of Newton's own step is in its
-      // mean. 1.25: where nothing is measured yet, more than blocks under pressure have.
-      double
-      expected_contraction() const
-      {
-        return 2 * contraction_by_strain.value_or(1.25) * strain_since_tangent();
-      }
-
-      double
-      strain_since_tangent() const
-      {
-        LA::Vector way(u);
-        way -= place_of_tangent;
-        return way.linfty_norm() / smallest_cell;
-      }
-
       // Where this is enough for the tolerance, the system stays as it is.
       bool
       system_serves_again() const
       {
-        return !report.iterations.empty() && report.iterations.back().n_changes == 0 && !steps &&
+        return !report.iterations.empty() && report.iterations.back().n_changes == 0 && !motion &&
                !damped_system && free_modes.empty() && constraints->pivots() == assembled->pivots() &&
-               expected_contraction() * report.iterations.back().residual < 0.5 * parameters.tolerance;
+               tangent.expected_contraction(u) * report.iterations.back().residual <
+                   0.5 * parameters.tolerance;
       }
 
       // Where the set moves, residuals do not fall by more than 1e-3 anyway.
       bool
       tangent_serves_again() const
       {
-        return !report.iterations.empty() && report.iterations.back().n_changes > 0 && !steps &&
-               contact.is_differentiated(states) && strain_since_tangent() < 1e-3;
+        return !report.iterations.empty() && report.iterations.back().n_changes > 0 && !motion &&
+               contact.is_differentiated(states) && tangent.strain_since(u) < 1e-3;
       }
 
       // Their values alone, for the matrix as it is.
@@ -590,7 +566,7 @@ namespace Amontons
         relevant            = change;
         LA::Vector force(change);
         force.scale(damping.values);
-        return forces_of(relevant) * change + force * change / steps->size() > 0;
+        return forces_of(relevant) * change + force * change / motion->steps.size() > 0;
       }
 
       // Newton's residual goes like its square: the linear one need not be smaller, nor than what the
@@ -613,8 +589,8 @@ namespace Amontons
         residual -= mechanics.unbalanced();
         residual -= elasticity.forces_of_excess();
         residual -= forces_of(change);
-        if (steps)
-          residual -= damping_force;
+        if (motion)
+          residual -= motion->force;
         LA::Vector rhs(discretization.locally_owned, communicator);
         rhs = condense(residual, constraints->test(), mechanics.loads());
         zero_constrained(constraints->test(), discretization.locally_owned, rhs);
@@ -630,9 +606,8 @@ namespace Amontons
           const double       tolerance = linear_tolerance(rhs);
           const auto         result =
               solver.solve(system.matrix(), du, rhs, tolerance, is_iterative() ? &form : nullptr);
-          step.krylov      = result.iterations;
-          residual_of_step = rhs.l2_norm();
-          linear_residual  = tolerance;
+          step.krylov = result.iterations;
+          tangent.solved(rhs.l2_norm(), tolerance);
           if (!result.success)
             {
               report.failure = Failure{Failure::Kind::linear_solver, result.iterations};
@@ -646,8 +621,8 @@ namespace Amontons
             first_push                      = push;
           }
         supports.distribute(du);
-        if (steps)
-          is_downhill = goes_downhill(du);
+        if (motion)
+          motion->is_downhill = goes_downhill(du);
         full = du;
         full += owned_part(change);
         return true;
@@ -674,7 +649,7 @@ namespace Amontons
         LA::Vector       relevant = discretization.make_relevant_vector();
         relevant                  = step;
         const auto change         = mechanics.change_of_dilatations(relevant);
-        const bool with_stiffness = steps || step.linfty_norm() > 1e-3 * smallest_cell;
+        const bool with_stiffness = motion || step.linfty_norm() > 1e-3 * smallest_cell;
         double     factor         = 1;
         for (unsigned int n = 0; n < n_tries; ++n, factor /= 2)
           {
@@ -708,10 +683,12 @@ namespace Amontons
         constraints = std::make_shared<ContactConstraints>(constraints_of(states));
         balance     = mechanics.unbalanced();
         balance -= known_shear_forces();
-        damped_balance = balance;
-        if (steps)
-          damped_balance += damping_force;
-        const auto multipliers = multipliers_of(damped_balance, supports, *constraints);
+        if (motion)
+          {
+            motion->balance = balance;
+            motion->balance += motion->force;
+          }
+        const auto multipliers = multipliers_of(motion ? motion->balance : balance, supports, *constraints);
         for (unsigned int k = 0; k < answers.size(); ++k)
           answers[k] = answer(k, multipliers);
       }
@@ -761,8 +738,9 @@ namespace Amontons
       double
       relative_residual()
       {
-        force_scale  = mechanics.force_scale(state.displacement, parameters.tolerance);
-        damped_error = relative_residual_of(damped_balance);
+        force_scale = mechanics.force_scale(state.displacement, parameters.tolerance);
+        if (motion)
+          motion->error = relative_residual_of(motion->balance);
         return std::max({relative_residual_of(balance),
                          largest_violation(),
                          relative(elasticity.forces_of_excess().l2_norm())});
@@ -807,7 +785,7 @@ namespace Amontons
       bool
       waits_for_equilibrium(const double residual, const double rounding)
       {
-        if (steps || residual <= 1e-3 || n_waits == 6 || previous_set.empty())
+        if (motion || residual <= 1e-3 || n_waits == 6 || previous_set.empty())
           {
             n_waits = 0;
             return false;
@@ -886,9 +864,6 @@ namespace Amontons
       std::vector<LocalMatrix>            further;
       std::vector<WrittenRow>             rows;
       std::shared_ptr<ContactConstraints> constraints, assembled; // now; of the matrix
-      LA::Vector                          place_of_tangent; // u when cells and contact were differentiated
-      std::optional<double>               contraction_by_strain;
-      double                              residual_of_step = 0, linear_residual = 0; // before and after it
       bool                                damped_system = false;
       std::vector<unsigned int>           first_equation; // by node, in the constraints made last
       std::vector<std::vector<double>>    free_modes;     // rigid motions that the closed nodes leave
@@ -897,11 +872,10 @@ namespace Amontons
       unsigned int                        n_waits     = 0;
       double                              force_scale = 0;
       const double                        smallest_cell;
+      TangentReuse                        tangent;
       Damping                             damping;
-      std::unique_ptr<DampedSteps>        steps; // while a motion is followed
-      LA::Vector                          damping_force, damped_balance, first_push;
-      double                              damped_error = 0;
-      bool                                is_downhill  = true; // the last step
+      std::optional<DampedMotion>         motion;
+      LA::Vector                          first_push;
     };
   } // namespace
 

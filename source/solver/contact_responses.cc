@@ -20,17 +20,6 @@ namespace Amontons
   }
 
   template <int dim>
-  void
-  set_traction_of_stick(const CandidateNode<dim> &node, const double *multipliers, NodeAnswer<dim> &answer)
-  {
-    Tensor<1, dim> traction;
-    for (unsigned int d = 0; d < dim; ++d)
-      traction[d] = multipliers[d] / node.area;
-    answer.pressure = traction * node.normal / node.normal.norm_square();
-    answer.shear    = node.tangential(traction);
-  }
-
-  template <int dim>
   ContactResponses<dim>::ContactResponses(const Discretization<dim>       &discretization,
                                           const ElasticityOperator<dim>   &elasticity,
                                           const Constraints               &supports,
@@ -193,10 +182,6 @@ namespace Amontons
     return result;
   }
 
-  template void
-  set_traction_of_stick(const CandidateNode<2> &, const double *, NodeAnswer<2> &);
-  template void
-  set_traction_of_stick(const CandidateNode<3> &, const double *, NodeAnswer<3> &);
   template class ContactResponses<2>;
   template class ContactResponses<3>;
 } // namespace Amontons

@@ -538,22 +538,17 @@ namespace Amontons
         return forces;
       }
 
-      // Forces of the shears that do not depend on the pressure, as in the small-strain iteration.
       LA::Vector
       known_shear_forces() const
       {
         LA::Vector forces = discretization.make_owned_vector();
         for (unsigned int k = 0; any_friction && k < answers.size(); ++k)
-          if (contact.nodes()[k].frictional && states[k] == ContactState::slip && contact.is_opposite(k) &&
-              (laws[k].constant != 0 || laws[k].stiffness > 0))
-            {
-              const auto &node = contact.nodes()[k];
-              const auto  q    = laws[k].traction(0, contact.slip(k, state.displacement));
-              for (unsigned int c = 0; c < dim; ++c)
-                for (const auto &[dof, weight] : node.components[c].equation.coefficients)
-                  if (discretization.locally_owned.is_element(dof))
-                    forces(dof) -= node.area * q[c] * weight;
-            }
+          if (contact.nodes()[k].frictional && states[k] == ContactState::slip && contact.is_opposite(k))
+            add_known_shear_forces(contact.nodes()[k],
+                                   laws[k],
+                                   contact.slip(k, state.displacement),
+                                   discretization.locally_owned,
+                                   forces);
         forces.compress(VectorOperation::add);
         return forces;
       }
@@ -696,30 +691,23 @@ namespace Amontons
       NodeAnswer<dim>
       answer(const unsigned int k, const std::vector<double> &multipliers) const
       {
-        NodeAnswer<dim>           result;
         const CandidateNode<dim> &node = contact.nodes()[k];
         if (states[k] == ContactState::open)
           {
+            NodeAnswer<dim> result;
             result.gap = contact.open_gap(k);
             if (node.frictional && contact.is_opposite(k)) // where its law starts if it closes
               result.slip = contact.slip(k, state.displacement);
             return result;
           }
-        if (node.frictional)
-          result.slip = contact.slip(k, state.displacement);
         const unsigned int e = first_equation[k];
-        if (states[k] == ContactState::stick)
-          {
-            set_traction_of_stick(node, &multipliers[e], result);
-            return result;
-          }
-        if (constraints->pivots()[e])
-          result.pressure = multipliers[e] / node.area;
-        else
-          result.gap = node.gap;
-        if (node.frictional)
-          result.shear = laws[k].traction(result.pressure, result.slip);
-        return result;
+        return answer_of_closed(node,
+                                states[k],
+                                laws[k],
+                                node.frictional ? contact.slip(k, state.displacement) : Tensor<1, dim>(),
+                                node.gap,
+                                constraints->pivots()[e].has_value(),
+                                &multipliers[e]);
       }
 
       void
@@ -799,14 +787,7 @@ namespace Amontons
       unsigned int
       update_states(const double residual)
       {
-        double rounding = 0, c = 0;
-        for (const auto &node : contact.nodes())
-          if (!node.tied)
-            {
-              rounding = std::max(rounding, node.rounding);
-              c        = std::max(c, node.c);
-            }
-        rounding += 1e-13 * c * u.linfty_norm();
+        const double rounding = rounding_of_pressures(contact.nodes(), u.linfty_norm());
         if (waits_for_equilibrium(residual, rounding))
           return 0;
         previous_set         = states.all();

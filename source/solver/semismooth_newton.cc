@@ -212,22 +212,14 @@ namespace Amontons
         return matrices;
       }
 
-      // Forces of the shears that do not depend on the pressure of this step: those of a node without a
-      // multiplier of their own.
       LA::Vector
       known_shear_forces()
       {
         LA::Vector forces;
         forces.reinit(loads);
         for (unsigned int k = 0; k < nodes.size(); ++k)
-          if (slips_with_friction(k) && (laws[k].constant != 0 || laws[k].stiffness > 0))
-            {
-              const auto q = laws[k].traction(0, slip(k));
-              for (unsigned int c = 0; c < dim; ++c)
-                for (const auto &[dof, weight] : nodes[k].components[c].equation.coefficients)
-                  if (discretization.locally_owned.is_element(dof))
-                    forces(dof) -= nodes[k].area * q[c] * weight;
-            }
+          if (slips_with_friction(k))
+            add_known_shear_forces(nodes[k], laws[k], slip(k), discretization.locally_owned, forces);
         forces.compress(VectorOperation::add);
         return forces;
       }
@@ -292,28 +284,25 @@ namespace Amontons
       NodeAnswer<dim>
       answer(const unsigned int k) const
       {
-        NodeAnswer<dim>           result;
         const CandidateNode<dim> &node = nodes[k];
-        if (node.frictional)
-          result.slip = slip(k);
+        const auto gap = [&]() { return node.gap - evaluate(node.closing.equation, state.displacement); };
         if (states[k] == ContactState::open)
           {
-            result.gap = node.gap - evaluate(node.closing.equation, state.displacement);
+            NodeAnswer<dim> result;
+            result.gap = gap();
+            if (node.frictional)
+              result.slip = slip(k);
             return result;
           }
-        const unsigned int e = first_equation[k];
-        if (states[k] == ContactState::stick)
-          {
-            set_traction_of_stick(node, &multipliers[e], result);
-            return result;
-          }
-        if (constraints->pivots()[e])
-          result.pressure = multipliers[e] / node.area;
-        else
-          result.gap = node.gap - evaluate(node.closing.equation, state.displacement);
-        if (node.frictional)
-          result.shear = laws[k].traction(result.pressure, result.slip);
-        return result;
+        const unsigned int e           = first_equation[k];
+        const bool         has_a_pivot = constraints->pivots()[e].has_value();
+        return answer_of_closed(node,
+                                states[k],
+                                laws[k],
+                                node.frictional ? slip(k) : Tensor<1, dim>(),
+                                has_a_pivot ? 0. : gap(),
+                                has_a_pivot,
+                                &multipliers[e]);
       }
 
       // What rounding leaves of |K||u| counts as zero: scenes without stress, stiff bodies on soft ones.
@@ -330,16 +319,9 @@ namespace Amontons
       bool
       update_states(NewtonReport::Iteration &step)
       {
-        double rounding = 0, c = 0;
-        for (const auto &node : nodes)
-          if (!node.tied)
-            {
-              rounding = std::max(rounding, node.rounding);
-              c        = std::max(c, node.c);
-            }
-        rounding += 1e-13 * c * u.linfty_norm();
-        const auto before = states.all();
-        step.n_changes    = states.update(answers, rounding);
+        const double rounding = rounding_of_pressures(nodes, u.linfty_norm());
+        const auto   before   = states.all();
+        step.n_changes        = states.update(answers, rounding);
         if (step.n_changes > 0 && looks_ahead())
           {
             step.krylov += look_ahead({nodes, before, laws, answers, movable_nodes(), u}, rounding);

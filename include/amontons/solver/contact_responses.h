@@ -13,11 +13,6 @@ namespace Amontons
                  const Constraints        &supports,
                  const ContactConstraints &constraints);
 
-  // From the multipliers of its dim equations.
-  template <int dim>
-  void
-  set_traction_of_stick(const CandidateNode<dim> &node, const double *multipliers, NodeAnswer<dim> &answer);
-
   // With the test and trial functions C~ and C of the base and an input that moves the constraints by w_0 or
   // adds the forces f, the bodies move by
   //

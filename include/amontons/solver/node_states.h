@@ -2,21 +2,13 @@
 #pragma once
 
 #include <amontons/friction/active_set.h>
-#include <amontons/solver/contact_nodes.h>
+#include <amontons/solver/node_answer.h>
 #include <amontons/solver/solution_state.h>
 
 #include <set>
 
 namespace Amontons
 {
-  // What a solve says of a node. Contact traction on the slave: -(pressure normal + shear).
-  template <int dim>
-  struct NodeAnswer
-  {
-    double         pressure = 0, gap = 0;
-    Tensor<1, dim> shear, slip; // tied: no slip
-  };
-
   // Open or closed as ActiveSetUpdate says. A closed node with friction slips along trial/|trial|, trial =
   // shear + c slip, where |trial| exceeds the bound phi(p), and sticks elsewhere; nodes whose slip turns
   // round stick first (but for directions that were guessed). Two things keep this from running in circles or

@@ -1,0 +1,47 @@
+/// What a solve says of the contact nodes: the same at small and at finite strain.
+#pragma once
+
+#include <amontons/solver/contact_nodes.h>
+
+namespace Amontons
+{
+  /// Of one node. Contact traction on the slave: -(pressure normal + shear).
+  template <int dim>
+  struct NodeAnswer
+  {
+    double         pressure = 0, gap = 0;
+    Tensor<1, dim> shear, slip; // tied: no slip
+  };
+
+  /// Of a closed node. multipliers: of its equations (stick: dim of them), none if the first has no pivot:
+  /// then a slipping node has `gap`, whatever its equation wants. slip: of frictional nodes.
+  template <int dim>
+  NodeAnswer<dim>
+  answer_of_closed(const CandidateNode<dim> &node,
+                   const ContactState        state,
+                   const SlipLaw<dim>       &law,
+                   const Tensor<1, dim>     &slip,
+                   const double              gap,
+                   const bool                has_multiplier,
+                   const double             *multipliers);
+
+  /// From the multipliers of its dim equations.
+  template <int dim>
+  void
+  set_traction_of_stick(const CandidateNode<dim> &node, const double *multipliers, NodeAnswer<dim> &answer);
+
+  /// Adds the forces of a slipping node's shear that do not depend on the pressure of this step (those of a
+  /// node without a multiplier of their own) to owned DoFs.
+  template <int dim>
+  void
+  add_known_shear_forces(const CandidateNode<dim> &node,
+                         const SlipLaw<dim>       &law,
+                         const Tensor<1, dim>     &slip,
+                         const IndexSet           &locally_owned,
+                         LA::Vector               &forces);
+
+  /// What rounding makes of pressures, for nodes that move by `motion`.
+  template <int dim>
+  double
+  rounding_of_pressures(const std::vector<CandidateNode<dim>> &nodes, const double motion);
+} // namespace Amontons

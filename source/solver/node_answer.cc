@@ -1,0 +1,104 @@
+#include <amontons/solver/node_answer.h>
+
+namespace Amontons
+{
+  template <int dim>
+  void
+  set_traction_of_stick(const CandidateNode<dim> &node, const double *multipliers, NodeAnswer<dim> &answer)
+  {
+    Tensor<1, dim> traction;
+    for (unsigned int d = 0; d < dim; ++d)
+      traction[d] = multipliers[d] / node.area;
+    answer.pressure = traction * node.normal / node.normal.norm_square();
+    answer.shear    = node.tangential(traction);
+  }
+
+  template <int dim>
+  NodeAnswer<dim>
+  answer_of_closed(const CandidateNode<dim> &node,
+                   const ContactState        state,
+                   const SlipLaw<dim>       &law,
+                   const Tensor<1, dim>     &slip,
+                   const double              gap,
+                   const bool                has_multiplier,
+                   const double             *multipliers)
+  {
+    NodeAnswer<dim> result;
+    if (node.frictional)
+      result.slip = slip;
+    if (state == ContactState::stick)
+      {
+        set_traction_of_stick(node, multipliers, result);
+        return result;
+      }
+    if (has_multiplier)
+      result.pressure = multipliers[0] / node.area;
+    else
+      result.gap = gap;
+    if (node.frictional)
+      result.shear = law.traction(result.pressure, result.slip);
+    return result;
+  }
+
+  template <int dim>
+  void
+  add_known_shear_forces(const CandidateNode<dim> &node,
+                         const SlipLaw<dim>       &law,
+                         const Tensor<1, dim>     &slip,
+                         const IndexSet           &locally_owned,
+                         LA::Vector               &forces)
+  {
+    if (law.constant == 0 && !(law.stiffness > 0))
+      return;
+    const auto q = law.traction(0, slip);
+    for (unsigned int c = 0; c < dim; ++c)
+      for (const auto &[dof, weight] : node.components[c].equation.coefficients)
+        if (locally_owned.is_element(dof))
+          forces(dof) -= node.area * q[c] * weight;
+  }
+
+  template <int dim>
+  double
+  rounding_of_pressures(const std::vector<CandidateNode<dim>> &nodes, const double motion)
+  {
+    double rounding = 0, c = 0;
+    for (const auto &node : nodes)
+      if (!node.tied)
+        {
+          rounding = std::max(rounding, node.rounding);
+          c        = std::max(c, node.c);
+        }
+    return rounding + 1e-13 * c * motion;
+  }
+
+  template void
+  set_traction_of_stick(const CandidateNode<2> &, const double *, NodeAnswer<2> &);
+  template NodeAnswer<2>
+  answer_of_closed(const CandidateNode<2> &,
+                   const ContactState,
+                   const SlipLaw<2> &,
+                   const Tensor<1, 2> &,
+                   const double,
+                   const bool,
+                   const double *);
+  template void
+  add_known_shear_forces(
+      const CandidateNode<2> &, const SlipLaw<2> &, const Tensor<1, 2> &, const IndexSet &, LA::Vector &);
+  template double
+  rounding_of_pressures(const std::vector<CandidateNode<2>> &, const double);
+  template void
+  set_traction_of_stick(const CandidateNode<3> &, const double *, NodeAnswer<3> &);
+  template NodeAnswer<3>
+  answer_of_closed(const CandidateNode<3> &,
+                   const ContactState,
+                   const SlipLaw<3> &,
+                   const Tensor<1, 3> &,
+                   const double,
+                   const bool,
+                   const double *);
+  template void
+  add_known_shear_forces(
+      const CandidateNode<3> &, const SlipLaw<3> &, const Tensor<1, 3> &, const IndexSet &, LA::Vector &);
+  template double
+  rounding_of_pressures(const std::vector<CandidateNode<3>> &, const double);
+} // namespace Amontons

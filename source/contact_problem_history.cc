@@ -296,7 +296,7 @@ namespace Amontons
     history.state.traction = history.last_converged.traction;
     history.state.peaks    = history.last_converged.peaks;
     carry_active_set();
-    terminal.note("equilibrium of the transferred history.state at t = " + std::to_string(history.state.t));
+    terminal.note("equilibrium of the transferred state at t = " + std::to_string(history.state.t));
     const auto report = iterate();
     if (!report.converged)
       {

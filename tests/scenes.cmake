@@ -956,7 +956,7 @@ foreach(scene greco floating_slab)
   add_scene_test(NAME increments_${scene} SCENE ${scene}.prm SET "Refinement/Cycles=2"
                  CHECK "error_estimate.increments <= 1e-9" "increments.number == 1" "increments.repeated_with == 2" "meshes.-1.increment == 1")
 endforeach()
-foreach(case "1 2 0.2 0.5" "5 3 0.05 0.25" "20 10 0.003 0.02")
+foreach(case "1 2 0.2 0.5" "5 3 0.05 0.25" "80 40 0.003 0.02")
   separate_arguments(case)
   list(GET case 0 n)
   list(GET case 1 repeated)

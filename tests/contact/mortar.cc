@@ -50,16 +50,19 @@ check_blocks(const unsigned int degree)
     }
 }
 
-// Faces [k, k + 1] of a slave above a master: those that are covered whole.
+// Faces [k, k + 1] of a slave above a master: those that are covered whole, in the plane and as rings.
 void
-check_whole_faces(const unsigned int degree)
+check_whole_faces(const unsigned int degree, const Kind kind)
 {
   for (const auto &[a, b, wanted] : {std::make_tuple(0., 4., std::set<double>{0.5, 1.5, 2.5, 3.5}),
                                      std::make_tuple(0.4, 3., std::set<double>{1.5, 2.5}),
                                      std::make_tuple(-1., 2.98, std::set<double>{0.5, 1.5}),
                                      std::make_tuple(0.05, 0.9, std::set<double>{})})
     {
+      if (kind == Kind::axisymmetric && a < 0)
+        continue;
       Scene scene;
+      scene.kind   = kind;
       scene.bodies = {block("lower", {a, 0, 0}, {b, 1, 0}, 3), block("upper", {0, 1, 0}, {4, 2, 0}, 4)};
       scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
       const Problem<2> problem(scene, degree);
@@ -388,7 +391,8 @@ main(int argc, char **argv)
   for (const unsigned int degree : {1, 2})
     {
       check_blocks(degree);
-      check_whole_faces(degree);
+      check_whole_faces(degree, Kind::plane_strain);
+      check_whole_faces(degree, Kind::axisymmetric);
       check_held_node(degree);
       check_circle_over_plane(degree);
       check_disk_over_plane(degree);

@@ -77,7 +77,7 @@ namespace Amontons
     auto       kept_interfaces = std::move(interfaces);
     auto       kept_bodies     = std::move(elasticity);
     auto       kept_summary    = summary;
-    const auto kept_history    = history;
+    auto       kept_history    = std::move(history);
     const auto kept_error      = error;
     const auto kept_fields     = fields;
     const auto kept_loads      = loads;
@@ -87,7 +87,8 @@ namespace Amontons
     terminal.be_quiet(true);
     coarser         = few ? 0.5 : 2;
     elasticity      = std::make_unique<ElasticityOperator<dim>>(*discretization, finite_strain);
-    history.state   = SolutionState();
+    history         = LoadHistory<dim>();
+    history.path    = std::move(kept_history.path); // first guesses for both
     history.state.t = LoadProgram(scene, incremental, coarser).next();
     couple_surfaces();
     if (run_load_program() && history.record.n_increments != kept_history.record.n_increments)
@@ -99,7 +100,8 @@ namespace Amontons
     interfaces          = std::move(kept_interfaces);
     elasticity          = std::move(kept_bodies);
     summary             = std::move(kept_summary);
-    history             = kept_history;
+    kept_history.path   = std::move(history.path);
+    history             = std::move(kept_history);
     error               = kept_error;
     fields              = kept_fields;
     loads               = kept_loads;

@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-BOUNDS = {"largest file": 925, "functions over 80 code lines": 4, "functions over 40 code lines": 44, "data members of the largest class": 49}
+BOUNDS = {"largest file": 880, "functions over 80 code lines": 4, "functions over 40 code lines": 44, "data members of the largest class": 43}
 MODES = re.compile(r"\b(finite_strain|has_history|incremental|is_repeat|only_increments|measured_increments|follow_motion|automatic)\b")
 
 

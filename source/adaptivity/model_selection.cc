@@ -54,16 +54,15 @@ namespace Amontons
     double
     stress_stiffening(const Discretization<dim> &discretization, const StressRecovery<dim> &recovery)
     {
-      const unsigned int                 n = discretization.scene.bodies.size();
-      std::vector<std::array<double, 3>> sums(n,
-                                              {{0, 0, 0}}); // volume, surface, integral of the squared stress
+      const unsigned int  n = discretization.scene.bodies.size();
+      std::vector<double> sums(3 * n, 0.); // by body: volume, surface, integral of the squared stress
       for (const auto &cell : discretization.dof_handler.active_cell_iterators())
         if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
           {
-            auto        &sum    = sums[cell->material_id()];
-            const double volume = cell->measure();
-            const auto  &points = recovery.unsmoothed(cell->active_cell_index());
-            double       square = 0;
+            double *const sum    = &sums[3 * cell->material_id()];
+            const double  volume = cell->measure();
+            const auto   &points = recovery.unsmoothed(cell->active_cell_index());
+            double        square = 0;
             for (const auto &stress : points)
               for (unsigned int k = 0; k < n_voigt<dim>; ++k)
                 square += (k < 3 ? 1 : 2) * stress[k] * stress[k];
@@ -73,12 +72,11 @@ namespace Amontons
               if (face->at_boundary())
                 sum[1] += face->measure();
           }
+      Utilities::MPI::sum(sums, discretization.geometry.communicator, sums);
       double largest = 0;
       for (unsigned int b = 0; b < n; ++b)
         {
-          for (double &value : sums[b])
-            value = Utilities::MPI::sum(value, discretization.geometry.communicator);
-          const auto &[volume, surface, square] = sums[b];
+          const double volume = sums[3 * b], surface = sums[3 * b + 1], square = sums[3 * b + 2];
           if (volume == 0)
             continue;
           const double stress = std::sqrt(square / volume) / discretization.scene.bodies[b].material.young,

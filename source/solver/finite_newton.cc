@@ -10,8 +10,6 @@
 
 #include <deal.II/grid/grid_tools.h>
 
-#include <sstream>
-
 namespace Amontons
 {
   template <int dim>

@@ -256,14 +256,8 @@ namespace Amontons
     fields.clear();
     const auto unused = unused_shears();
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      fields.push_back(make_surface_fields(*discretization,
-                                           interfaces[i],
-                                           history.state.states[i],
-                                           history.state.pressures[i],
-                                           history.state.gaps[i],
-                                           history.state.shears[i],
-                                           unused[i],
-                                           history.state.displacement));
+      fields.push_back(make_surface_fields(
+          *discretization, interfaces[i], history.state.contact[i], unused[i], history.state.displacement));
   }
 
   // What the shear leaves of the bound of friction, by pair and row.
@@ -273,15 +267,13 @@ namespace Amontons
   {
     std::vector<std::vector<double>> unused(interfaces.size());
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
+      for (const auto &row : interfaces[i].coupling.rows)
         {
-          unused[i].push_back(0);
-          if (history.state.states[i][r] != ContactState::stick)
-            continue;
-          const auto X = as_3d(interfaces[i].slave->nodes[interfaces[i].coupling.rows[r].node].X);
-          const auto bound =
-              shear_bound(*interfaces[i].pair, X, history.state.t, history.state.pressures[i][r]);
-          unused[i][r] = std::max(0., bound.value - history.state.shears[i][r].norm());
+          const auto  &node  = history.state.contact[i][row.node];
+          const auto   X     = as_3d(interfaces[i].slave->nodes[row.node].X);
+          const double bound = shear_bound(*interfaces[i].pair, X, history.state.t, node.pressure).value;
+          unused[i].push_back(node.state == ContactState::stick ? std::max(0., bound - node.shear.norm())
+                                                                : 0);
         }
     return unused;
   }

@@ -97,9 +97,9 @@ namespace Amontons
       make_traction_field();
     history.last_converged = history.state;
     for (unsigned int i = 0; program.at_corner() && i < interfaces.size(); ++i)
-      for (auto &s : history.state.states[i])
-        if (interfaces[i].pair->has_friction() && s == ContactState::slip)
-          s = ContactState::stick;
+      for (auto &node : history.state.contact[i])
+        if (interfaces[i].pair->has_friction() && node.state == ContactState::slip)
+          node.state = ContactState::stick;
   }
 
   template <int dim>
@@ -150,7 +150,7 @@ namespace Amontons
     if (history.state.displacement.size() == 0)
       history.state.displacement = discretization->make_relevant_vector();
     move_surfaces();
-    if (history.last_converged.displacement.size() > 0 && history.last_converged.states.empty())
+    if (history.last_converged.displacement.size() > 0 && history.last_converged.contact.empty())
       carry_active_set();
   }
 
@@ -220,7 +220,7 @@ namespace Amontons
   {
     const double failed_time = history.state.t;
     summary.meshes.pop_back();
-    const bool is_transferred = history.last_converged.states.empty();
+    const bool is_transferred = history.last_converged.contact.empty();
     go_back();
     const double t = history.state.t;
     set_time(t);

@@ -26,13 +26,13 @@ namespace Amontons
         if (pair.tied)
           continue;
         LoadRecord::Pair kept;
-        for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
+        for (const auto &row : interfaces[i].coupling.rows)
           {
-            const auto  &row     = interfaces[i].coupling.rows[r];
-            const double p       = history.state.pressures[i][r];
+            const auto  &node    = history.state.contact[i][row.node];
+            const double p       = node.pressure;
             const auto   X       = as_3d(interfaces[i].slave->nodes[row.node].X);
             const double bound   = pair.has_friction() ? shear_bound(pair, X, history.state.t, p).value : 0;
-            kept.nodes[row.node] = {row.area, p, bound, history.state.shears[i][r]};
+            kept.nodes[row.node] = {row.area, p, bound, as_3d(node.shear)};
           }
         for (unsigned int c = 0; c < dim; ++c)
           {
@@ -56,9 +56,9 @@ namespace Amontons
       if (interfaces[i].pair->has_friction())
         most = std::max<unsigned int>(
             most,
-            std::count_if(history.state.states[i].begin(),
-                          history.state.states[i].end(),
-                          [](const ContactState s) { return s != ContactState::open; }));
+            std::count_if(history.state.contact[i].begin(),
+                          history.state.contact[i].end(),
+                          [](const auto &node) { return node.state != ContactState::open; }));
     return most >= (dim == 2 ? 10 : 20);
   }
 

@@ -1,6 +1,5 @@
 // Finite strain, and whether small strain was enough.
 #include <amontons/contact_problem.h>
-#include <amontons/solver/stored_states.h>
 
 #include <sstream>
 
@@ -14,15 +13,12 @@ namespace Amontons
     // By slave node: area and pressure.
     template <int dim>
     std::vector<std::map<unsigned int, std::array<double, 2>>>
-    contact_answer(const std::vector<ContactInterface<dim>> &interfaces, const SolutionState &state)
+    contact_answer(const std::vector<ContactInterface<dim>> &interfaces, const SolutionState<dim> &state)
     {
       std::vector<std::map<unsigned int, std::array<double, 2>>> answer(interfaces.size());
       for (unsigned int i = 0; i < interfaces.size(); ++i)
-        for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
-          {
-            const auto &row     = interfaces[i].coupling.rows[r];
-            answer[i][row.node] = {{row.area, state.pressures[i][r]}};
-          }
+        for (const auto &row : interfaces[i].coupling.rows)
+          answer[i][row.node] = {{row.area, state.contact[i][row.node].pressure}};
       return answer;
     }
 
@@ -102,11 +98,11 @@ namespace Amontons
       return;
     TimerOutput::Scope scope(timer, "contact surfaces");
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      if (i < history.state.carried.size() &&
-          history.state.carried[i].size() == interfaces[i].slave->nodes.size())
-        interfaces[i].carried = history.state.carried[i];
+      if (!history.state.contact.empty() &&
+          history.state.contact[i].size() == interfaces[i].slave->nodes.size())
+        for (unsigned int n = 0; n < interfaces[i].slave->nodes.size(); ++n)
+          interfaces[i].carried[n] = history.state.contact[i][n].has_multiplier;
     couple_moved(*discretization, supports, history.state.displacement, history.state.t, interfaces);
-    fit_states(interfaces, history.state);
   }
 
   // The iteration with finite strain goes on from the answer of small strain: the largest relative change of
@@ -116,7 +112,7 @@ namespace Amontons
   std::optional<double>
   ContactProblem<dim>::change_by_finite_strain()
   {
-    SolutionState           trial  = history.state;
+    SolutionState<dim>      trial  = history.state;
     const auto              before = contact_answer(interfaces, trial);
     ElasticityOperator<dim> finite(*discretization, true);
     FiniteNewton<dim>       newton(parameters.newton, parameters.linear_solver, *discretization, timer);
@@ -256,7 +252,7 @@ namespace Amontons
     reaches.clear(); // how far surfaces see depends on how far they move
     summary.increments.reset();
     vtu.restart();
-    history.state   = SolutionState();
+    history.state   = SolutionState<dim>();
     history.state.t = LoadProgram(scene, incremental).next();
     rebuild();
   }

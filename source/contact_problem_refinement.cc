@@ -35,12 +35,12 @@ namespace Amontons
           continue; // a declared gap says nothing about the distance of the meshes
         double needed     = 0;
         bool   any_closed = false;
-        for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
+        for (const auto &row : interfaces[i].coupling.rows)
           {
-            const double initial = interfaces[i].coupling.rows[r].gap, now = history.state.gaps[i][r];
-            const bool   closed = history.state.states[i][r] != ContactState::open;
-            any_closed          = any_closed || closed;
-            needed              = std::max(needed, closed ? std::abs(initial) : initial - now);
+            const auto &node   = history.state.contact[i][row.node];
+            const bool  closed = node.state != ContactState::open;
+            any_closed         = any_closed || closed;
+            needed             = std::max(needed, closed ? std::abs(row.gap) : row.gap - node.gap);
           }
         if (!any_closed)
           continue;
@@ -54,38 +54,9 @@ namespace Amontons
         TimerOutput::Scope scope(timer, "contact surfaces");
         for (unsigned int i = 0; i < interfaces.size(); ++i)
           interfaces[i].reach = reaches[i];
-        std::vector<std::vector<CouplingRow<dim>>> old_rows;
-        for (const auto &interface : interfaces)
-          old_rows.push_back(interface.coupling.rows);
         integrate_couplings(*discretization, supports, interfaces);
-        states_to_new_rows(old_rows);
       }
     return too_short;
-  }
-
-  // The next guess: nodes keep their states, those that had no row are open.
-  template <int dim>
-  void
-  ContactProblem<dim>::states_to_new_rows(const std::vector<std::vector<CouplingRow<dim>>> &old_rows)
-  {
-    const auto old = history.state;
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      {
-        std::map<unsigned int, unsigned int> row_of_node;
-        for (unsigned int r = 0; r < old_rows[i].size(); ++r)
-          row_of_node[old_rows[i][r].node] = r;
-        const auto &rows = interfaces[i].coupling.rows;
-        history.state.states[i].assign(rows.size(), ContactState::open);
-        history.state.pressures[i].assign(rows.size(), 0.);
-        history.state.trials[i].assign(rows.size(), Tensor<1, 3>());
-        for (unsigned int r = 0; r < rows.size(); ++r)
-          if (const auto known = row_of_node.find(rows[r].node); known != row_of_node.end())
-            {
-              history.state.states[i][r]    = old.states[i][known->second];
-              history.state.pressures[i][r] = old.pressures[i][known->second];
-              history.state.trials[i][r]    = old.trials[i][known->second];
-            }
-      }
   }
 
   template <int dim>
@@ -115,7 +86,7 @@ namespace Amontons
         moving.push_back(vector);
     else
       history.last_converged =
-          SolutionState(); // there is none, or the history starts anew on the refined mesh
+          SolutionState<dim>(); // there is none, or the history starts anew on the refined mesh
     for (auto &point : history.path)
       {
         moving.push_back(&point.displacement);
@@ -124,8 +95,7 @@ namespace Amontons
     refine_and_transfer(*discretization, geometry, moving, [&]() { rebuild(); });
     ++mesh_number;
     ++cycle;
-    history.last_converged.states.clear(); // those of the rows before, see go_back()
-    history.last_converged.carried.clear();
+    history.last_converged.contact.clear(); // of the nodes before, see go_back()
     move_surfaces();
     carry_active_set();
     return true;
@@ -146,9 +116,8 @@ namespace Amontons
         const double scale = fields[i].peak_pressure > 0 ? std::pow(fields[i].peak_pressure, -2) : 0;
         const auto   edge  = signed_pressure_square(interfaces[i], fields[i]);
         std::vector<Tensor<1, dim>> shear(slave.nodes.size());
-        for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
-          for (unsigned int c = 0; c < dim; ++c)
-            shear[interfaces[i].coupling.rows[r].node][c] = history.state.trials[i][r][c];
+        for (const auto &row : interfaces[i].coupling.rows)
+          shear[row.node] = history.state.contact[i][row.node].trial;
         auto continued = shear;
         for (const auto &face : slave.faces)
           for (const unsigned int n : face.nodes)
@@ -172,45 +141,36 @@ namespace Amontons
   void
   ContactProblem<dim>::carry_active_set()
   {
-    history.state.states.assign(interfaces.size(), {});
-    history.state.pressures.assign(interfaces.size(), {});
-    history.state.trials.assign(interfaces.size(), {});
-    history.state.gaps.assign(interfaces.size(), {});
-    history.state.shears.assign(interfaces.size(), {});
-    history.state.slips.assign(interfaces.size(), {});
+    history.state.contact.clear();
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      for (const auto &row : interfaces[i].coupling.rows)
-        {
-          const auto    &node = interfaces[i].slave->nodes[row.node];
-          Tensor<1, dim> field;
-          for (unsigned int c = 0; c < dim; ++c)
-            field[c] = history.state.traction(node.dofs[c]);
-          const double   edge  = field * node.normal;
-          Tensor<1, dim> shear = field - edge * node.normal;
-          const bool     slips = !interfaces[i].pair->has_friction() || shear.norm() > 1;
-          history.state.states[i].push_back(interfaces[i].pair->tied ? ContactState::stick
-                                            : edge <= 0              ? ContactState::open
-                                            : slips                  ? ContactState::slip
-                                                                     : ContactState::stick);
-          history.state.pressures[i].push_back(history.state.peaks[i] * std::sqrt(std::max(0., edge)));
-          Tensor<1, 3> trial;
-          for (unsigned int c = 0; c < dim; ++c)
-            trial[c] = shear[c];
-          history.state.trials[i].push_back(trial);
-          history.state.gaps[i].push_back(0);
-          history.state.shears[i].emplace_back();
-          history.state.slips[i].emplace_back();
-        }
+      {
+        NodalContacts<dim> contact(interfaces[i].slave->nodes.size());
+        for (const auto &row : interfaces[i].coupling.rows)
+          {
+            const auto    &node = interfaces[i].slave->nodes[row.node];
+            Tensor<1, dim> field;
+            for (unsigned int c = 0; c < dim; ++c)
+              field[c] = history.state.traction(node.dofs[c]);
+            const double         edge  = field * node.normal;
+            const Tensor<1, dim> shear = field - edge * node.normal;
+            const bool           slips = !interfaces[i].pair->has_friction() || shear.norm() > 1;
+            auto                &known = contact[row.node];
+            known.has_multiplier       = true;
+            known.state                = interfaces[i].pair->tied ? ContactState::stick
+                                         : edge <= 0              ? ContactState::open
+                                         : slips                  ? ContactState::slip
+                                                                  : ContactState::stick;
+            known.pressure             = history.state.peaks[i] * std::sqrt(std::max(0., edge));
+            known.trial                = shear;
+          }
+        history.state.contact.push_back(contact);
+      }
   }
 
   template bool
   ContactProblem<2>::widen_reach();
   template bool
   ContactProblem<3>::widen_reach();
-  template void
-  ContactProblem<2>::states_to_new_rows(const std::vector<std::vector<CouplingRow<2>>> &);
-  template void
-  ContactProblem<3>::states_to_new_rows(const std::vector<std::vector<CouplingRow<3>>> &);
   template bool
   ContactProblem<2>::refine();
   template bool

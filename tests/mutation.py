@@ -99,8 +99,8 @@ CHANGES = [
     ("modes of rotation", "solver/floating_bodies.cc", "e[mode] -= weight * (place.X[b] - centres[place.body][b])", "e[mode] += weight * (place.X[b] - centres[place.body][b])", "^solver/floating_bodies$"),
     ("turning slip", "solver/node_states.cc", "!first && old == ContactState::slip && q * laws[k].direction < 0", "false", FRICTION + "|scenes/iterations_.*|scenes/microslip_bar_back_at_0"),
     ("origin of sticking nodes", "solver/semismooth_newton.cc", "origins[k] = nodes[k].jump(state.committed);", "origins[k] = nodes[k].jump(state.displacement);", FRICTION),
-    ("stored shears", "solver/stored_states.cc", "state.shears[i][r]           = padded(answer.shear);", "state.shears[i][r]           = padded(answer.slip);", FRICTION),
-    ("states of nodes that had a row", "solver/stored_states.cc", "lists[i][r] = old[place[rows[r].node]];", "lists[i][r] = old[std::min<std::size_t>(r, old.size() - 1)];", "^solver/stored_states$"),
+    ("stored states", "solver/node_states.cc", "contact.state          = states[k];", "contact.state          = answers[k].state;", FRICTION),
+    ("states of nodes that had a row", "solver/node_states.cc", "auto &contact = result[nodes[k].interface][nodes[k].node];", "auto &contact = result[nodes[k].interface][nodes[k].row];", "^solver/node_states$"),
     ("shift along the surface that slip does not see", "solver/moving_contact.cc", "weights[c][dofs[c]] -= gamma * jump;", ";", "^solver/slip$"),
     ("motion that is lost goes on", "solver/finite_newton.cc", "!put(start) || !steps->reject()", "!put(start)", "scenes/(wall_buckling|snap_away).*"),
     # ---- adaptivity

@@ -154,8 +154,6 @@ namespace Amontons
     unused_shears() const;
     bool
     widen_reach();
-    void
-    states_to_new_rows(const std::vector<std::vector<CouplingRow<dim>>> &old_rows);
     double
     estimated_error() const;
     bool

@@ -14,7 +14,7 @@ namespace Amontons
   template <int dim>
   struct LoadHistory
   {
-    SolutionState state, last_converged;
+    SolutionState<dim> state, last_converged;
     /// Replay: the increments on the mesh before, as first guesses.
     struct PathPoint
     {
@@ -42,7 +42,7 @@ namespace Amontons
       snaps.clear();
       state.committed   = LA::Vector();
       state.committed_t = 0;
-      last_converged    = SolutionState();
+      last_converged    = SolutionState<dim>();
     }
   };
 } // namespace Amontons

@@ -92,7 +92,7 @@ namespace Amontons
   void
   NeglectedTermsOfHistory<dim>::add(const Discretization<dim>                &discretization,
                                     const StressRecovery<dim>                &recovery,
-                                    const SolutionState                      &state,
+                                    const SolutionState<dim>                 &state,
                                     const std::vector<ContactInterface<dim>> &interfaces,
                                     const double                              energy)
   {
@@ -108,12 +108,11 @@ namespace Amontons
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         place.nodes.emplace_back();
-        for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
+        for (const auto &row : interfaces[i].coupling.rows)
           {
-            const auto &row    = interfaces[i].coupling.rows[r];
-            const bool  closed = state.states[i][r] != ContactState::open;
-            place.nodes.back().push_back(
-                {row.node, closed, row.area, state.pressures[i][r], row.gap, state.gaps[i][r]});
+            const auto &node   = state.contact[i][row.node];
+            const bool  closed = node.state != ContactState::open;
+            place.nodes.back().push_back({row.node, closed, row.area, node.pressure, row.gap, node.gap});
           }
       }
     last.reset();

@@ -453,14 +453,11 @@ namespace Amontons
 
   template <int dim>
   SurfaceFields<dim>
-  make_surface_fields(const Discretization<dim>       &discretization,
-                      const ContactInterface<dim>     &interface,
-                      const std::vector<ContactState> &states,
-                      const std::vector<double>       &pressures,
-                      const std::vector<double>       &gaps,
-                      const std::vector<Tensor<1, 3>> &shears,
-                      const std::vector<double>       &unused_shears,
-                      const LA::Vector                &displacement)
+  make_surface_fields(const Discretization<dim>   &discretization,
+                      const ContactInterface<dim> &interface,
+                      const NodalContacts<dim>    &contact,
+                      const std::vector<double>   &unused_shears,
+                      const LA::Vector            &displacement)
   {
     const auto        &slave = *interface.slave;
     const unsigned int n     = slave.nodes.size();
@@ -481,21 +478,24 @@ namespace Amontons
         fields.displacement.push_back(u);
       }
 
-    std::vector<std::vector<double>> tangential(dim, std::vector<double>(pressures.size(), 0.));
-    for (unsigned int r = 0; r < interface.coupling.rows.size(); ++r)
+    const unsigned int               n_rows = interface.coupling.rows.size();
+    std::vector<double>              pressures, bounds;
+    std::vector<std::vector<double>> tangential(dim, std::vector<double>(n_rows));
+    for (unsigned int r = 0; r < n_rows; ++r)
       {
         const auto &row             = interface.coupling.rows[r];
-        fields.multiplier[row.node] = pressures[r];
-        fields.gap[row.node]        = gaps[r];
+        const auto &node            = contact[row.node];
+        fields.multiplier[row.node] = node.pressure;
+        fields.gap[row.node]        = node.gap;
         fields.area[row.node]       = row.area;
-        fields.state[row.node]      = states[r];
-        fields.normal_force -= row.area * pressures[r] * row.normal;
+        fields.state[row.node]      = node.state;
+        fields.force[row.node]      = -row.area * (node.shear + node.pressure * row.normal);
+        fields.normal_force -= row.area * node.pressure * row.normal;
+        fields.tangential_force -= row.area * node.shear;
+        pressures.push_back(node.pressure);
+        bounds.push_back(unused_shears[r] + node.shear.norm());
         for (unsigned int c = 0; c < dim; ++c)
-          {
-            tangential[c][r] = -shears[r][c];
-            fields.tangential_force[c] += row.area * tangential[c][r];
-            fields.force[row.node][c] = row.area * (tangential[c][r] - pressures[r] * row.normal[c]);
-          }
+          tangential[c][r] = -node.shear[c];
       }
     add_slips(discretization, interface, displacement, fields);
     fill_hanging_nodes(slave, fields);
@@ -519,12 +519,7 @@ namespace Amontons
       }
     fields.is_covered = covered_nodes(interface, discretization.scene.kind == Kind::axisymmetric);
     if (interface.pair->has_friction())
-      {
-        std::vector<double> bounds;
-        for (unsigned int r = 0; r < shears.size(); ++r)
-          bounds.push_back(unused_shears[r] + shears[r].norm());
-        fields.bound = control_to_nodal(slave, project(interface, bounds, true));
-      }
+      fields.bound = control_to_nodal(slave, project(interface, bounds, true));
     if (interface.pair->tied || interface.pair->has_friction())
       for (unsigned int c = 0; c < dim; ++c)
         {
@@ -540,10 +535,7 @@ namespace Amontons
   template SurfaceFields<2>
   make_surface_fields(const Discretization<2> &,
                       const ContactInterface<2> &,
-                      const std::vector<ContactState> &,
-                      const std::vector<double> &,
-                      const std::vector<double> &,
-                      const std::vector<Tensor<1, 3>> &,
+                      const NodalContacts<2> &,
                       const std::vector<double> &,
                       const LA::Vector &);
   template double
@@ -551,10 +543,7 @@ namespace Amontons
   template SurfaceFields<3>
   make_surface_fields(const Discretization<3> &,
                       const ContactInterface<3> &,
-                      const std::vector<ContactState> &,
-                      const std::vector<double> &,
-                      const std::vector<double> &,
-                      const std::vector<Tensor<1, 3>> &,
+                      const NodalContacts<3> &,
                       const std::vector<double> &,
                       const LA::Vector &);
 } // namespace Amontons

@@ -67,10 +67,9 @@ namespace Amontons
     NodeForces forces;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       if (gap_grows(answer.interfaces[i]))
-        for (unsigned int r = 0; r < answer.interfaces[i].coupling.rows.size(); ++r)
+        for (const auto &row : answer.interfaces[i].coupling.rows)
           {
-            const auto &row = answer.interfaces[i].coupling.rows[r];
-            if (const double p = answer.state.pressures[i][r]; p != 0)
+            if (const double p = answer.state.contact[i][row.node].pressure; p != 0)
               forces[{i, row.node}] = row.area * p * row.normal.norm_square();
           }
     return forces;
@@ -80,11 +79,11 @@ namespace Amontons
   void
   WorkDone<dim>::add(const Answer<dim> &answer)
   {
-    const SolutionState &state       = answer.state;
-    const bool           started     = state.committed.size() == state.displacement.size();
-    const LA::Vector     contact_now = contact_force_vector(answer),
-                     external_now    = external_forces(answer, contact_now);
-    const bool known                 = external.size() == external_now.size();
+    const SolutionState<dim> &state       = answer.state;
+    const bool                started     = state.committed.size() == state.displacement.size();
+    const LA::Vector          contact_now = contact_force_vector(answer),
+                     external_now         = external_forces(answer, contact_now);
+    const bool known                      = external.size() == external_now.size();
     double     work = 0, by_contact = 0;
     for (const auto dof : answer.discretization.locally_owned)
       {
@@ -116,8 +115,11 @@ namespace Amontons
 
     double friction = 0;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
-      for (unsigned int r = 0; r < answer.interfaces[i].coupling.rows.size(); ++r)
-        friction += answer.interfaces[i].coupling.rows[r].area * (state.shears[i][r] * state.slips[i][r]);
+      for (const auto &row : answer.interfaces[i].coupling.rows)
+        {
+          const auto &node = state.contact[i][row.node];
+          friction += row.area * (node.shear * node.slip);
+        }
     const double stored = stored_energy(answer);
     external_work += work + growth;
     contact_work += by_contact + growth;

@@ -132,14 +132,13 @@ namespace Amontons
     {
       const auto &interface = answer.interfaces[i];
       double      excess = 0, largest = 0;
-      for (unsigned int r = 0; interface.pair->has_friction() && r < interface.coupling.rows.size(); ++r)
-        if (answer.state.states[i][r] != ContactState::open)
+      for (unsigned int n = 0; interface.pair->has_friction() && n < interface.slave->nodes.size(); ++n)
+        if (const auto &node = answer.state.contact[i][n]; node.state != ContactState::open)
           {
-            const auto   X = as_3d(interface.slave->nodes[interface.coupling.rows[r].node].X);
-            const double bound =
-                shear_bound(*interface.pair, X, answer.state.t, answer.state.pressures[i][r]).value;
-            excess  = std::max(excess, answer.state.shears[i][r].norm() - bound);
-            largest = std::max(largest, bound);
+            const auto   X     = as_3d(interface.slave->nodes[n].X);
+            const double bound = shear_bound(*interface.pair, X, answer.state.t, node.pressure).value;
+            excess             = std::max(excess, node.shear.norm() - bound);
+            largest            = std::max(largest, bound);
           }
       return largest > 0 ? excess / largest : 0.;
     }
@@ -150,17 +149,17 @@ namespace Amontons
     slip_misalignment(const Answer<dim> &answer, const unsigned int i)
     {
       const auto &interface = answer.interfaces[i];
-      const auto &slips = answer.state.slips[i], &shears = answer.state.shears[i];
       double      largest = 0, misalignment = 0;
-      for (unsigned int r = 0; interface.pair->has_friction() && r < interface.coupling.rows.size(); ++r)
-        if (answer.state.states[i][r] == ContactState::slip)
-          largest = std::max(largest, slips[r].norm());
+      if (!interface.pair->has_friction())
+        return 0;
+      for (const auto &node : answer.state.contact[i])
+        if (node.state == ContactState::slip)
+          largest = std::max(largest, node.slip.norm());
       const double least = std::max(1e-3 * largest, 1e-9 * interface.slave->mean_size);
-      for (unsigned int r = 0; largest > least && r < interface.coupling.rows.size(); ++r)
-        if (answer.state.states[i][r] == ContactState::slip && slips[r].norm() > least &&
-            shears[r].norm() > 0)
+      for (const auto &node : answer.state.contact[i])
+        if (node.state == ContactState::slip && node.slip.norm() > least && node.shear.norm() > 0)
           misalignment =
-              std::max(misalignment, (shears[r] / shears[r].norm() - slips[r] / slips[r].norm()).norm());
+              std::max(misalignment, (node.shear / node.shear.norm() - node.slip / node.slip.norm()).norm());
       return misalignment;
     }
 
@@ -178,13 +177,12 @@ namespace Amontons
   {
     std::map<types::global_dof_index, double> forces;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
-      for (unsigned int r = 0; r < answer.interfaces[i].coupling.rows.size(); ++r)
+      for (const auto &row : answer.interfaces[i].coupling.rows)
         {
-          const auto &row = answer.interfaces[i].coupling.rows[r];
+          const auto &node = answer.state.contact[i][row.node];
           for (unsigned int c = 0; c < dim; ++c)
             {
-              const double lambda =
-                  answer.state.pressures[i][r] * row.normal[c] + answer.state.shears[i][r][c];
+              const double lambda = node.pressure * row.normal[c] + node.shear[c];
               for (const auto &[dofs, weight] : row.slave)
                 forces[dofs[c]] -= row.area * lambda * weight;
               for (const auto &[dofs, weight] : row.master)
@@ -287,16 +285,15 @@ namespace Amontons
         misalignment      = std::max(misalignment, slip_misalignment(answer, i));
         const double h    = answer.interfaces[i].slave->mean_size;
         double       peak = 0;
-        for (const double p : answer.state.pressures[i])
-          peak = std::max(peak, p);
-        for (unsigned int r = 0; r < answer.state.pressures[i].size(); ++r)
+        for (const auto &node : answer.state.contact[i])
+          peak = std::max(peak, node.pressure);
+        for (const auto &node : answer.state.contact[i])
           {
-            const double p = answer.state.pressures[i][r], g = answer.state.gaps[i][r];
-            penetration = std::max(penetration, -g / h);
+            penetration = std::max(penetration, -node.gap / h);
             if (peak > 0)
               {
-                tension         = std::max(tension, -p / peak);
-                complementarity = std::max(complementarity, std::abs(p * g) / (peak * h));
+                tension         = std::max(tension, -node.pressure / peak);
+                complementarity = std::max(complementarity, std::abs(node.pressure * node.gap) / (peak * h));
               }
           }
       }

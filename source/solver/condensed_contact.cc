@@ -12,7 +12,7 @@ namespace Amontons
     statement(const CandidateNode<dim> &node,
               const ContactState        state,
               const SlipLaw<dim>       &law,
-              const NodeAnswer<dim>    &answer,
+              const NodalContact<dim>  &answer,
               const NodeInput           input)
     {
       if (input == NodeInput::across)
@@ -45,7 +45,7 @@ namespace Amontons
 
     template <int dim>
     void
-    add(const double factor, const NodeAnswers<dim> &response, NodeAnswers<dim> &sum)
+    add(const double factor, const NodalContacts<dim> &response, NodalContacts<dim> &sum)
     {
       for (unsigned int k = 0; k < sum.size(); ++k)
         {
@@ -120,7 +120,7 @@ namespace Amontons
   }
 
   template <int dim>
-  std::optional<NodeAnswers<dim>>
+  std::optional<NodalContacts<dim>>
   CondensedContact<dim>::answers(const NodeStates<dim> &states)
   {
     const auto         rows  = inputs(states);
@@ -129,7 +129,7 @@ namespace Amontons
     if (responses.size() + n_new > n_most)
       return {};
 
-    std::vector<const NodeAnswers<dim> *> columns;
+    std::vector<const NodalContacts<dim> *> columns;
     for (const auto &input : rows)
       {
         auto response = responses.find(input);

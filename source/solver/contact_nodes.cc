@@ -93,6 +93,7 @@ namespace Amontons
     const auto        &surface_node = slave.nodes[row.node];
     CandidateNode<dim> node;
     node.interface  = interface;
+    node.node       = row.node;
     node.row        = row_number;
     node.tied       = pair.tied;
     node.frictional = pair.has_friction();

@@ -41,7 +41,7 @@ namespace Amontons
   }
 
   template <int dim>
-  NodeAnswers<dim>
+  NodalContacts<dim>
   ContactResponses<dim>::respond(const unsigned int node, const NodeInput input) const
   {
     const auto &n      = base.nodes[node];
@@ -69,7 +69,7 @@ namespace Amontons
   }
 
   template <int dim>
-  NodeAnswers<dim>
+  NodalContacts<dim>
   ContactResponses<dim>::answers(const LA::Vector &offset, const LA::Vector &force) const
   {
     LA::Vector unbalanced = internal_forces(offset), dw = discretization.make_owned_vector(), rhs = dw;
@@ -87,7 +87,7 @@ namespace Amontons
     const auto mu       = multipliers_of(unbalanced, supports, constraints);
     LA::Vector readable = discretization.make_relevant_vector();
     readable            = dw;
-    NodeAnswers<dim> result;
+    NodalContacts<dim> result;
     for (unsigned int k = 0; k < base.nodes.size(); ++k)
       result.push_back(answer(k, readable, mu));
     return result;
@@ -158,12 +158,12 @@ namespace Amontons
   }
 
   template <int dim>
-  NodeAnswer<dim>
+  NodalContact<dim>
   ContactResponses<dim>::answer(const unsigned int         k,
                                 const LA::Vector          &w,
                                 const std::vector<double> &mu) const
   {
-    NodeAnswer<dim>           result;
+    NodalContact<dim>         result;
     const CandidateNode<dim> &node = base.nodes[k];
     result.gap                     = -evaluate(node.closing.equation, w);
     if (node.frictional)

@@ -5,7 +5,7 @@
 #include <amontons/solver/finite_newton.h>
 #include <amontons/solver/proximal_terms.h>
 #include <amontons/solver/stability.h>
-#include <amontons/solver/stored_states.h>
+#include <amontons/solver/nodal_tractions.h>
 #include <amontons/solver/tangent_reuse.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -43,7 +43,7 @@ namespace Amontons
                       FiniteMechanics<dim>               &mechanics,
                       std::vector<ContactInterface<dim>> &interfaces,
                       const Constraints                  &prescribed,
-                      SolutionState                      &state,
+                      SolutionState<dim>                 &state,
                       TimerOutput                        &timer)
           : parameters(parameters), solver_parameters(solver_parameters), discretization(discretization),
             mechanics(mechanics), elasticity(mechanics.bodies()), interfaces(interfaces),
@@ -283,7 +283,6 @@ namespace Amontons
         floating.set_loads(mechanics.loads());
         report.note = floating.check_loads(equations);
         floating.choose_pins(equations);
-        fit_states(interfaces, state);
         guess_states();
         take_tractions();
         proximal = make_proximal_terms(discretization, elasticity, floating);
@@ -326,15 +325,12 @@ namespace Amontons
       void
       take_tractions()
       {
-        const bool known = state.states.size() == interfaces.size();
-        for (unsigned int k = 0; known && k < answers.size(); ++k)
-          if (states[k] != ContactState::open)
+        for (unsigned int k = 0; k < answers.size(); ++k)
+          if (const auto *known = state.contact_of(contact.nodes()[k].interface, contact.nodes()[k].node);
+              known != nullptr && states[k] != ContactState::open)
             {
-              const unsigned int i = contact.nodes()[k].interface, r = contact.nodes()[k].row;
-              if (r < state.pressures[i].size())
-                answers[k].pressure = state.pressures[i][r];
-              for (unsigned int d = 0; i < state.shears.size() && r < state.shears[i].size() && d < dim; ++d)
-                answers[k].shear[d] = state.shears[i][r][d];
+              answers[k].pressure = known->pressure;
+              answers[k].shear    = known->shear;
             }
       }
 
@@ -686,13 +682,13 @@ namespace Amontons
           answers[k] = answer(k, multipliers);
       }
 
-      NodeAnswer<dim>
+      NodalContact<dim>
       answer(const unsigned int k, const std::vector<double> &multipliers) const
       {
         const CandidateNode<dim> &node = contact.nodes()[k];
         if (states[k] == ContactState::open)
           {
-            NodeAnswer<dim> result;
+            NodalContact<dim> result;
             result.gap = contact.open_gap(k);
             if (node.frictional && contact.is_opposite(k)) // where its law starts if it closes
               result.slip = contact.slip(k, state.displacement);
@@ -811,7 +807,7 @@ namespace Amontons
       finish()
       {
         report.start_residual = relative(report.start_residual);
-        store_states(contact.nodes(), states, answers, interfaces, state);
+        state.contact         = states.by_slave_node(answers);
         if (report.goes_on())
           report.failure = Diagnosis::no_states_found(report, states, any_friction);
       }
@@ -824,7 +820,7 @@ namespace Amontons
       std::vector<ContactInterface<dim>> &interfaces;
       const Constraints                  &prescribed;
       const Constraints                   supports; // homogeneous
-      SolutionState                      &state;
+      SolutionState<dim>                 &state;
       TimerOutput                        &timer;
       const MPI_Comm                      communicator;
 
@@ -838,7 +834,7 @@ namespace Amontons
       ProximalTerms                       proximal;
       bool                                any_friction = false;
       LA::Vector                          u, du, balance;
-      std::vector<NodeAnswer<dim>>        answers;
+      NodalContacts<dim>                  answers;
       std::vector<SlipLaw<dim>>           laws;
       std::vector<LocalMatrix>            further;
       std::vector<WrittenRow>             rows;
@@ -863,7 +859,7 @@ namespace Amontons
   FiniteNewton<dim>::solve(FiniteMechanics<dim>                           &mechanics,
                            std::vector<ContactInterface<dim>>             &interfaces,
                            const Constraints                              &supports,
-                           SolutionState                                  &state,
+                           SolutionState<dim>                             &state,
                            const typename SemismoothNewton<dim>::Observer &observer,
                            const bool                                      damped)
   {

@@ -26,7 +26,7 @@ namespace Amontons
   MovingContact<dim>::MovingContact(const Discretization<dim>          &discretization,
                                     const Constraints                  &supports,
                                     std::vector<ContactInterface<dim>> &interfaces,
-                                    const SolutionState                &start,
+                                    const SolutionState<dim>           &start,
                                     const double                        scaling)
       : discretization(discretization), supports(supports), interfaces(interfaces), scaling(scaling),
         committed(start.committed.size() == discretization.dof_handler.n_dofs()
@@ -62,6 +62,7 @@ namespace Amontons
             node_of[i].push_back(all.size());
             CandidateNode<dim> node{};
             node.interface  = i;
+            node.node       = n;
             node.row        = numbers::invalid_unsigned_int;
             node.tied       = interfaces[i].pair->tied;
             node.frictional = interfaces[i].pair->has_friction();
@@ -82,17 +83,14 @@ namespace Amontons
     t = start.t;
   }
 
-  // The states are in the order of the slave nodes that had a row.
   template <int dim>
   std::vector<bool>
-  MovingContact<dim>::closed_nodes(const SolutionState &state) const
+  MovingContact<dim>::closed_nodes(const SolutionState<dim> &state) const
   {
     std::vector<bool> closed(all.size(), false);
-    for (unsigned int i = 0; i < node_of.size(); ++i)
-      if (i < state.states.size() && i < state.carried.size() && state.carried[i].size() == node_of[i].size())
-        for (unsigned int n = 0, r = 0; n < node_of[i].size(); ++n)
-          if (state.carried[i][n] && r < state.states[i].size())
-            closed[node_of[i][n]] = state.states[i][r++] != ContactState::open;
+    for (unsigned int k = 0; k < all.size(); ++k)
+      if (const auto *known = state.contact_of(all[k].interface, all[k].node))
+        closed[k] = known->state != ContactState::open;
     return closed;
   }
 
@@ -389,10 +387,10 @@ namespace Amontons
   // with force area dt . d(jump).
   template <int dim>
   LocalMatrix
-  MovingContact<dim>::turning_traction(const unsigned int     k,
-                                       const SlipLaw<dim>    &law,
-                                       const NodeAnswer<dim> &answer,
-                                       const LA::Vector      &u) const
+  MovingContact<dim>::turning_traction(const unsigned int       k,
+                                       const SlipLaw<dim>      &law,
+                                       const NodalContact<dim> &answer,
+                                       const LA::Vector        &u) const
   {
     const CandidateNode<dim> &node = all[k];
     const Tensor<1, dim>      n    = node.normal / node.normal.norm();
@@ -455,9 +453,9 @@ namespace Amontons
 
   template <int dim>
   std::vector<LocalMatrix>
-  MovingContact<dim>::stiffness(const NodeStates<dim>              &states,
-                                const std::vector<NodeAnswer<dim>> &answers,
-                                const LA::Vector                   &u) const
+  MovingContact<dim>::stiffness(const NodeStates<dim>    &states,
+                                const NodalContacts<dim> &answers,
+                                const LA::Vector         &u) const
   {
     std::vector<LocalMatrix> result;
     for (unsigned int i = 0; i < interfaces.size(); ++i)

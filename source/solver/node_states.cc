@@ -19,30 +19,23 @@ namespace Amontons
 
   template <int dim>
   void
-  NodeStates<dim>::start(const SolutionState &state, const std::vector<bool> &closed)
+  NodeStates<dim>::start(const SolutionState<dim> &state, const std::vector<bool> &closed)
   {
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
-        const unsigned int i = nodes[k].interface, r = nodes[k].row;
-        const bool         known = r < interfaces[i].coupling.rows.size() && i < state.states.size() &&
-                           state.states[i].size() == interfaces[i].coupling.rows.size();
+        const bool  has_row = nodes[k].row != numbers::invalid_unsigned_int;
+        const auto *known   = has_row ? state.contact_of(nodes[k].interface, nodes[k].node) : nullptr;
         if (nodes[k].tied)
           states[k] = ContactState::stick;
-        else if (known)
-          states[k] = state.states[i][r];
+        else if (known != nullptr)
+          states[k] = known->state;
         else if (closed[k])
           states[k] = nodes[k].frictional ? ContactState::stick : ContactState::slip;
-        if (!nodes[k].frictional || states[k] != ContactState::slip)
+        if (known == nullptr || !nodes[k].frictional || states[k] != ContactState::slip)
           continue;
 
-        Tensor<1, dim> direction; // trial shear over its bound
-        if (i < state.trials.size() && state.trials[i].size() == state.states[i].size())
-          for (unsigned int d = 0; d < dim; ++d)
-            direction[d] = state.trials[i][r][d];
-        direction      = nodes[k].tangential(direction);
-        const double p = i < state.pressures.size() && state.pressures[i].size() == state.states[i].size()
-                             ? state.pressures[i][r]
-                             : 0.;
+        const Tensor<1, dim> direction = nodes[k].tangential(known->trial);
+        const double         p         = known->pressure;
         if (direction.norm() == 0)
           states[k] = ContactState::stick;
         else
@@ -66,7 +59,7 @@ namespace Amontons
 
   template <int dim>
   unsigned int
-  NodeStates<dim>::update(const std::vector<NodeAnswer<dim>> &answers, const double rounding)
+  NodeStates<dim>::update(const NodalContacts<dim> &answers, const double rounding)
   {
     std::vector<double>       p, g, c;
     std::vector<bool>         next;
@@ -113,9 +106,9 @@ namespace Amontons
 
   template <int dim>
   void
-  NodeStates<dim>::choose_friction_states(const std::vector<NodeAnswer<dim>> &answers,
-                                          const std::vector<bool>            &closed,
-                                          const double                        tolerance)
+  NodeStates<dim>::choose_friction_states(const NodalContacts<dim> &answers,
+                                          const std::vector<bool>  &closed,
+                                          const double              tolerance)
   {
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
@@ -246,9 +239,9 @@ namespace Amontons
   // of nodes if none moves with it.
   template <int dim>
   unsigned int
-  NodeStates<dim>::least_slip_along(const std::vector<double>          &motion,
-                                    const std::vector<NodeAnswer<dim>> &answers,
-                                    const double                        tolerance) const
+  NodeStates<dim>::least_slip_along(const std::vector<double> &motion,
+                                    const NodalContacts<dim>  &answers,
+                                    const double               tolerance) const
   {
     unsigned int              best = nodes.size();
     std::pair<double, double> least;
@@ -275,7 +268,7 @@ namespace Amontons
 
   template <int dim>
   void
-  NodeStates<dim>::hold_motions(const std::vector<NodeAnswer<dim>> &answers, const double tolerance)
+  NodeStates<dim>::hold_motions(const NodalContacts<dim> &answers, const double tolerance)
   {
     held.clear();
     if (!any_friction || !floating.any())
@@ -301,7 +294,7 @@ namespace Amontons
 
   template <int dim>
   void
-  NodeStates<dim>::watch_for_cycles(const std::vector<NodeAnswer<dim>> &answers, const unsigned int n_changes)
+  NodeStates<dim>::watch_for_cycles(const NodalContacts<dim> &answers, const unsigned int n_changes)
   {
     const auto follow = [&](const double weight) {
       double change = 0, largest = 0;
@@ -368,9 +361,36 @@ namespace Amontons
     return text.str();
   }
 
+  // (shear + c slip)/bound is bounded, as it will be interpolated: where the pressure vanishes the ratio has
+  // none.
+  template <int dim>
+  std::vector<NodalContacts<dim>>
+  NodeStates<dim>::by_slave_node(const NodalContacts<dim> &answers) const
+  {
+    std::vector<NodalContacts<dim>> result;
+    for (const auto &interface : interfaces)
+      result.emplace_back(interface.slave->nodes.size());
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (nodes[k].row != numbers::invalid_unsigned_int)
+        {
+          auto &contact = result[nodes[k].interface][nodes[k].node];
+          if (std::isfinite(answers[k].pressure))
+            contact = answers[k];
+          contact.has_multiplier = true;
+          contact.state          = states[k];
+          const double limit     = bound(k, contact.pressure).value;
+          if (nodes[k].frictional && states[k] != ContactState::open && limit > 0)
+            {
+              contact.trial = trial(k, contact) / limit;
+              contact.trial *= std::min(1., 3 / std::max(contact.trial.norm(), 1e-100));
+            }
+        }
+    return result;
+  }
+
   template <int dim>
   double
-  NodeStates<dim>::law_error(const std::vector<NodeAnswer<dim>> &answers) const
+  NodeStates<dim>::law_error(const NodalContacts<dim> &answers) const
   {
     double sum = 0;
     for (unsigned int k = 0; k < nodes.size(); ++k)

@@ -3,7 +3,7 @@
 #include <amontons/solver/diagnosis.h>
 #include <amontons/solver/proximal_terms.h>
 #include <amontons/solver/semismooth_newton.h>
-#include <amontons/solver/stored_states.h>
+#include <amontons/solver/nodal_tractions.h>
 
 namespace Amontons
 {
@@ -59,7 +59,7 @@ namespace Amontons
                 const std::vector<ContactInterface<dim>> &interfaces,
                 const Constraints                        &supports,
                 const LA::Vector                         &loads,
-                SolutionState                            &state,
+                SolutionState<dim>                       &state,
                 TimerOutput                              &timer)
           : parameters(parameters), solver_parameters(solver_parameters), discretization(discretization),
             elasticity(elasticity), interfaces(interfaces), supports(supports), loads(loads), state(state),
@@ -281,14 +281,14 @@ namespace Amontons
           }
       }
 
-      NodeAnswer<dim>
+      NodalContact<dim>
       answer(const unsigned int k) const
       {
         const CandidateNode<dim> &node = nodes[k];
         const auto gap = [&]() { return node.gap - evaluate(node.closing.equation, state.displacement); };
         if (states[k] == ContactState::open)
           {
-            NodeAnswer<dim> result;
+            NodalContact<dim> result;
             result.gap = gap();
             if (node.frictional)
               result.slip = slip(k);
@@ -426,7 +426,7 @@ namespace Amontons
         report.start_residual = force_scale > 0 ? report.start_residual / force_scale : 0;
         if (report.iterations.empty() || !std::isfinite(report.iterations.back().residual))
           state.displacement = discretization.make_relevant_vector();
-        store_states(nodes, states, answers, interfaces, state);
+        state.contact = states.by_slave_node(answers);
         if (report.goes_on())
           report.failure = Diagnosis::no_states_found(report, states, any_friction);
       }
@@ -438,7 +438,7 @@ namespace Amontons
       const std::vector<ContactInterface<dim>> &interfaces;
       const Constraints                        &supports;
       const LA::Vector                         &loads;
-      SolutionState                            &state;
+      SolutionState<dim>                       &state;
       TimerOutput                              &timer;
       const MPI_Comm                            communicator;
 
@@ -448,14 +448,14 @@ namespace Amontons
       FloatingBodies<dim>                   floating;
       NodeStates<dim>                       states;
       CondensedSystem                       system;
-      LinearSolver                 solver; // its factorisation refers to the matrix, which must outlive it
-      NewtonReport                 report;
-      ProximalTerms                proximal;
-      LA::Vector                   u, du, internal, raw;
-      std::vector<NodeAnswer<dim>> answers;
-      std::vector<Tensor<1, dim>>  origins; // jumps that the increment started from
-      std::vector<SlipLaw<dim>>    laws;    // that the last system was made with
-      std::vector<double>          multipliers;
+      LinearSolver                solver; // its factorisation refers to the matrix, which must outlive it
+      NewtonReport                report;
+      ProximalTerms               proximal;
+      LA::Vector                  u, du, internal, raw;
+      NodalContacts<dim>          answers;
+      std::vector<Tensor<1, dim>> origins; // jumps that the increment started from
+      std::vector<SlipLaw<dim>>   laws;    // that the last system was made with
+      std::vector<double>         multipliers;
       std::unique_ptr<ContactConstraints> constraints;
       bool                                looked_in_vain = false;
       std::vector<unsigned int>           first_equation;  // of node k among those of the closed nodes
@@ -471,7 +471,7 @@ namespace Amontons
                                const std::vector<ContactInterface<dim>> &interfaces,
                                const Constraints                        &supports,
                                const LA::Vector                         &loads,
-                               SolutionState                            &state,
+                               SolutionState<dim>                       &state,
                                const Observer                           &observer)
   {
     TimerOutput::Scope scope(timer, "contact iteration");

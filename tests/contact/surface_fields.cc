@@ -28,13 +28,17 @@ template <int dim>
 SurfaceFields<dim>
 fields_of(const Problem<dim> &problem)
 {
-  const auto         &rows = problem.coupling().rows;
-  const unsigned int  n    = rows.size();
-  std::vector<double> gaps;
+  const auto        &rows = problem.coupling().rows;
+  NodalContacts<dim> contact(problem.slave().nodes.size());
   for (const auto &row : rows)
     {
-      const auto X = problem.slave().nodes[row.node].X;
-      gaps.push_back(1 + X[0] + (dim == 3 ? 2 * X[1] : 0));
+      const auto X        = problem.slave().nodes[row.node].X;
+      auto      &node     = contact[row.node];
+      node.state          = ContactState::slip;
+      node.pressure       = 3;
+      node.gap            = 1 + X[0] + (dim == 3 ? 2 * X[1] : 0);
+      node.shear[0]       = 0.5;
+      node.shear[dim - 2] = dim == 3 ? 0.25 : 0.5;
     }
   auto u = problem.discretization->make_owned_vector();
   for (const auto &node : problem.slave().nodes)
@@ -46,11 +50,8 @@ fields_of(const Problem<dim> &problem)
   readable      = u;
   return make_surface_fields(*problem.discretization,
                              problem.interfaces[0],
-                             std::vector<ContactState>(n, ContactState::slip),
-                             std::vector<double>(n, 3.),
-                             gaps,
-                             std::vector<Tensor<1, 3>>(n, Tensor<1, 3>({0.5, dim == 3 ? 0.25 : 0., 0.})),
-                             std::vector<double>(n, 2.),
+                             contact,
+                             std::vector<double>(rows.size(), 2.),
                              readable);
 }
 

@@ -17,10 +17,7 @@ struct TwoBlocks
     state.displacement = problem.discretization->make_relevant_vector();
     loads              = problem.discretization->make_owned_vector();
     elasticity->assemble(state.displacement);
-    const unsigned int n = problem.coupling().rows.size();
-    state.states         = {std::vector<ContactState>(n, ContactState::open)};
-    state.pressures = state.gaps = {std::vector<double>(n, 0.)};
-    state.shears = state.slips = {std::vector<Tensor<1, 3>>(n)};
+    state.contact = {NodalContacts<2>(problem.slave().nodes.size())};
   }
 
   static Scene
@@ -38,30 +35,17 @@ struct TwoBlocks
     return scene;
   }
 
-  // Row of the node at x.
-  unsigned int
-  row_at(const double x) const
-  {
-    for (unsigned int r = 0; r < problem.coupling().rows.size(); ++r)
-      if (std::abs(problem.slave().nodes[problem.coupling().rows[r].node].X[0] - x) < 1e-10)
-        return r;
-    return 0;
-  }
-
   void
   set(const double        x,
       const ContactState  s,
       const double        p,
       const double        g,
-      const Tensor<1, 3> &q,
-      const Tensor<1, 3> &v)
+      const Tensor<1, 2> &q,
+      const Tensor<1, 2> &v)
   {
-    const unsigned int r  = row_at(x);
-    state.states[0][r]    = s;
-    state.pressures[0][r] = p;
-    state.gaps[0][r]      = g;
-    state.shears[0][r]    = q;
-    state.slips[0][r]     = v;
+    for (unsigned int n = 0; n < problem.slave().nodes.size(); ++n)
+      if (std::abs(problem.slave().nodes[n].X[0] - x) < 1e-10)
+        state.contact[0][n] = {true, s, p, g, q, v, Tensor<1, 2>()};
   }
 
   Answer<2>
@@ -74,7 +58,7 @@ struct TwoBlocks
   std::unique_ptr<ElasticityOperator<2>> elasticity;
   Constraints                            supports;
   LA::Vector                             loads;
-  SolutionState                          state;
+  SolutionState<2>                       state;
   std::vector<SurfaceFields<2>>          fields;
 };
 
@@ -84,9 +68,9 @@ check_checks()
   TwoBlocks blocks;
   // Pressure 10 with an overlap of 0.02; a shear of 4.4 at a bound of 4, and not along the slip; tension of 2
   // at an open node.
-  blocks.set(0, ContactState::stick, 10, -0.02, Tensor<1, 3>({-3, 0, 0}), Tensor<1, 3>());
-  blocks.set(0.5, ContactState::slip, 8, 0, Tensor<1, 3>({4.4, 0, 0}), Tensor<1, 3>({0.03, 0.04, 0}));
-  blocks.set(1, ContactState::open, -2, 0.3, Tensor<1, 3>(), Tensor<1, 3>());
+  blocks.set(0, ContactState::stick, 10, -0.02, Tensor<1, 2>({-3, 0}), Tensor<1, 2>());
+  blocks.set(0.5, ContactState::slip, 8, 0, Tensor<1, 2>({4.4, 0}), Tensor<1, 2>({0.03, 0.04}));
+  blocks.set(1, ContactState::open, -2, 0.3, Tensor<1, 2>(), Tensor<1, 2>());
   auto checks = check_physics(blocks.answer());
   check::is_close(checks["penetration"], 0.02 / 0.5, 1e-12, "penetration, of a face");
   check::is_close(checks["tension"], 2. / 10, 1e-12, "tension, of the peak");
@@ -121,9 +105,9 @@ check_checks()
   check::is_close((on_slave + on_master).norm(), 0, 1e-10, "the opposite one on the master", 1);
 
   // Where all is well, all is zero.
-  blocks.set(0, ContactState::stick, 10, 0, Tensor<1, 3>({-3, 0, 0}), Tensor<1, 3>());
-  blocks.set(0.5, ContactState::slip, 8, 0, Tensor<1, 3>({4, 0, 0}), Tensor<1, 3>({0.03, 0, 0}));
-  blocks.set(1, ContactState::open, 0, 0.3, Tensor<1, 3>(), Tensor<1, 3>());
+  blocks.set(0, ContactState::stick, 10, 0, Tensor<1, 2>({-3, 0}), Tensor<1, 2>());
+  blocks.set(0.5, ContactState::slip, 8, 0, Tensor<1, 2>({4, 0}), Tensor<1, 2>({0.03, 0}));
+  blocks.set(1, ContactState::open, 0, 0.3, Tensor<1, 2>(), Tensor<1, 2>());
   checks = check_physics(blocks.answer());
   for (const char *const name :
        {"penetration", "tension", "complementarity", "coulomb_cone", "slip_direction"})

@@ -64,12 +64,12 @@ public:
   reported_slips(const LA::Vector &u)
   {
     contact->move(u);
-    const auto                     &interface = problem.interfaces[0];
-    const unsigned int              n         = interface.coupling.rows.size();
-    const std::vector<double>       zero(n, 0.);
-    const std::vector<ContactState> open(n, ContactState::open);
-    return make_surface_fields(
-               *problem.discretization, interface, open, zero, zero, std::vector<Tensor<1, 3>>(n), zero, u)
+    const auto &interface = problem.interfaces[0];
+    return make_surface_fields(*problem.discretization,
+                               interface,
+                               NodalContacts<dim>(interface.slave->nodes.size()),
+                               std::vector<double>(interface.coupling.rows.size(), 0.),
+                               u)
         .slip;
   }
 
@@ -195,7 +195,7 @@ public:
   Moved<dim>                          moved;
   const double                        size;
   Constraints                         supports;
-  SolutionState                       start;
+  SolutionState<dim>                  start;
   std::unique_ptr<MovingContact<dim>> contact;
 };
 

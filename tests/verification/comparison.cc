@@ -51,19 +51,15 @@ main(int argc, char *argv[])
           }
       }
   u.compress(VectorOperation::insert);
-  SolutionState state;
+  SolutionState<2> state;
   state.displacement = problem.discretization->make_relevant_vector();
   state.displacement = u;
   ElasticityOperator<2> elasticity(*problem.discretization);
   elasticity.assemble(state.displacement);
-  const unsigned int                  n      = problem.coupling().rows.size();
   const auto                          fields = make_surface_fields(*problem.discretization,
                                           problem.interfaces[0],
-                                          std::vector<ContactState>(n, ContactState::open),
-                                          std::vector<double>(n, 0.),
-                                          std::vector<double>(n, 0.),
-                                          std::vector<Tensor<1, 3>>(n),
-                                          std::vector<double>(n, 0.),
+                                          NodalContacts<2>(problem.slave().nodes.size()),
+                                          std::vector<double>(problem.coupling().rows.size(), 0.),
                                           state.displacement);
   const auto                          loads  = problem.discretization->make_owned_vector();
   const std::vector<SurfaceFields<2>> all    = {fields};

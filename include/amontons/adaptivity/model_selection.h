@@ -43,7 +43,7 @@ namespace Amontons
     void
     add(const Discretization<dim>                &discretization,
         const StressRecovery<dim>                &recovery,
-        const SolutionState                      &state,
+        const SolutionState<dim>                 &state,
         const std::vector<ContactInterface<dim>> &interfaces,
         const double                              energy);
 

@@ -16,6 +16,13 @@ namespace Amontons
     return q;
   }
 
+  template <int dim>
+  dealii::Tensor<1, 3>
+  as_3d(const dealii::Tensor<1, dim> &t)
+  {
+    return as_3d(dealii::Point<dim>(t));
+  }
+
   // Point xi of face f of the unit cell, the face's coordinates being the cell's remaining ones in their
   // order.
   template <int dim>

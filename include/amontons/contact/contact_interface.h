@@ -2,7 +2,7 @@
 #pragma once
 
 #include <amontons/contact/mortar_integrator.h>
-#include <amontons/contact/contact_state.h>
+#include <amontons/contact/nodal_contact.h>
 
 #include <memory>
 

@@ -5,19 +5,16 @@
 
 namespace Amontons
 {
-  // By coupling row: states, pressures, gaps, shears (force per area along the slip) and unused_shears (what
-  // is left of the bound of friction, >= 0). `displacement` readable at relevant DoFs. Symmetry planes and
+  // contact: by slave node. unused_shears: by coupling row, what is left of the bound of friction, >= 0.
+  // `displacement` readable at relevant DoFs. Symmetry planes and
   // the axis give the centre of the contact where the slave touches them; else the centre of force.
   template <int dim>
   SurfaceFields<dim>
-  make_surface_fields(const Discretization<dim>       &discretization,
-                      const ContactInterface<dim>     &interface,
-                      const std::vector<ContactState> &states,
-                      const std::vector<double>       &pressures,
-                      const std::vector<double>       &gaps,
-                      const std::vector<Tensor<1, 3>> &shears,
-                      const std::vector<double>       &unused_shears,
-                      const LA::Vector                &displacement);
+  make_surface_fields(const Discretization<dim>   &discretization,
+                      const ContactInterface<dim> &interface,
+                      const NodalContacts<dim>    &contact,
+                      const std::vector<double>   &unused_shears,
+                      const LA::Vector            &displacement);
 
   // Value at a point of a slave face of a field given by nodal values (Lagrange interpolation).
   template <int dim>

@@ -17,7 +17,7 @@ namespace Amontons
     const std::vector<SurfaceFields<dim>>    &fields;
     const Constraints                        &supports;
     const LA::Vector                         &loads; // raw
-    const SolutionState                      &state;
+    const SolutionState<dim>                 &state;
   };
 
   // Contact force on every DoF of slave and master: -+ weight area Lambda with Lambda = p normal + shear.

@@ -9,9 +9,6 @@
 
 namespace Amontons
 {
-  template <int dim>
-  using NodeAnswers = std::vector<NodeAnswer<dim>>;
-
   // A solution with these states and laws of the nodes. movable: nodes of which supports own nothing.
   template <int dim>
   struct BaseSolution
@@ -19,7 +16,7 @@ namespace Amontons
     const std::vector<CandidateNode<dim>> &nodes;
     std::vector<ContactState>              states;
     std::vector<SlipLaw<dim>>              laws;
-    NodeAnswers<dim>                       answers;
+    NodalContacts<dim>                     answers;
     std::vector<bool>                      movable;
     const LA::Vector                      &displacement; // owned
   };
@@ -50,13 +47,13 @@ namespace Amontons
   class CondensedContact
   {
   public:
-    using Respond = std::function<NodeAnswers<dim>(const unsigned int node, const NodeInput input)>;
+    using Respond = std::function<NodalContacts<dim>(const unsigned int node, const NodeInput input)>;
 
     // n_most: of responses that may be asked for.
     CondensedContact(const BaseSolution<dim> &base, const Respond &respond, const unsigned int n_most);
 
     // What all nodes answer in these states; nothing if that takes too many responses.
-    std::optional<NodeAnswers<dim>>
+    std::optional<NodalContacts<dim>>
     answers(const NodeStates<dim> &states);
 
     unsigned int
@@ -73,9 +70,9 @@ namespace Amontons
     std::vector<Input>
     inputs(const NodeStates<dim> &states) const;
 
-    const BaseSolution<dim>          &base;
-    const Respond                     respond;
-    const unsigned int                n_most;
-    std::map<Input, NodeAnswers<dim>> responses;
+    const BaseSolution<dim>            &base;
+    const Respond                       respond;
+    const unsigned int                  n_most;
+    std::map<Input, NodalContacts<dim>> responses;
   };
 } // namespace Amontons

@@ -12,15 +12,15 @@ namespace Amontons
   template <int dim>
   struct CandidateNode
   {
-    unsigned int    interface, row;
-    bool            tied, frictional;
-    double          rounding; // a pressure that is none: 1e-14 times the modulus
-    double          area, c;  // c: complementarity parameter, scaling x E/(1 - nu^2) / mean face size
-    double          gap;
-    double          old_gap = 0; // finite strain: how far it was open in the last converged state
-    Tensor<1, dim>  normal;      // not of unit length on curved surfaces
-    Point<3>        X;
-    ContactEquation closing;                     // normal . Delta = gap
+    unsigned int   interface, node, row; // node: of the slave surface; row: invalid where nothing is opposite
+    bool           tied, frictional;
+    double         rounding; // a pressure that is none: 1e-14 times the modulus
+    double         area, c;  // c: complementarity parameter, scaling x E/(1 - nu^2) / mean face size
+    double         gap;
+    double         old_gap = 0; // finite strain: how far it was open in the last converged state
+    Tensor<1, dim> normal;      // not of unit length on curved surfaces
+    Point<3>       X;
+    ContactEquation                  closing;    // normal . Delta = gap
     std::array<ContactEquation, dim> components; // Delta_k = 0 (not for frictionless nodes)
 
     // Equations that may come to hold the node: of all its components, or of its normal one.

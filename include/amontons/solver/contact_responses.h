@@ -34,7 +34,7 @@ namespace Amontons
                      const LA::SparseMatrix          &matrix,
                      LinearSolver                    &solver);
 
-    NodeAnswers<dim>
+    NodalContacts<dim>
     respond(const unsigned int node, const NodeInput input) const;
 
   private:
@@ -44,9 +44,9 @@ namespace Amontons
     force_of(const unsigned int node, const Tensor<1, dim> &traction) const;
     LA::Vector
     internal_forces(const LA::Vector &w) const;
-    NodeAnswers<dim>
+    NodalContacts<dim>
     answers(const LA::Vector &offset, const LA::Vector &force) const;
-    NodeAnswer<dim>
+    NodalContact<dim>
     answer(const unsigned int node, const LA::Vector &w, const std::vector<double> &mu) const;
 
     const Discretization<dim>       &discretization;

@@ -34,7 +34,7 @@ namespace Amontons
     solve(FiniteMechanics<dim>                           &mechanics,
           std::vector<ContactInterface<dim>>             &interfaces,
           const Constraints                              &supports,
-          SolutionState                                  &state,
+          SolutionState<dim>                             &state,
           const typename SemismoothNewton<dim>::Observer &observer,
           const bool                                      damped = false);
 

@@ -30,7 +30,7 @@ namespace Amontons
     MovingContact(const Discretization<dim>          &discretization,
                   const Constraints                  &supports,
                   std::vector<ContactInterface<dim>> &interfaces,
-                  const SolutionState                &start,
+                  const SolutionState<dim>           &start,
                   const double                        scaling);
 
     void
@@ -87,9 +87,7 @@ namespace Amontons
 
     // Derivatives of the contact forces at fixed multipliers. This rank's part.
     std::vector<LocalMatrix>
-    stiffness(const NodeStates<dim>              &states,
-              const std::vector<NodeAnswer<dim>> &answers,
-              const LA::Vector                   &u) const;
+    stiffness(const NodeStates<dim> &states, const NodalContacts<dim> &answers, const LA::Vector &u) const;
 
     // Blocks that stiffness() and rows may have now or after a little sliding; without values. This rank's
     // part.
@@ -106,7 +104,7 @@ namespace Amontons
     };
 
     std::vector<bool>
-    closed_nodes(const SolutionState &state) const;
+    closed_nodes(const SolutionState<dim> &state) const;
     void
     remember_old_rows(const std::vector<bool> &closed);
     OldPlace
@@ -137,10 +135,10 @@ namespace Amontons
       return derivatives[all[k].interface]->rows()[differentiated[k]];
     }
     LocalMatrix
-    turning_traction(const unsigned int     k,
-                     const SlipLaw<dim>    &law,
-                     const NodeAnswer<dim> &answer,
-                     const LA::Vector      &u) const;
+    turning_traction(const unsigned int       k,
+                     const SlipLaw<dim>      &law,
+                     const NodalContact<dim> &answer,
+                     const LA::Vector        &u) const;
 
     const Discretization<dim>                             &discretization;
     const Constraints                                     &supports;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <amontons/friction/active_set.h>
-#include <amontons/solver/node_answer.h>
+#include <amontons/solver/nodal_tractions.h>
 #include <amontons/solver/solution_state.h>
 
 #include <set>
@@ -31,7 +31,7 @@ namespace Amontons
 
     // From `state` if it fits the rows, else from which nodes are `closed`.
     void
-    start(const SolutionState &state, const std::vector<bool> &closed);
+    start(const SolutionState<dim> &state, const std::vector<bool> &closed);
 
     // A node that nothing is opposite of any more.
     void
@@ -68,7 +68,7 @@ namespace Amontons
     // Changes states and laws; returns the number of nodes whose state changed. rounding: see
     // ActiveSetUpdate::update.
     unsigned int
-    update(const std::vector<NodeAnswer<dim>> &answers, const double rounding);
+    update(const NodalContacts<dim> &answers, const double rounding);
 
     // Rigid motions that supports, pins and the present states leave. by_sticking: those that no sticking
     // node holds, although nodes that slip resist them across their slip (3D).
@@ -82,9 +82,13 @@ namespace Amontons
     std::vector<double>
     beyond_friction() const;
 
+    // What the iteration leaves, by interface and slave node.
+    std::vector<NodalContacts<dim>>
+    by_slave_node(const NodalContacts<dim> &answers) const;
+
     // How far shears are from the law of friction: sqrt sum (area |shear - shear of the law|)^2 (a force).
     double
-    law_error(const std::vector<NodeAnswer<dim>> &answers) const;
+    law_error(const NodalContacts<dim> &answers) const;
 
     // Equations of the closed nodes in their present states, to see which motions they hold.
     std::vector<ContactEquation>
@@ -145,21 +149,21 @@ namespace Amontons
 
   private:
     void
-    choose_friction_states(const std::vector<NodeAnswer<dim>> &answers,
-                           const std::vector<bool>            &closed,
-                           const double                        rounding);
+    choose_friction_states(const NodalContacts<dim> &answers,
+                           const std::vector<bool>  &closed,
+                           const double              rounding);
     void
-    hold_motions(const std::vector<NodeAnswer<dim>> &answers, const double tolerance);
+    hold_motions(const NodalContacts<dim> &answers, const double tolerance);
     void
     keep_last_change(const std::vector<ContactState> &old);
     unsigned int
-    least_slip_along(const std::vector<double>          &motion,
-                     const std::vector<NodeAnswer<dim>> &answers,
-                     const double                        tolerance) const;
+    least_slip_along(const std::vector<double> &motion,
+                     const NodalContacts<dim>  &answers,
+                     const double               tolerance) const;
     void
-    watch_for_cycles(const std::vector<NodeAnswer<dim>> &answers, const unsigned int n_changes);
+    watch_for_cycles(const NodalContacts<dim> &answers, const unsigned int n_changes);
     Tensor<1, dim>
-    trial(const unsigned int k, const NodeAnswer<dim> &answer) const
+    trial(const unsigned int k, const NodalContact<dim> &answer) const
     {
       return answer.shear + nodes[k].c * answer.slip;
     }

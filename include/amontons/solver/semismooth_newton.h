@@ -43,7 +43,7 @@ namespace Amontons
           const std::vector<ContactInterface<dim>> &interfaces,
           const Constraints                        &supports,
           const LA::Vector                         &loads,
-          SolutionState                            &state,
+          SolutionState<dim>                       &state,
           const Observer                           &observer);
 
   private:

@@ -1,10 +1,10 @@
-#include <amontons/solver/node_answer.h>
+#include <amontons/solver/nodal_tractions.h>
 
 namespace Amontons
 {
   template <int dim>
   void
-  set_traction_of_stick(const CandidateNode<dim> &node, const double *multipliers, NodeAnswer<dim> &answer)
+  set_traction_of_stick(const CandidateNode<dim> &node, const double *multipliers, NodalContact<dim> &answer)
   {
     Tensor<1, dim> traction;
     for (unsigned int d = 0; d < dim; ++d)
@@ -14,7 +14,7 @@ namespace Amontons
   }
 
   template <int dim>
-  NodeAnswer<dim>
+  NodalContact<dim>
   answer_of_closed(const CandidateNode<dim> &node,
                    const ContactState        state,
                    const SlipLaw<dim>       &law,
@@ -23,7 +23,7 @@ namespace Amontons
                    const bool                has_multiplier,
                    const double             *multipliers)
   {
-    NodeAnswer<dim> result;
+    NodalContact<dim> result;
     if (node.frictional)
       result.slip = slip;
     if (state == ContactState::stick)
@@ -72,8 +72,8 @@ namespace Amontons
   }
 
   template void
-  set_traction_of_stick(const CandidateNode<2> &, const double *, NodeAnswer<2> &);
-  template NodeAnswer<2>
+  set_traction_of_stick(const CandidateNode<2> &, const double *, NodalContact<2> &);
+  template NodalContact<2>
   answer_of_closed(const CandidateNode<2> &,
                    const ContactState,
                    const SlipLaw<2> &,
@@ -87,8 +87,8 @@ namespace Amontons
   template double
   rounding_of_pressures(const std::vector<CandidateNode<2>> &, const double);
   template void
-  set_traction_of_stick(const CandidateNode<3> &, const double *, NodeAnswer<3> &);
-  template NodeAnswer<3>
+  set_traction_of_stick(const CandidateNode<3> &, const double *, NodalContact<3> &);
+  template NodalContact<3>
   answer_of_closed(const CandidateNode<3> &,
                    const ContactState,
                    const SlipLaw<3> &,

@@ -5,18 +5,10 @@
 
 namespace Amontons
 {
-  /// Of one node. Contact traction on the slave: -(pressure normal + shear).
-  template <int dim>
-  struct NodeAnswer
-  {
-    double         pressure = 0, gap = 0;
-    Tensor<1, dim> shear, slip; // tied: no slip
-  };
-
   /// Of a closed node. multipliers: of its equations (stick: dim of them), none if the first has no pivot:
   /// then a slipping node has `gap`, whatever its equation wants. slip: of frictional nodes.
   template <int dim>
-  NodeAnswer<dim>
+  NodalContact<dim>
   answer_of_closed(const CandidateNode<dim> &node,
                    const ContactState        state,
                    const SlipLaw<dim>       &law,
@@ -28,7 +20,7 @@ namespace Amontons
   /// From the multipliers of its dim equations.
   template <int dim>
   void
-  set_traction_of_stick(const CandidateNode<dim> &node, const double *multipliers, NodeAnswer<dim> &answer);
+  set_traction_of_stick(const CandidateNode<dim> &node, const double *multipliers, NodalContact<dim> &answer);
 
   /// Adds the forces of a slipping node's shear that do not depend on the pressure of this step (those of a
   /// node without a multiplier of their own) to owned DoFs.

@@ -238,15 +238,28 @@ namespace Amontons
       terminal.iteration(line);
     };
     if (finite_strain)
-      return iterate_with_finite_strain(observer);
+      {
+        auto       mechanics = finite_mechanics(*elasticity);
+        const auto report    = contact_solver().solve(
+            mechanics, interfaces, supports, history.state, observer, history.follow_motion);
+        loads = mechanics.loads_at(history.state.displacement);
+        return report;
+      }
     {
       TimerOutput::Scope scope(timer, "assemble stiffness");
       if (elasticity->n_cells() == 0)
         elasticity->assemble(history.state.displacement);
       loads = assemble_loads(*discretization, history.state.t, covered_points());
     }
-    SemismoothNewton<dim> newton(parameters.newton, parameters.linear_solver, *discretization, timer);
-    return newton.solve(*elasticity, interfaces, supports, loads, history.state, observer);
+    LinearMechanics<dim> mechanics(*elasticity, loads);
+    return contact_solver().solve(mechanics, interfaces, supports, history.state, observer);
+  }
+
+  template <int dim>
+  ContactSolver<dim>
+  ContactProblem<dim>::contact_solver() const
+  {
+    return {parameters.newton, parameters.linear_solver, *discretization, timer};
   }
 
   template <int dim>

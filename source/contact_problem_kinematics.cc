@@ -77,18 +77,6 @@ namespace Amontons
         *discretization, bodies, history.state.t, [this]() { return covered_points(); });
   }
 
-  template <int dim>
-  NewtonReport
-  ContactProblem<dim>::iterate_with_finite_strain(const typename SemismoothNewton<dim>::Observer &observer)
-  {
-    FiniteNewton<dim> newton(parameters.newton, parameters.linear_solver, *discretization, timer);
-    auto              mechanics = finite_mechanics(*elasticity);
-    const auto        report =
-        newton.solve(mechanics, interfaces, supports, history.state, observer, history.follow_motion);
-    loads = mechanics.loads_at(history.state.displacement);
-    return report;
-  }
-
   // Finite strain: couples the surfaces where the displacement takes them.
   template <int dim>
   void
@@ -115,12 +103,11 @@ namespace Amontons
     SolutionState<dim>      trial  = history.state;
     const auto              before = contact_answer(interfaces, trial);
     ElasticityOperator<dim> finite(*discretization, true);
-    FiniteNewton<dim>       newton(parameters.newton, parameters.linear_solver, *discretization, timer);
     discretization->finite_strain = true; // rotations of platens are given exactly
     supports                      = discretization->make_supports(history.state.t);
     couple_moved(*discretization, supports, history.state.displacement, history.state.t, interfaces);
-    auto                  mechanics = finite_mechanics(finite);
-    const auto            report = newton.solve(mechanics, interfaces, supports, trial, [](const auto &) {});
+    auto       mechanics = finite_mechanics(finite);
+    const auto report = contact_solver().solve(mechanics, interfaces, supports, trial, [](const auto &) {});
     std::optional<double> change;
     if (report.converged)
       {
@@ -261,10 +248,6 @@ namespace Amontons
   ContactProblem<2>::finite_mechanics(ElasticityOperator<2> &) const;
   template FiniteMechanics<3>
   ContactProblem<3>::finite_mechanics(ElasticityOperator<3> &) const;
-  template NewtonReport
-  ContactProblem<2>::iterate_with_finite_strain(const SemismoothNewton<2>::Observer &);
-  template NewtonReport
-  ContactProblem<3>::iterate_with_finite_strain(const SemismoothNewton<3>::Observer &);
   template void
   ContactProblem<2>::move_surfaces();
   template void

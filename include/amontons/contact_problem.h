@@ -12,8 +12,10 @@
 #include <amontons/output/terminal.h>
 #include <amontons/output/vtu_output.h>
 #include <amontons/solver/diagnosis.h>
-#include <amontons/solver/finite_newton.h>
+#include <amontons/elasticity/finite_mechanics.h>
+#include <amontons/elasticity/linear_mechanics.h>
 #include <amontons/solver/load_program.h>
+#include <amontons/solver/solve_contact.h>
 
 namespace Amontons
 {
@@ -128,8 +130,8 @@ namespace Amontons
     solve_on_mesh(const LoadProgram &program);
     NewtonReport
     iterate();
-    NewtonReport
-    iterate_with_finite_strain(const typename SemismoothNewton<dim>::Observer &observer);
+    ContactSolver<dim>
+    contact_solver() const;
     FiniteMechanics<dim>
     finite_mechanics(ElasticityOperator<dim> &bodies) const;
     void

@@ -27,7 +27,7 @@ namespace Amontons
     LoadRecord             record;      // friction: what the error of the increments is measured by
     NewtonReport           last_report; // of the last solve
 
-    bool                         follow_motion = false; // in the next increment, see FiniteNewton
+    bool                         follow_motion = false; // in the next increment, see PseudoTransient
     std::vector<Diagnosis::Snap> snaps;
     double                       last_speed        = 0; // largest displacement over t in the last increment
     double                       transfer_residual = 0; // largest, of the transferred state on its new mesh

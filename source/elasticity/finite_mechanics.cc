@@ -7,7 +7,7 @@ namespace Amontons
                                         ElasticityOperator<dim>                               &elasticity,
                                         const double                                           t,
                                         const std::function<std::vector<CoveredPoint<dim>>()> &covered)
-      : discretization(discretization), elasticity(elasticity), t(t), covered(covered)
+      : Mechanics<dim>(elasticity), discretization(discretization), t(t), covered(covered)
   {
   }
 
@@ -61,24 +61,6 @@ namespace Amontons
     for (auto &part : matrices)
       part.matrix *= -1;
     return matrices;
-  }
-
-  template <int dim>
-  double
-  FiniteMechanics<dim>::force_scale(const LA::Vector &u, const double tolerance) const
-  {
-    const double rounding = 1e-14 * elasticity.rounding_scale(u);
-    return std::max({elasticity.forces().l2_norm(), external.l2_norm(), rounding / tolerance});
-  }
-
-  template <int dim>
-  std::vector<double>
-  FiniteMechanics<dim>::Dilatations::after(const double part) const
-  {
-    auto result = now;
-    for (unsigned int k = 0; k < result.size(); ++k)
-      result[k] += part * change[k];
-    return result;
   }
 
   template <int dim>

@@ -1,4 +1,4 @@
-#include <amontons/algebra/condensed_system.h>
+#include <amontons/algebra/eliminated_system.h>
 #include <amontons/base/points.h>
 #include <amontons/output/energy.h>
 

@@ -225,15 +225,11 @@ namespace Amontons
   first_guess_of_closed_nodes(const std::vector<CandidateNode<dim>>    &nodes,
                               const std::vector<ContactInterface<dim>> &interfaces,
                               const FloatingBodies<dim>                &floating,
-                              const LA::Vector                         &u)
+                              const std::vector<double>                &gaps)
   {
-    std::vector<double> gaps;
     std::vector<double> smallest(interfaces.size(), std::numeric_limits<double>::max());
-    for (const auto &node : nodes)
-      {
-        gaps.push_back(node.gap - evaluate(node.closing.equation, u));
-        smallest[node.interface] = std::min(smallest[node.interface], gaps.back());
-      }
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      smallest[nodes[k].interface] = std::min(smallest[nodes[k].interface], gaps[k]);
     std::vector<bool> closed;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
@@ -287,10 +283,10 @@ namespace Amontons
   first_guess_of_closed_nodes(const std::vector<CandidateNode<2>> &,
                               const std::vector<ContactInterface<2>> &,
                               const FloatingBodies<2> &,
-                              const LA::Vector &);
+                              const std::vector<double> &);
   template std::vector<bool>
   first_guess_of_closed_nodes(const std::vector<CandidateNode<3>> &,
                               const std::vector<ContactInterface<3>> &,
                               const FloatingBodies<3> &,
-                              const LA::Vector &);
+                              const std::vector<double> &);
 } // namespace Amontons

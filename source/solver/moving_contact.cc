@@ -246,6 +246,16 @@ namespace Amontons
   }
 
   template <int dim>
+  std::vector<ContactEquation>
+  MovingContact<dim>::equations(const unsigned int k, const ContactState state, const SlipLaw<dim> &law) const
+  {
+    auto result = equations_of(all[k], state, law, Tensor<1, dim>());
+    for (auto &equation : result)
+      equation.equation.value = 0;
+    return result;
+  }
+
+  template <int dim>
   std::vector<unsigned int>
   MovingContact<dim>::neighbours(const NodeStates<dim> &states) const
   {

@@ -2,7 +2,7 @@
 // corners with two rows, oblique supports, nodes that supports own, friction.
 #include "check.h"
 
-#include <amontons/algebra/condensed_system.h>
+#include <amontons/algebra/eliminated_system.h>
 #include <amontons/algebra/contact_constraints.h>
 
 #include <deal.II/base/mpi.h>

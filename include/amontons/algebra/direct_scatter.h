@@ -1,7 +1,7 @@
 // Adds cell matrices to a matrix whose pattern stays, without looking for the places of their entries.
 #pragma once
 
-#include <amontons/algebra/condensed_system.h>
+#include <amontons/algebra/eliminated_system.h>
 
 namespace Amontons
 {

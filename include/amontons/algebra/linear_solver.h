@@ -21,7 +21,7 @@ namespace Amontons
     declare(ParameterHandler &prm) override;
   };
 
-  // For systems with written rows (see TangentSystem): multigrid works on another matrix, where the DoFs of
+  // For systems with written rows (see RowSystem): multigrid works on another matrix, where the DoFs of
   // these rows are eliminated. Applied to r: w = r/diagonal on the written rows, z = multigrid of r - A w
   // elsewhere, and what z means for the eliminated DoFs is added.
   struct EliminatedForm

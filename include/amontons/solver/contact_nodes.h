@@ -1,7 +1,7 @@
 // The nodes that may close, with what their states mean for displacements.
 #pragma once
 
-#include <amontons/algebra/condensed_system.h>
+#include <amontons/algebra/eliminated_system.h>
 #include <amontons/contact/contact_interface.h>
 #include <amontons/friction/shear_law.h>
 #include <amontons/solver/floating_bodies.h>
@@ -89,5 +89,5 @@ namespace Amontons
   first_guess_of_closed_nodes(const std::vector<CandidateNode<dim>>    &nodes,
                               const std::vector<ContactInterface<dim>> &interfaces,
                               const FloatingBodies<dim>                &floating,
-                              const LA::Vector                         &u);
+                              const std::vector<double>                &gaps);
 } // namespace Amontons

@@ -49,14 +49,4 @@ namespace Amontons
   private:
     double dtau;
   };
-
-  // A motion that is being followed.
-  struct DampedMotion
-  {
-    DampedSteps steps;
-    LA::Vector  force;              // D (u - start of the step)/dtau
-    LA::Vector  balance;            // of internal forces, loads and `force`
-    double      error       = 0;    // of the balance, relative
-    bool        is_downhill = true; // the last step: (K + D/dtau) du . du > 0
-  };
 } // namespace Amontons

@@ -2,8 +2,9 @@
 // derivatives.
 #pragma once
 
-#include <amontons/algebra/tangent_system.h>
+#include <amontons/algebra/row_system.h>
 #include <amontons/contact/coupling_derivatives.h>
+#include <amontons/solver/contact_kinematics.h>
 #include <amontons/solver/node_states.h>
 
 #include <set>
@@ -22,7 +23,7 @@ namespace Amontons
   // A rigid motion of the whole scene by any Q takes z to Q z_old and n to Q n_old, and makes none; the
   // derivative needs none of weights (Puso and Laursen 2004; Gitterle et al. 2010).
   template <int dim>
-  class MovingContact
+  class MovingContact : public ContactKinematics<dim>
   {
   public:
     // Couples the surfaces as they are at start.committed (empty: undeformed) first. Nodes that are closed in
@@ -33,8 +34,13 @@ namespace Amontons
                   const SolutionState<dim>           &start,
                   const double                        scaling);
 
+    bool
+    moves() const override
+    {
+      return true;
+    }
     void
-    move(const LA::Vector &u);
+    move(const LA::Vector &u) override;
 
     // Derivatives for the nodes that are not open, at the last move(). Collective.
     void
@@ -46,32 +52,27 @@ namespace Amontons
     std::vector<unsigned int>
     neighbours(const NodeStates<dim> &states) const;
 
-    const std::vector<CandidateNode<dim>> &
-    nodes() const
+    double
+    gap(const unsigned int k, const LA::Vector &) const override
     {
-      return all;
-    }
-    // Whether anything is opposite of the node.
-    bool
-    is_opposite(const unsigned int k) const
-    {
-      return all[k].row != numbers::invalid_unsigned_int;
+      return all[k].gap;
     }
     // Where the gap grows faster than the shape functions, beyond the edge of the contact, its projection on
     // to them is negative at some nodes: what does not penetrate on average is open.
     double
-    open_gap(const unsigned int k) const
+    open_gap(const unsigned int k, const LA::Vector &) const override
     {
       return is_opposite(k)
                  ? std::max(all[k].gap, interfaces[all[k].interface].coupling.rows[all[k].row].mean_gap)
                  : all[k].gap;
     }
-    // v; u as in move().
     Tensor<1, dim>
-    slip(const unsigned int k, const LA::Vector &u) const;
-    // Distance of a closed node from its equations.
+    slip(const unsigned int k, const LA::Vector &u) const override; // v
     double
-    violation(const unsigned int k, const ContactState state, const LA::Vector &u) const;
+    violation(const unsigned int k, const ContactState state, const LA::Vector &u) const override;
+    // Without values: those that displacements obey are the written rows.
+    std::vector<ContactEquation>
+    equations(const unsigned int k, const ContactState state, const SlipLaw<dim> &law) const override;
 
     // The equations of a closed node, linearised about u, to be written into the rows `pivots`. Slip: the gap
     // g closes, -dg = g. Stick: E = v - g/|normal| n = 0 by component.
@@ -140,11 +141,13 @@ namespace Amontons
                      const NodalContact<dim> &answer,
                      const LA::Vector        &u) const;
 
+    using ContactKinematics<dim>::all;
+    using ContactKinematics<dim>::is_opposite;
+
     const Discretization<dim>                             &discretization;
     const Constraints                                     &supports;
     std::vector<ContactInterface<dim>>                    &interfaces;
     const double                                           scaling;
-    std::vector<CandidateNode<dim>>                        all;
     std::vector<std::vector<unsigned int>>                 node_of; // by interface and slave node
     std::vector<double>                                    old_gap;
     std::vector<std::optional<Rows>>                       old;    // w - beta, where something was opposite,

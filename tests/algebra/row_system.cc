@@ -3,7 +3,7 @@
 // C_trial. Cells with and without constraints, friction, a second assembly with another set.
 #include "check.h"
 
-#include <amontons/algebra/tangent_system.h>
+#include <amontons/algebra/row_system.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -181,7 +181,7 @@ struct Problem
   std::vector<Dofs>                            dofs;
   std::vector<Matrix>                          matrices;
   CellMatrices                                 cells;
-  TangentSystem                                system;
+  RowSystem                                    system;
 };
 
 int

@@ -1,4 +1,4 @@
-#include <amontons/algebra/tangent_system.h>
+#include <amontons/algebra/row_system.h>
 
 #include <boost/functional/hash.hpp>
 
@@ -106,10 +106,10 @@ namespace Amontons
     }
   } // namespace
 
-  TangentSystem::TangentSystem(const IndexSet    &locally_owned,
-                               const IndexSet    &relevant,
-                               const unsigned int n_components,
-                               MPI_Comm           communicator)
+  RowSystem::RowSystem(const IndexSet    &locally_owned,
+                       const IndexSet    &relevant,
+                       const unsigned int n_components,
+                       MPI_Comm           communicator)
       : locally_owned(locally_owned), relevant(relevant), n_components(n_components),
         communicator(communicator)
   {
@@ -118,10 +118,10 @@ namespace Amontons
   // New ones are kept, so that surfaces that slide to and fro need no new pattern. All that a DoF has ever
   // stood for counts: a block that was linked once is linked whatever the constraints are now.
   bool
-  TangentSystem::link(const Constraints              &supports,
-                      const ContactConstraints       &test,
-                      const std::vector<LocalMatrix> &further,
-                      const std::vector<WrittenRow>  &rows)
+  RowSystem::link(const Constraints              &supports,
+                  const ContactConstraints       &test,
+                  const std::vector<LocalMatrix> &further,
+                  const std::vector<WrittenRow>  &rows)
   {
     bool is_new = false;
     for (const auto &pivot : test.pivots())
@@ -147,8 +147,7 @@ namespace Amontons
   }
 
   Nodes
-  TangentSystem::nodes_of(const std::vector<types::global_dof_index> &dofs,
-                          const Constraints                          &constraints) const
+  RowSystem::nodes_of(const std::vector<types::global_dof_index> &dofs, const Constraints &constraints) const
   {
     Nodes nodes;
     for (const auto dof : dofs)
@@ -160,9 +159,9 @@ namespace Amontons
 
   // With what test functions of closed nodes are replaced by.
   bool
-  TangentSystem::gather_nodes(const std::vector<types::global_dof_index> &dofs,
-                              const Constraints                          &supports,
-                              Nodes                                      &nodes) const
+  RowSystem::gather_nodes(const std::vector<types::global_dof_index> &dofs,
+                          const Constraints                          &supports,
+                          Nodes                                      &nodes) const
   {
     bool any = false;
     nodes.clear();
@@ -180,10 +179,10 @@ namespace Amontons
   }
 
   void
-  TangentSystem::link_block(const std::vector<types::global_dof_index> &rows,
-                            const std::vector<types::global_dof_index> &columns,
-                            const Constraints                          &supports,
-                            bool                                       &is_new)
+  RowSystem::link_block(const std::vector<types::global_dof_index> &rows,
+                        const std::vector<types::global_dof_index> &columns,
+                        const Constraints                          &supports,
+                        bool                                       &is_new)
   {
     if (!linked_blocks
              .insert({boost::hash_range(rows.begin(), rows.end()),
@@ -198,9 +197,9 @@ namespace Amontons
   }
 
   void
-  TangentSystem::make_pattern(const CellMatrices &cells,
-                              const Constraints  &supports,
-                              const bool          with_eliminated_form)
+  RowSystem::make_pattern(const CellMatrices &cells,
+                          const Constraints  &supports,
+                          const bool          with_eliminated_form)
   {
     NodePattern pattern(locally_owned, relevant, n_components);
     Nodes       nodes;
@@ -221,13 +220,13 @@ namespace Amontons
   }
 
   void
-  TangentSystem::assemble(const CellMatrices             &cells,
-                          const Constraints              &supports,
-                          const ContactConstraints       &test,
-                          const std::vector<LocalMatrix> &further,
-                          const LA::Vector               *diagonal,
-                          const std::vector<WrittenRow>  &rows,
-                          const bool                      with_eliminated_form)
+  RowSystem::assemble(const CellMatrices             &cells,
+                      const Constraints              &supports,
+                      const ContactConstraints       &test,
+                      const std::vector<LocalMatrix> &further,
+                      const LA::Vector               *diagonal,
+                      const std::vector<WrittenRow>  &rows,
+                      const bool                      with_eliminated_form)
   {
     constraints = &test;
     if (pattern_is_old)
@@ -259,9 +258,9 @@ namespace Amontons
   }
 
   void
-  TangentSystem::add_diagonal(const LA::Vector  *diagonal,
-                              const Constraints &supports,
-                              LA::SparseMatrix  &matrix) const
+  RowSystem::add_diagonal(const LA::Vector  *diagonal,
+                          const Constraints &supports,
+                          LA::SparseMatrix  &matrix) const
   {
     FullMatrix<double> one(1, 1);
     for (const auto dof : locally_owned)
@@ -274,7 +273,7 @@ namespace Amontons
 
   // Once all is added, C_test^T times it: what was added to a row once goes to many others.
   void
-  TangentSystem::condense_rows(const ContactConstraints &test, LA::SparseMatrix &matrix) const
+  RowSystem::condense_rows(const ContactConstraints &test, LA::SparseMatrix &matrix) const
   {
     const auto         &storage = matrix.trilinos_matrix();
     RowView             target(matrix);
@@ -300,7 +299,7 @@ namespace Amontons
 
   // Times C_trial: what a row has in a pivot's column goes to the columns that the pivot stands for.
   void
-  TangentSystem::condense_columns(const ContactConstraints &test, LA::SparseMatrix &matrix) const
+  RowSystem::condense_columns(const ContactConstraints &test, LA::SparseMatrix &matrix) const
   {
     const auto &storage = matrix.trilinos_matrix();
     using Shares        = std::vector<std::pair<int, double>>; // local columns
@@ -339,7 +338,7 @@ namespace Amontons
   // Written rows get the size of the stiffness there, so that their residuals compare with forces; diagonals
   // of rows that have no equation, so that multigrid takes them as what is beside them.
   void
-  TangentSystem::measure_stiffness(const CellMatrices &cells, const Constraints &supports)
+  RowSystem::measure_stiffness(const CellMatrices &cells, const Constraints &supports)
   {
     stiffness.reinit(locally_owned, relevant, communicator, true);
     std::vector<bool> on_surface(cells.n, false);
@@ -360,14 +359,14 @@ namespace Amontons
   }
 
   double
-  TangentSystem::row_scale(const types::global_dof_index row) const
+  RowSystem::row_scale(const types::global_dof_index row) const
   {
     const double scale = stiffness(row);
     return scale > 0 ? scale : diagonal_scale;
   }
 
   void
-  TangentSystem::write_rows(const std::vector<WrittenRow> &rows, const Constraints &supports)
+  RowSystem::write_rows(const std::vector<WrittenRow> &rows, const Constraints &supports)
   {
     written.clear();
     for (const auto &row : rows)
@@ -384,7 +383,7 @@ namespace Amontons
   }
 
   void
-  TangentSystem::fill_empty_rows(LA::SparseMatrix &matrix, const Constraints &owners) const
+  RowSystem::fill_empty_rows(LA::SparseMatrix &matrix, const Constraints &owners) const
   {
     for (const auto &line : owners.get_lines())
       if (locally_owned.is_element(line.index) && matrix.diag_element(line.index) == 0)
@@ -393,7 +392,7 @@ namespace Amontons
   }
 
   EliminatedForm
-  TangentSystem::eliminated_form() const
+  RowSystem::eliminated_form() const
   {
     EliminatedForm form{&eliminated, &constraints->trial(), {}};
     for (const auto dof : written)

@@ -53,18 +53,18 @@ namespace Amontons
     readable = owned;
   }
 
-  CondensedSystem::CondensedSystem(const IndexSet &locally_owned,
-                                   const IndexSet &relevant,
-                                   MPI_Comm        communicator)
+  EliminatedSystem::EliminatedSystem(const IndexSet &locally_owned,
+                                     const IndexSet &relevant,
+                                     MPI_Comm        communicator)
       : locally_owned(locally_owned), relevant(relevant), communicator(communicator)
   {
   }
 
   void
-  CondensedSystem::setup(const CellMatrices                 &cells,
-                         const Constraints                  &supports,
-                         const std::vector<ContactEquation> &candidates,
-                         const LA::Vector                   *diagonal)
+  EliminatedSystem::setup(const CellMatrices                 &cells,
+                          const Constraints                  &supports,
+                          const std::vector<ContactEquation> &candidates,
+                          const LA::Vector                   *diagonal)
   {
     // What a DoF that may be eliminated can be replaced by, through any chain of pairs; DoFs that never are
     // (masters, carriers) end a chain.
@@ -148,9 +148,9 @@ namespace Amontons
 
   // And the stiffness of the DoFs that have, or may get, no equation of their own.
   void
-  CondensedSystem::assemble_bulk(const CellMatrices      &cells,
-                                 const Constraints       &supports,
-                                 const std::vector<bool> &is_surface)
+  EliminatedSystem::assemble_bulk(const CellMatrices      &cells,
+                                  const Constraints       &supports,
+                                  const std::vector<bool> &is_surface)
   {
     stiffness.reinit(locally_owned, relevant, communicator, true);
     for (unsigned int c = 0; c < cells.n; ++c)
@@ -169,7 +169,7 @@ namespace Amontons
 
   // Rows that assemble() adds to, from this rank or another one.
   void
-  CondensedSystem::save_bulk_rows(const std::set<types::global_dof_index> &reached)
+  EliminatedSystem::save_bulk_rows(const std::set<types::global_dof_index> &reached)
   {
     LA::Vector marks;
     marks.reinit(locally_owned, relevant, communicator, true);
@@ -196,7 +196,7 @@ namespace Amontons
   }
 
   void
-  CondensedSystem::restore_bulk_rows()
+  EliminatedSystem::restore_bulk_rows()
   {
     const double *saved = saved_values.data();
     for (const int i : saved_rows)
@@ -210,10 +210,10 @@ namespace Amontons
   }
 
   void
-  CondensedSystem::assemble(const CellMatrices             &cells,
-                            const ContactConstraints       &constraints,
-                            const LA::Vector               *diagonal,
-                            const std::vector<LocalMatrix> &further)
+  EliminatedSystem::assemble(const CellMatrices             &cells,
+                             const ContactConstraints       &constraints,
+                             const LA::Vector               *diagonal,
+                             const std::vector<LocalMatrix> &further)
   {
     restore_bulk_rows();
     const auto add = [&](const FullMatrix<double> &matrix, const std::vector<types::global_dof_index> &dofs) {
@@ -240,7 +240,7 @@ namespace Amontons
   // Rows that are eliminated, carriers and rigid bodies. Multigrid needs up to ten times the steps where such
   // a diagonal is not of the size of its neighbours.
   void
-  CondensedSystem::add_missing_diagonals(const Constraints &constraints)
+  EliminatedSystem::add_missing_diagonals(const Constraints &constraints)
   {
     const double largest = stiffness.linfty_norm();
     for (const auto &line : constraints.get_lines())

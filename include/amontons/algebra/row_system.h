@@ -1,8 +1,8 @@
 // The linear system of one Newton step where gaps depend on displacements in a nonlinear way: test functions
-// are constrained as in CondensedSystem, displacements by equations of their own.
+// are constrained as in EliminatedSystem, displacements by equations of their own.
 #pragma once
 
-#include <amontons/algebra/condensed_system.h>
+#include <amontons/algebra/eliminated_system.h>
 #include <amontons/algebra/direct_scatter.h>
 #include <amontons/algebra/linear_solver.h>
 #include <amontons/algebra/node_pattern.h>
@@ -20,13 +20,13 @@ namespace Amontons
   // refer to each other. Hence C_test^T K on all displacements that the supports leave, where the test
   // functions of closed nodes leave one row for each of their equations; the linearised gap or stick equation
   // is written there (doc/introduction.md, "Written rows").
-  class TangentSystem
+  class RowSystem
   {
   public:
-    TangentSystem(const IndexSet    &locally_owned,
-                  const IndexSet    &relevant,
-                  const unsigned int n_components,
-                  MPI_Comm           communicator);
+    RowSystem(const IndexSet    &locally_owned,
+              const IndexSet    &relevant,
+              const unsigned int n_components,
+              MPI_Comm           communicator);
 
     // Whether assemble() with these makes the matrices anew: what refers to them must go. Before each one.
     bool

@@ -30,10 +30,10 @@ namespace Amontons
   // possible slave node (the bulk) are assembled once per mesh; a change of state restores their sum in the
   // rows that the few others reach, and adds these again. The sparsity pattern holds all `candidates`, so
   // that it is rebuilt only when a node outside of them closes.
-  class CondensedSystem
+  class EliminatedSystem
   {
   public:
-    CondensedSystem(const IndexSet &locally_owned, const IndexSet &relevant, MPI_Comm communicator);
+    EliminatedSystem(const IndexSet &locally_owned, const IndexSet &relevant, MPI_Comm communicator);
 
     // candidates: equations of all nodes that may close on this mesh, after substitution of the supports.
     // diagonal (may be null): assemble() adds none elsewhere.

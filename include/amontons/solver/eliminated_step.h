@@ -1,0 +1,53 @@
+/// Newton's step at small strain: closed nodes are eliminated from the system.
+#pragma once
+
+#include <amontons/algebra/eliminated_system.h>
+#include <amontons/solver/newton_step.h>
+
+namespace Amontons
+{
+  /// Moves on to the constraints of the closed nodes, then solves for the homogeneous increment:
+  ///   C~^T K C du = C~^T (loads - K u),
+  /// symmetric without friction. Only rows of closed nodes change with the set, so that the bulk of the
+  /// matrix and a factorisation serve again.
+  template <int dim>
+  class EliminatedStep : public NewtonStep<dim>
+  {
+  public:
+    using typename NewtonStep<dim>::Solved;
+
+    explicit EliminatedStep(const ContactEquilibrium<dim> &problem);
+
+    const Constraints &
+    supports() const override
+    {
+      return problem.supports;
+    }
+    void
+    prepare(const LA::Vector *springs) override;
+    void
+    linearise(Iterate<dim> &now, const LA::Vector *springs, const Drag *drag) override;
+    Solved
+    solve(const Iterate<dim> &now, const Drag *drag) override;
+
+    /// Plane problems with friction and a direct solver.
+    unsigned int
+    look_ahead(Iterate<dim> &now, const std::vector<ContactState> &before, const double rounding) override;
+
+  private:
+    double
+    forcing(const Iterate<dim> &now) const;
+    std::vector<LocalMatrix>
+    stiffness_across_slip(const Iterate<dim> &now) const;
+    bool
+    looks_ahead(const Iterate<dim> &now) const;
+    std::vector<bool>
+    movable_nodes() const;
+
+    const ContactEquilibrium<dim> &problem;
+    const bool                     any_friction;
+    EliminatedSystem               system;
+    LinearSolver                   solver; // its factorisation refers to the matrix, which must outlive it
+    bool                           looked_in_vain = false;
+  };
+} // namespace Amontons

@@ -1,0 +1,73 @@
+/// Contact nodes at small strain: surfaces are coupled where they lie at the start.
+#pragma once
+
+#include <amontons/solver/contact_kinematics.h>
+#include <amontons/solver/solution_state.h>
+
+namespace Amontons
+{
+  /// Gaps and jumps are linear in the displacement, and closed nodes obey their equations exactly.
+  template <int dim>
+  class FixedContact : public ContactKinematics<dim>
+  {
+  public:
+    /// start: slip is counted from its `committed` displacement (empty: from none).
+    FixedContact(const Discretization<dim>                &discretization,
+                 const std::vector<ContactInterface<dim>> &interfaces,
+                 const SolutionState<dim>                 &start,
+                 const double                              scaling)
+        : origins(initialise(discretization, interfaces, start, scaling))
+    {
+    }
+
+    bool
+    moves() const override
+    {
+      return false;
+    }
+    void
+    move(const LA::Vector &) override
+    {
+    }
+    double
+    gap(const unsigned int k, const LA::Vector &u) const override
+    {
+      return all[k].gap - evaluate(all[k].closing.equation, u);
+    }
+    Tensor<1, dim>
+    slip(const unsigned int k, const LA::Vector &u) const override
+    {
+      return all[k].tangential(all[k].jump(u) - origins[k]);
+    }
+    double
+    violation(const unsigned int, const ContactState, const LA::Vector &) const override
+    {
+      return 0;
+    }
+    std::vector<ContactEquation>
+    equations(const unsigned int k, const ContactState state, const SlipLaw<dim> &law) const override
+    {
+      return equations_of(all[k], state, law, origins[k]);
+    }
+
+  private:
+    using ContactKinematics<dim>::all;
+
+    std::vector<Tensor<1, dim>>
+    initialise(const Discretization<dim>                &discretization,
+               const std::vector<ContactInterface<dim>> &interfaces,
+               const SolutionState<dim>                 &start,
+               const double                              scaling)
+    {
+      all = collect_contact_nodes(discretization, interfaces, scaling);
+      std::vector<Tensor<1, dim>> result(all.size());
+      if (start.committed.size() == discretization.dof_handler.n_dofs())
+        for (unsigned int k = 0; k < all.size(); ++k)
+          if (all[k].frictional)
+            result[k] = all[k].jump(start.committed);
+      return result;
+    }
+
+    const std::vector<Tensor<1, dim>> origins; // jumps that the increment started from
+  };
+} // namespace Amontons

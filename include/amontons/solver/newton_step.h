@@ -1,0 +1,138 @@
+/// What Newton's method works on, where it is, and how one of its steps is linearised and solved.
+#pragma once
+
+#include <amontons/algebra/contact_constraints.h>
+#include <amontons/algebra/linear_solver.h>
+#include <amontons/elasticity/mechanics.h>
+#include <amontons/solver/contact_kinematics.h>
+#include <amontons/solver/newton_report.h>
+#include <amontons/solver/node_states.h>
+
+#include <deal.II/base/timer.h>
+
+namespace Amontons
+{
+  struct NewtonParameters : ParameterGroup
+  {
+    unsigned int max_iterations = 60;
+    double       tolerance      = 1e-9; // residual relative to the internal forces
+    double       scaling        = 1;    // multiplies the complementarity parameter c = E / h
+
+    void
+    declare(ParameterHandler &prm) override;
+  };
+
+  /// internal forces(u) - contact forces(u, p, q) = loads(u),  gaps(u) >= 0, ...  at one time on one mesh.
+  template <int dim>
+  struct ContactEquilibrium
+  {
+    const NewtonParameters                   &parameters;
+    const LinearSolverParameters             &solver_parameters;
+    const Discretization<dim>                &discretization;
+    Mechanics<dim>                           &mechanics;
+    ContactKinematics<dim>                   &contact;
+    const std::vector<ContactInterface<dim>> &interfaces;
+    const Constraints                        &supports; // with what they prescribe
+    SolutionState<dim>                       &state;    // displacement: the start and the result
+    TimerOutput                              &timer;
+  };
+
+  /// Where the iteration is; its displacement, readable, is that of the state.
+  template <int dim>
+  struct Iterate
+  {
+    LA::Vector                          u; // owned
+    NodeStates<dim>                     states;
+    NodalContacts<dim>                  answers        = {}; // by contact node
+    std::vector<SlipLaw<dim>>           laws           = {}; // of slip, of the last system
+    std::shared_ptr<ContactConstraints> constraints    = {}; // of the closed nodes
+    std::vector<unsigned int>           first_equation = {}; // of each closed node in `constraints`
+    std::vector<std::vector<double>>    free_modes     = {}; // rigid motions that the closed nodes leave
+    double                              force_scale    = 0;  // what residuals are measured by
+    NewtonReport                        report         = {};
+
+    bool
+    is_first() const
+    {
+      return report.iterations.empty();
+    }
+    bool
+    set_changed() const
+    {
+      return is_first() || report.iterations.back().n_changes > 0 || states.frozen();
+    }
+  };
+
+  /// Diagonal terms d_i (u_i - reference_i) that resist motion: see PseudoTransient.
+  struct Drag
+  {
+    LA::Vector values, reference;
+
+    LA::Vector
+    force(const LA::Vector &u) const
+    {
+      LA::Vector result(u);
+      result -= reference;
+      result.scale(values);
+      return result;
+    }
+  };
+
+  template <int dim>
+  class NewtonStep
+  {
+  public:
+    struct Solved
+    {
+      LA::Vector   change; // of u; owned
+      LA::Vector   push;   // the condensed residual that it answers
+      unsigned int krylov      = 0;
+      bool         success     = true;
+      bool         is_downhill = true; // with drag: (K + drag) change . change > 0
+    };
+
+    virtual ~NewtonStep() = default;
+
+    /// What constraints of closed nodes are added to.
+    virtual const Constraints &
+    supports() const = 0;
+    /// Before the first step; springs: the diagonal terms that there may be (null: none).
+    virtual void
+    prepare(const LA::Vector *springs) = 0;
+    /// The system at `now`, for its set of closed nodes; the state's displacement is that of now.u. springs:
+    /// to be added to the diagonal (may be null).
+    virtual void
+    linearise(Iterate<dim> &now, const LA::Vector *springs, const Drag *drag) = 0;
+    /// At the place of the last linearise() or after it.
+    virtual Solved
+    solve(const Iterate<dim> &now, const Drag *drag) = 0;
+
+    /// Lets states change further, as long as the contact nodes alone can tell, from a solution with the
+    /// states `before`. Returns the number of systems solved.
+    virtual unsigned int
+    look_ahead(Iterate<dim> &, const std::vector<ContactState> &before, const double rounding)
+    {
+      (void)before, (void)rounding;
+      return 0;
+    }
+    /// y = (the system of the last linearise())^-1 force, by its factors; null if it has none.
+    virtual std::function<bool(LA::Vector &y, const LA::Vector &force)>
+    inverse()
+    {
+      return {};
+    }
+  };
+
+  /// What constrains the closed nodes in these states; first: by node, its first equation there.
+  template <int dim>
+  ContactConstraints
+  constraints_of(const Constraints            &supports,
+                 const ContactKinematics<dim> &contact,
+                 const NodeStates<dim>        &states,
+                 std::vector<unsigned int>    *first = nullptr);
+
+  /// Of the slipping nodes, those that the pressure does not make.
+  template <int dim>
+  LA::Vector
+  known_shear_forces(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now);
+} // namespace Amontons

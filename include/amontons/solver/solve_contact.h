@@ -1,0 +1,27 @@
+/// From bodies, surfaces and supports to a state in equilibrium.
+#pragma once
+
+#include <amontons/solver/newton.h>
+
+namespace Amontons
+{
+  template <int dim>
+  struct ContactSolver
+  {
+    const NewtonParameters       &parameters;
+    const LinearSolverParameters &solver_parameters;
+    const Discretization<dim>    &discretization;
+    TimerOutput                  &timer;
+
+    /// state: displacement is the start and the result, committed the last converged one; contact (if known)
+    /// the first guess. interfaces: coupled; at finite strain in the end at the result. follow_motion (finite
+    /// strain): see PseudoTransient.
+    NewtonReport
+    solve(Mechanics<dim>                       &mechanics,
+          std::vector<ContactInterface<dim>>   &interfaces,
+          const Constraints                    &supports,
+          SolutionState<dim>                   &state,
+          const typename Newton<dim>::Observer &observer,
+          const bool                            follow_motion = false) const;
+  };
+} // namespace Amontons

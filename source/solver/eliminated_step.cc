@@ -1,0 +1,190 @@
+#include <amontons/algebra/rigid_body_modes.h>
+#include <amontons/solver/contact_responses.h>
+#include <amontons/solver/eliminated_step.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // A response costs a tenth to a twentieth of a factorisation, in small systems less than their assembly.
+    unsigned int
+    most_responses(const types::global_dof_index n_dofs)
+    {
+      return std::max<types::global_dof_index>(100, 400000 / n_dofs);
+    }
+  } // namespace
+
+  template <int dim>
+  EliminatedStep<dim>::EliminatedStep(const ContactEquilibrium<dim> &problem)
+      : problem(problem), any_friction(problem.contact.any_friction()),
+        system(problem.discretization.locally_owned,
+               problem.discretization.relevant,
+               problem.discretization.geometry.communicator),
+        solver(problem.solver_parameters, dim, !any_friction)
+  {
+  }
+
+  // The pattern, and the bulk of the matrix.
+  template <int dim>
+  void
+  EliminatedStep<dim>::prepare(const LA::Vector *springs)
+  {
+    if (!solver.is_direct(problem.discretization.dof_handler.n_dofs()))
+      solver.set_near_null_space(rigid_body_modes(problem.discretization));
+
+    TimerOutput::Scope           scope(problem.timer, "sparsity and bulk matrix");
+    std::vector<ContactEquation> candidates;
+    for (const auto &node : problem.contact.nodes())
+      for (const auto *equation : node.holding())
+        {
+          candidates.push_back(*equation);
+          substitute(candidates.back().equation, problem.supports);
+        }
+    for (const auto &node : problem.contact.nodes())
+      if (node.frictional) // slip mixes the components of a node
+        {
+          candidates.push_back(all_components(node));
+          substitute(candidates.back().equation, problem.supports);
+        }
+    system.setup(problem.mechanics.bodies().tangent(), problem.supports, candidates, springs);
+  }
+
+  template <int dim>
+  void
+  EliminatedStep<dim>::linearise(Iterate<dim> &now, const LA::Vector *springs, const Drag *drag)
+  {
+    Assert(drag == nullptr, ExcNotImplemented());
+    (void)drag;
+    if (!now.set_changed() && !any_friction)
+      return;
+    TimerOutput::Scope scope(problem.timer, "assemble condensed system");
+    system.assemble(
+        problem.mechanics.bodies().tangent(), *now.constraints, springs, stiffness_across_slip(now));
+    solver.matrix_changed(now.is_first() ? LinearSolver::all_rows : now.report.iterations.back().n_changes);
+  }
+
+  template <int dim>
+  std::vector<LocalMatrix>
+  EliminatedStep<dim>::stiffness_across_slip(const Iterate<dim> &now) const
+  {
+    const auto              &nodes = problem.contact.nodes();
+    std::vector<LocalMatrix> matrices;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (nodes[k].frictional && now.states[k] == ContactState::slip && now.laws[k].stiffness > 0 &&
+          problem.discretization.locally_owned.is_element(nodes[k].components[0].candidates[0]))
+        matrices.push_back(slip_stiffness(nodes[k], now.laws[k]));
+    return matrices;
+  }
+
+  template <int dim>
+  typename EliminatedStep<dim>::Solved
+  EliminatedStep<dim>::solve(const Iterate<dim> &now, const Drag *)
+  {
+    const auto &owned  = problem.discretization.locally_owned;
+    LA::Vector  moved  = now.u, du;
+    auto       &u      = problem.state.displacement;
+    const auto &bodies = problem.mechanics.bodies();
+    distribute(now.constraints->trial(), moved, u);
+    LA::Vector residual = problem.mechanics.loads();
+    residual -= bodies.internal_forces(u);
+    if (any_friction)
+      residual += known_shear_forces(problem, now);
+    Solved result;
+    result.push = condense(residual, now.constraints->test(), residual);
+    zero_constrained(now.constraints->test(), owned, result.push);
+
+    TimerOutput::Scope scope(problem.timer, "linear solve");
+    du.reinit(moved);
+    const double scale  = now.is_first() ? result.push.l2_norm() : now.force_scale;
+    const auto   report = solver.solve(system.matrix(), du, result.push, forcing(now) * scale);
+    result.krylov       = report.iterations;
+    result.success      = report.success;
+    moved += du;
+    distribute(now.constraints->trial(), moved, u);
+    result.change = moved;
+    result.change -= now.u;
+    return result;
+  }
+
+  // While many nodes still change, systems are solved as far as that is worth; the last ones for good. Where
+  // only weak springs hold a motion, even a small residual may be a large motion. With friction in 3D the
+  // directions of slip change after the set: as far as superlinear convergence needs.
+  template <int dim>
+  double
+  EliminatedStep<dim>::forcing(const Iterate<dim> &now) const
+  {
+    const auto  &nodes = problem.contact.nodes();
+    const double fine  = std::min(problem.solver_parameters.tolerance, 0.3 * problem.parameters.tolerance);
+    if (now.is_first())
+      return std::any_of(nodes.begin(), nodes.end(), [](const auto &node) { return !node.tied; }) ? 1e-4
+                                                                                                  : fine;
+    const auto &last = now.report.iterations.back();
+    if (!now.free_modes.empty())
+      return fine;
+    if (dim == 3 && any_friction)
+      return std::min(1e-3, std::max(fine, 0.03 * std::pow(last.residual, 1.5)));
+    return now.set_changed() && last.n_changes > 0.05 * (last.n_slip + last.n_stick) ? 1e-3 : fine;
+  }
+
+  template <int dim>
+  bool
+  EliminatedStep<dim>::looks_ahead(const Iterate<dim> &now) const
+  {
+    return dim == 2 && any_friction && now.free_modes.empty() && !looked_in_vain &&
+           solver.is_direct(problem.discretization.dof_handler.n_dofs());
+  }
+
+  template <int dim>
+  std::vector<bool>
+  EliminatedStep<dim>::movable_nodes() const
+  {
+    std::vector<bool> result;
+    for (const auto &node : problem.contact.nodes())
+      result.push_back(
+          std::none_of(node.components.begin(), node.components.end(), [&](const auto &component) {
+            return !component.candidates.empty() && problem.supports.is_constrained(component.candidates[0]);
+          }));
+    return result;
+  }
+
+  // Where this ends where it began, rounding speaks differently here and there: systems of the bodies decide
+  // from now on.
+  template <int dim>
+  unsigned int
+  EliminatedStep<dim>::look_ahead(Iterate<dim>                    &now,
+                                  const std::vector<ContactState> &before,
+                                  const double                     rounding)
+  {
+    if (!looks_ahead(now))
+      return 0;
+    TimerOutput::Scope      scope(problem.timer, "condensed contact");
+    const BaseSolution<dim> base{
+        problem.contact.nodes(), before, now.laws, now.answers, movable_nodes(), now.u};
+    const ContactResponses<dim> responses(problem.discretization,
+                                          problem.mechanics.bodies(),
+                                          problem.supports,
+                                          *now.constraints,
+                                          now.first_equation,
+                                          base,
+                                          system.matrix(),
+                                          solver);
+    CondensedContact<dim>       condensed(
+        base,
+        [&](const unsigned int k, const NodeInput input) { return responses.respond(k, input); },
+        most_responses(problem.discretization.dof_handler.n_dofs()));
+    bool goes_on = true;
+    for (unsigned int n = 0; n < problem.parameters.max_iterations && goes_on && now.states.unheld().empty();
+         ++n)
+      {
+        const auto next = condensed.answers(now.states);
+        goes_on         = next && (now.states.update(*next, rounding) > 0 || now.states.frozen());
+      }
+    looked_in_vain = condensed.is_base(now.states);
+    if (looked_in_vain)
+      now.states.update(now.answers, rounding);
+    return condensed.n_responses();
+  }
+
+  template class EliminatedStep<2>;
+  template class EliminatedStep<3>;
+} // namespace Amontons

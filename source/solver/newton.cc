@@ -1,0 +1,466 @@
+#include <amontons/solver/contact_responses.h>
+#include <amontons/solver/diagnosis.h>
+#include <amontons/solver/newton.h>
+
+namespace Amontons
+{
+  template <int dim>
+  Newton<dim>::Newton(const ContactEquilibrium<dim> &problem,
+                      NewtonStep<dim>               &step,
+                      const double                   smallest_cell,
+                      const Observer                &observer)
+      : problem(problem), step(step), smallest_cell(smallest_cell), observer(observer),
+        floating(problem.discretization,
+                 problem.supports,
+                 problem.interfaces,
+                 problem.contact.moves() ? &problem.state.displacement : nullptr),
+        at{problem.discretization.make_owned_vector(),
+           NodeStates<dim>(problem.contact.nodes(), problem.interfaces, floating, problem.state.t)}
+  {
+    at.answers.resize(problem.contact.nodes().size());
+    at.u = problem.state.displacement;
+  }
+
+  template <int dim>
+  bool
+  Newton<dim>::prepare()
+  {
+    auto &u = problem.state.displacement;
+    if (!problem.contact.moves()) // else the first step does it, and the bodies follow
+      distribute(problem.supports, at.u, u);
+    problem.contact.move(u);
+    {
+      TimerOutput::Scope scope(problem.timer, "assemble stiffness");
+      if (const auto inverted = problem.mechanics.start(u))
+        {
+          at.report.failure = Diagnosis::inverted(problem.discretization, *inverted);
+          return false;
+        }
+    }
+    std::vector<const LinearEquation *> equations;
+    for (const auto &node : problem.contact.nodes())
+      for (const auto *e : node.holding())
+        equations.push_back(&e->equation);
+    floating.set_loads(problem.mechanics.loads());
+    at.report.note = floating.check_loads(equations);
+    floating.choose_pins(equations);
+    guess_states();
+    for (unsigned int k = 0; k < at.answers.size(); ++k) // for the first tangent
+      if (const auto *known =
+              problem.state.contact_of(problem.contact.nodes()[k].interface, problem.contact.nodes()[k].node);
+          known != nullptr && at.states[k] != ContactState::open)
+        {
+          at.answers[k].pressure = known->pressure;
+          at.answers[k].shear    = known->shear;
+        }
+    proximal = make_proximal_terms(problem.discretization, problem.mechanics.bodies(), floating);
+    step.prepare(floating.any() ? &proximal.springs : nullptr);
+    return true;
+  }
+
+  template <int dim>
+  void
+  Newton<dim>::guess_states()
+  {
+    std::vector<double> gaps;
+    for (unsigned int k = 0; k < at.answers.size(); ++k)
+      {
+        at.states.open(k);
+        gaps.push_back(problem.contact.gap(k, problem.state.displacement));
+      }
+    at.states.start(problem.state,
+                    first_guess_of_closed_nodes(problem.contact.nodes(), problem.interfaces, floating, gaps));
+    open_lonely_nodes();
+  }
+
+  template <int dim>
+  void
+  Newton<dim>::guess_again(const NodalContacts<dim> &answers)
+  {
+    guess_states();
+    at.answers = answers;
+  }
+
+  template <int dim>
+  void
+  Newton<dim>::open_lonely_nodes()
+  {
+    for (unsigned int k = 0; k < at.answers.size(); ++k)
+      if (at.states[k] != ContactState::open && !problem.contact.is_opposite(k))
+        at.states.open(k);
+  }
+
+  template <int dim>
+  bool
+  Newton<dim>::put(const LA::Vector &where)
+  {
+    at.u                       = where;
+    problem.state.displacement = at.u;
+    if (!evaluate())
+      return false;
+    problem.contact.move(problem.state.displacement);
+    open_lonely_nodes();
+    return true;
+  }
+
+  // At the state's displacement; dilatations: empty for those of the displacement.
+  template <int dim>
+  bool
+  Newton<dim>::evaluate(const std::vector<double> &dilatations, const bool with_stiffness)
+  {
+    TimerOutput::Scope scope(problem.timer,
+                             problem.mechanics.is_linear() ? "internal forces" : "assemble stiffness");
+    const auto inverted = problem.mechanics.evaluate(problem.state.displacement, dilatations, with_stiffness);
+    if (inverted)
+      inversion = Diagnosis::inverted(problem.discretization, *inverted);
+    return !inverted;
+  }
+
+  template <int dim>
+  void
+  Newton<dim>::iterate()
+  {
+    //! [newton]
+    while (at.report.iterations.size() < problem.parameters.max_iterations)
+      {
+        if (!turn())
+          return;
+        stop_or_go_on();
+        if (!at.report.goes_on())
+          return;
+      }
+    //! [newton]
+  }
+
+  //! [turn]
+  template <int dim>
+  bool
+  Newton<dim>::turn(const unsigned int                                                   n_tries,
+                    const std::function<bool(const typename NewtonStep<dim>::Solved &)> &try_it,
+                    const std::function<bool()>                                         &stay)
+  {
+    linearise();
+    const auto solved = solve();
+    if (!solved || (try_it && !try_it(*solved)) || !advance(solved->change, n_tries) || (stay && !stay()))
+      return false;
+    NewtonReport::Iteration line{};
+    line.krylov = solved->krylov;
+    recover_contact();
+    count_states(line);
+    line.residual = relative_residual();
+    update_states(line);
+    at.report.iterations.push_back(line);
+    observer(line);
+    return true;
+  }
+  //! [turn]
+
+  template <int dim>
+  void
+  Newton<dim>::linearise()
+  {
+    if (at.set_changed() || problem.contact.any_friction() || problem.contact.moves())
+      {
+        at.laws.clear();
+        for (unsigned int k = 0; k < at.answers.size(); ++k)
+          at.laws.push_back(at.states.law(k));
+        update_constraints();
+        at.free_modes = at.states.unheld();
+      }
+    step.linearise(at,
+                   !at.free_modes.empty()     ? &proximal.springs
+                   : !floating.pins().empty() ? &proximal.pins
+                                              : nullptr,
+                   drag);
+  }
+
+  template <int dim>
+  void
+  Newton<dim>::update_constraints()
+  {
+    at.constraints = std::make_shared<ContactConstraints>(
+        constraints_of(step.supports(), problem.contact, at.states, &at.first_equation));
+  }
+
+  template <int dim>
+  std::optional<typename NewtonStep<dim>::Solved>
+  Newton<dim>::solve()
+  {
+    const auto solved = step.solve(at, drag);
+    if (!solved.success)
+      {
+        at.report.failure = Failure{Failure::Kind::linear_solver, solved.krylov};
+        return {};
+      }
+    if (at.is_first())
+      {
+        at.report.one_linear_solve_seconds = clock.wall_time();
+        at.report.start_residual           = solved.push.l2_norm();
+        push                               = solved.push;
+      }
+    return solved;
+  }
+
+  template <int dim>
+  bool
+  Newton<dim>::advance(const LA::Vector &change, const unsigned int n_tries)
+  {
+    if (!std::isfinite(change.l2_norm()))
+      {
+        at.report.failure = Failure{Failure::Kind::not_a_number};
+        return false;
+      }
+    const LA::Vector start(at.u);
+    LA::Vector       relevant = problem.discretization.make_relevant_vector();
+    relevant                  = change;
+    const auto dilatations    = problem.mechanics.change_of_dilatations(relevant);
+    const bool with_stiffness = drag != nullptr || change.linfty_norm() > 1e-3 * smallest_cell;
+    double     factor         = 1;
+    for (unsigned int n = 0; n < n_tries; ++n, factor /= 2)
+      {
+        at.u = start;
+        at.u.add(factor, change);
+        problem.state.displacement = at.u;
+        if (evaluate(dilatations.after(factor), with_stiffness))
+          {
+            TimerOutput::Scope scope(problem.timer, "contact surfaces");
+            problem.contact.move(problem.state.displacement);
+            open_lonely_nodes();
+            for (unsigned int k = 0; problem.contact.moves() && k < at.answers.size(); ++k)
+              if (at.states[k] == ContactState::slip && problem.contact.nodes()[k].frictional)
+                {
+                  at.states.turn(k);
+                  at.laws[k] = at.states.law(k);
+                }
+            return true;
+          }
+      }
+    at.u                       = start;
+    problem.state.displacement = at.u;
+    at.report.failure          = inversion;
+    return false;
+  }
+
+  template <int dim>
+  LA::Vector
+  Newton<dim>::balance_with_drag() const
+  {
+    LA::Vector result(balance);
+    if (drag != nullptr)
+      result += drag->force(at.u);
+    return result;
+  }
+
+  // Multipliers from the residual at the pivots, where the surfaces are now; gaps of the open nodes.
+  template <int dim>
+  void
+  Newton<dim>::recover_contact()
+  {
+    if (problem.contact.moves())
+      update_constraints();
+    balance = problem.mechanics.unbalanced();
+    if (problem.contact.any_friction())
+      balance -= known_shear_forces(problem, at);
+    const auto multipliers = multipliers_of(balance_with_drag(), step.supports(), *at.constraints);
+    for (unsigned int k = 0; k < at.answers.size(); ++k)
+      at.answers[k] = answer(k, multipliers);
+  }
+
+  template <int dim>
+  NodalContact<dim>
+  Newton<dim>::answer(const unsigned int k, const std::vector<double> &multipliers) const
+  {
+    const auto &node = problem.contact.nodes()[k];
+    const auto &u    = problem.state.displacement;
+    if (at.states[k] == ContactState::open)
+      {
+        NodalContact<dim> result;
+        result.gap = problem.contact.open_gap(k, u);
+        if (node.frictional && problem.contact.is_opposite(k)) // where its law starts if it closes
+          result.slip = problem.contact.slip(k, u);
+        return result;
+      }
+    const unsigned int e           = at.first_equation[k];
+    const bool         has_a_pivot = at.constraints->pivots()[e].has_value();
+    return answer_of_closed(node,
+                            at.states[k],
+                            at.laws[k],
+                            node.frictional ? problem.contact.slip(k, u) : Tensor<1, dim>(),
+                            has_a_pivot ? 0. : problem.contact.gap(k, u),
+                            has_a_pivot,
+                            &multipliers[e]);
+  }
+
+  template <int dim>
+  void
+  Newton<dim>::count_states(NewtonReport::Iteration &line) const
+  {
+    for (unsigned int k = 0; k < at.answers.size(); ++k)
+      if (problem.contact.is_opposite(k))
+        (at.states[k] == ContactState::open    ? line.n_open
+         : at.states[k] == ContactState::stick ? line.n_stick
+                                               : line.n_slip) += 1;
+  }
+
+  // Of equilibrium, relative to the forces, and of the closed nodes' equations, relative to the faces. Forces
+  // of the excess that balance each other, as under uniform stress, are seen by none of the free rows; but
+  // supports and closed nodes carry them.
+  template <int dim>
+  double
+  Newton<dim>::relative_residual()
+  {
+    at.force_scale = problem.mechanics.force_scale(problem.state.displacement, problem.parameters.tolerance);
+    const auto *excess = problem.mechanics.forces_of_excess();
+    return std::max({relative_residual_of(balance),
+                     largest_violation(),
+                     excess == nullptr || at.force_scale == 0 ? 0. : excess->l2_norm() / at.force_scale});
+  }
+
+  template <int dim>
+  double
+  Newton<dim>::error_with_drag() const
+  {
+    return relative_residual_of(balance_with_drag());
+  }
+
+  // With the excess it is that of the displacement alone, but for the square of the excess.
+  template <int dim>
+  double
+  Newton<dim>::relative_residual_of(const LA::Vector &forces) const
+  {
+    const double plain = relative_force(forces);
+    if (problem.mechanics.forces_of_excess() == nullptr)
+      return plain;
+    LA::Vector with_excess(forces);
+    with_excess += *problem.mechanics.forces_of_excess();
+    return std::max(plain, relative_force(with_excess));
+  }
+
+  template <int dim>
+  double
+  Newton<dim>::relative_force(const LA::Vector &forces) const
+  {
+    LA::Vector free = condense(forces, at.constraints->test(), forces);
+    zero_constrained(at.constraints->test(), problem.discretization.locally_owned, free);
+    return at.force_scale == 0 ? 0
+                               : std::hypot(free.l2_norm(), at.states.law_error(at.answers)) / at.force_scale;
+  }
+
+  template <int dim>
+  double
+  Newton<dim>::largest_violation() const
+  {
+    double distance = 0;
+    for (unsigned int k = 0; k < at.answers.size(); ++k)
+      distance = std::max(distance,
+                          problem.contact.violation(k, at.states[k], problem.state.displacement) /
+                              problem.interfaces[problem.contact.nodes()[k].interface].slave->mean_size);
+    return distance;
+  }
+
+  // Far from equilibrium, what would only take back the last change is not believed: near the edge of the
+  // contact a node may pull when closed and penetrate when open, until the others have followed.
+  template <int dim>
+  bool
+  Newton<dim>::waits_for_equilibrium(const double residual, const double rounding)
+  {
+    if (drag != nullptr || problem.mechanics.is_linear() || residual <= 1e-3 || n_waits == 6 ||
+        previous_set.empty())
+      {
+        n_waits = 0;
+        return false;
+      }
+    NodeStates<dim> next(at.states);
+    const bool      takes_back = next.update(at.answers, rounding) > 0 && next.all() == previous_set;
+    n_waits                    = takes_back ? n_waits + 1 : 0;
+    return takes_back;
+  }
+
+  template <int dim>
+  void
+  Newton<dim>::update_states(NewtonReport::Iteration &line)
+  {
+    const double rounding = rounding_of_pressures(problem.contact.nodes(), at.u.linfty_norm());
+    if (waits_for_equilibrium(line.residual, rounding))
+      return;
+    previous_set   = at.states.all();
+    line.n_changes = at.states.update(at.answers, rounding);
+    if (line.n_changes > 0)
+      if (const unsigned int n = step.look_ahead(at, previous_set, rounding); n > 0)
+        {
+          unsigned int n_changes = 0;
+          for (unsigned int k = 0; k < previous_set.size(); ++k)
+            n_changes += at.states[k] != previous_set[k];
+          line.krylov += n;
+          line.n_changes = std::max(1u, n_changes);
+        }
+    at.report.safeguarded = at.report.safeguarded || at.states.safeguarded();
+    at.report.frozen      = at.report.frozen || at.states.frozen();
+  }
+
+  template <int dim>
+  void
+  Newton<dim>::stop_or_go_on()
+  {
+    const auto &last  = at.report.iterations.back();
+    const bool  stays = !at.set_changed(), rests = stays && last.residual <= problem.parameters.tolerance,
+               is_linear = problem.mechanics.is_linear();
+    auto &failure        = at.report.failure;
+    if (!std::isfinite(last.residual))
+      failure = Failure{Failure::Kind::not_a_number};
+    else if (rests && at.states.held_too_much() == 0)
+      at.report.converged = true;
+    else if (rests || (is_linear && stays && at.states.held_too_much() > 0))
+      failure = Diagnosis::friction_exceeded(at.states);
+    else if (stays && moves_apart())
+      {
+        failure         = Failure{Failure::Kind::moves_apart};
+        failure->motion = at.states.describe(at.free_modes);
+      }
+    else if (is_linear && at.report.iterations.size() == 1)
+      failure = Diagnosis::friction_beyond_limit(at.states);
+    else if (drag == nullptr && stagnates())
+      failure = Diagnosis::no_states_found(at.report, at.states, problem.contact.any_friction());
+  }
+
+  // Small strain: weak springs are all that holds a motion, and they are not coming to rest.
+  template <int dim>
+  bool
+  Newton<dim>::moves_apart() const
+  {
+    const unsigned int n = at.report.iterations.size();
+    return problem.mechanics.is_linear() && n > 1 && !at.free_modes.empty() &&
+           at.report.iterations[n - 1].residual > 0.5 * at.report.iterations[n - 2].residual;
+  }
+
+  // Finite strain: a shorter increment helps more than further iterations, unless bounds of friction were
+  // held: they settle slowly, but they do.
+  template <int dim>
+  bool
+  Newton<dim>::stagnates() const
+  {
+    const auto        &steps = at.report.iterations;
+    const unsigned int last  = 12;
+    if (problem.mechanics.is_linear() || steps.size() < 25 || at.report.frozen)
+      return false;
+    const auto   smaller = [](const auto &a, const auto &b) { return a.residual < b.residual; };
+    const auto   middle  = steps.end() - last;
+    const double before  = std::min_element(steps.begin(), middle, smaller)->residual,
+                 now     = std::min_element(middle, steps.end(), smaller)->residual;
+    return now > 0.3 * before;
+  }
+
+  template <int dim>
+  NewtonReport
+  Newton<dim>::finish()
+  {
+    at.report.start_residual = at.force_scale > 0 ? at.report.start_residual / at.force_scale : 0;
+    problem.state.contact    = at.states.by_slave_node(at.answers);
+    if (at.report.goes_on())
+      at.report.failure = Diagnosis::no_states_found(at.report, at.states, problem.contact.any_friction());
+    return at.report;
+  }
+
+  template class Newton<2>;
+  template class Newton<3>;
+} // namespace Amontons

@@ -1,0 +1,78 @@
+#include <amontons/solver/newton_step.h>
+
+namespace Amontons
+{
+  void
+  NewtonParameters::declare(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Contact solver");
+    prm.add_parameter("Maximum iterations",
+                      max_iterations,
+                      "Of the active-set (semismooth Newton) iteration on one mesh.",
+                      Patterns::Integer(1));
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "Residual of the equilibrium relative to the internal forces.",
+                      Patterns::Double(1e-14, 1e-2));
+    prm.add_parameter(
+        "Complementarity factor",
+        scaling,
+        "Multiplies the complementarity parameter c = E/h; neither the result nor the number of "
+        "iterations should depend on it.",
+        Patterns::Double(1e-8, 1e8));
+    prm.leave_subsection();
+  }
+
+  template <int dim>
+  ContactConstraints
+  constraints_of(const Constraints            &supports,
+                 const ContactKinematics<dim> &contact,
+                 const NodeStates<dim>        &states,
+                 std::vector<unsigned int>    *first)
+  {
+    std::vector<ContactEquation> equations;
+    if (first != nullptr)
+      first->assign(contact.nodes().size(), numbers::invalid_unsigned_int);
+    for (unsigned int k = 0; k < contact.nodes().size(); ++k)
+      if (states[k] != ContactState::open)
+        {
+          if (first != nullptr)
+            (*first)[k] = equations.size();
+          for (auto &equation : contact.equations(k, states[k], states.law(k)))
+            equations.push_back(std::move(equation));
+        }
+    return ContactConstraints(supports, equations);
+  }
+
+  template <int dim>
+  LA::Vector
+  known_shear_forces(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now)
+  {
+    const auto &contact = problem.contact;
+    LA::Vector  forces  = problem.discretization.make_owned_vector();
+    for (unsigned int k = 0; k < now.laws.size(); ++k)
+      if (contact.nodes()[k].frictional && now.states[k] == ContactState::slip && contact.is_opposite(k))
+        add_known_shear_forces(contact.nodes()[k],
+                               now.laws[k],
+                               contact.slip(k, problem.state.displacement),
+                               problem.discretization.locally_owned,
+                               forces);
+    forces.compress(VectorOperation::add);
+    return forces;
+  }
+
+  template ContactConstraints
+  constraints_of(const Constraints &,
+                 const ContactKinematics<2> &,
+                 const NodeStates<2> &,
+                 std::vector<unsigned int> *);
+  template ContactConstraints
+  constraints_of(const Constraints &,
+                 const ContactKinematics<3> &,
+                 const NodeStates<3> &,
+                 std::vector<unsigned int> *);
+  template LA::Vector
+  known_shear_forces(const ContactEquilibrium<2> &, const Iterate<2> &);
+  template LA::Vector
+  known_shear_forces(const ContactEquilibrium<3> &, const Iterate<3> &);
+} // namespace Amontons

@@ -1,0 +1,169 @@
+#include <amontons/solver/diagnosis.h>
+#include <amontons/solver/pseudo_transient.h>
+
+namespace Amontons
+{
+  template <int dim>
+  PseudoTransient<dim>::PseudoTransient(const ContactEquilibrium<dim> &problem,
+                                        NewtonStep<dim>               &step,
+                                        Newton<dim>                   &newton)
+      : problem(problem), step(step), newton(newton)
+  {
+  }
+
+  template <int dim>
+  NewtonReport
+  PseudoTransient<dim>::run(const bool damped)
+  {
+    if (!newton.prepare())
+      return newton.report();
+    const LA::Vector start         = newton.now().u;
+    const auto       first_answers = newton.now().answers;
+    if (damped)
+      follow_motion(1);
+    else
+      newton.iterate();
+    for (unsigned int n = 0; n < 4 && newton.report().converged; ++n)
+      {
+        const auto mode = unstable_mode();
+        if (!mode)
+          break;
+        newton.report().unstable = true;
+        if (newton.report().moved)
+          leave_along(*mode);
+        else
+          {
+            newton.put(start);
+            newton.guess_again(first_answers);
+            follow_motion(1);
+          }
+      }
+    return newton.finish();
+  }
+
+  // From here on, until nothing moves.
+  template <int dim>
+  void
+  PseudoTransient<dim>::follow_motion(const double first_step)
+  {
+    constexpr unsigned int max_iterations  = 300;
+    auto                  &report          = newton.report();
+    const unsigned int     first           = report.iterations.size();
+    double                 residual        = 0;
+    const auto             no_balance_here = Diagnosis::friction_beyond_limit(newton.now().states);
+    report.converged                       = false;
+    report.moved                           = true;
+    damping                                = lumped_damping(problem.discretization);
+    steps.emplace(first_step);
+    newton.set_drag(&drag);
+    while (report.goes_on())
+      {
+        const LA::Vector start = newton.now().u;
+        if (report.iterations.size() > first + max_iterations)
+          report.failure = Failure{Failure::Kind::still_moving, max_iterations, residual};
+        else if (move_on())
+          {
+            const double now = report.iterations.back().residual;
+            newton.stop_or_go_on();
+            steps->accept(residual / now);
+            residual = now;
+          }
+        else
+          go_back(start);
+      }
+    newton.set_drag(nullptr);
+    if (!report.converged && no_balance_here) // it may move to where there is one
+      report.failure = no_balance_here;
+  }
+
+  // One step of implicit Euler,  D (u - start)/dtau + internal - contact forces = loads, with the states of
+  // its end; false: it is too long.
+  template <int dim>
+  bool
+  PseudoTransient<dim>::move_on()
+  {
+    constexpr unsigned int max_iterations = 8;
+    drag.reference                        = newton.now().u;
+    drag.values                           = damping.values;
+    drag.values /= steps->size();
+    newton.forget_states();
+    for (unsigned int n = 0; n < max_iterations; ++n)
+      {
+        const auto goes_downhill = [&](const auto &solved) { return n > 0 || solved.is_downhill; };
+        const auto is_short      = [&]() {
+          LA::Vector way(newton.now().u);
+          way -= drag.reference;
+          return way.linfty_norm() <= 0.1 * damping.length;
+        };
+        if (!newton.turn(1, goes_downhill, is_short))
+          return false;
+        const auto &last = newton.report().iterations.back();
+        if (!std::isfinite(last.residual))
+          return false;
+        if (last.n_changes == 0 &&
+            newton.error_with_drag() <= std::max(0.1 * last.residual, problem.parameters.tolerance) &&
+            newton.largest_violation() <= 1e-4)
+          return true;
+      }
+    return false;
+  }
+
+  template <int dim>
+  void
+  PseudoTransient<dim>::go_back(const LA::Vector &start)
+  {
+    auto &failure = newton.report().failure;
+    failure.reset();
+    if (!newton.put(start) || !steps->reject())
+      {
+        failure = Failure{Failure::Kind::motion_lost};
+        if (newton.last_inversion())
+          failure->cell = newton.last_inversion()->cell;
+      }
+  }
+
+  // With nodes that slip and rub, motion backwards meets another stiffness: not looked at.
+  template <int dim>
+  std::optional<UnstableMode>
+  PseudoTransient<dim>::unstable_mode()
+  {
+    const auto &nodes = problem.contact.nodes();
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (nodes[k].frictional && newton.now().states[k] == ContactState::slip)
+        return {};
+    const auto inverse = step.inverse();
+    if (!newton.now().free_modes.empty() || !inverse)
+      return {};
+    TimerOutput::Scope scope(problem.timer, "stability");
+    damping = lumped_damping(problem.discretization);
+    if (newton.report().moved)
+      {
+        newton.linearise();
+        if (!newton.solve()) // factorises
+          return {};
+      }
+    return find_unstable_mode(
+        [&](LA::Vector &y, const LA::Vector &x) {
+          LA::Vector force(x);
+          force.scale(damping.values);
+          return inverse(y, force);
+        },
+        damping.values);
+  }
+
+  // From an unstable equilibrium that the motion itself led to: the way that the increment pushes, if any.
+  template <int dim>
+  void
+  PseudoTransient<dim>::leave_along(const UnstableMode &mode)
+  {
+    LA::Vector kick(mode.shape);
+    kick *= (newton.first_push() * kick < 0 ? -1e-3 : 1e-3) * damping.length;
+    if (newton.advance(kick))
+      follow_motion(0.5 / mode.rate);
+    else
+      newton.report().converged = false;
+  }
+
+  template class PseudoTransient<2>;
+  template class PseudoTransient<3>;
+} // namespace Amontons

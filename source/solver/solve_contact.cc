@@ -1,0 +1,54 @@
+#include <amontons/solver/eliminated_step.h>
+#include <amontons/solver/fixed_contact.h>
+#include <amontons/solver/pseudo_transient.h>
+#include <amontons/solver/row_step.h>
+#include <amontons/solver/solve_contact.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+namespace Amontons
+{
+  //! [solve]
+  template <int dim>
+  NewtonReport
+  ContactSolver<dim>::solve(Mechanics<dim>                       &mechanics,
+                            std::vector<ContactInterface<dim>>   &interfaces,
+                            const Constraints                    &supports,
+                            SolutionState<dim>                   &state,
+                            const typename Newton<dim>::Observer &observer,
+                            const bool                            follow_motion) const
+  {
+    TimerOutput::Scope scope(timer, "contact iteration");
+    const auto         problem_with = [&](ContactKinematics<dim> &contact) -> ContactEquilibrium<dim> {
+      return {parameters,
+              solver_parameters,
+              discretization,
+              mechanics,
+              contact,
+              interfaces,
+              supports,
+              state,
+              timer};
+    };
+    const double smallest_cell = GridTools::minimal_cell_diameter(discretization.geometry.triangulation);
+    if (mechanics.is_linear())
+      {
+        FixedContact<dim>   contact(discretization, interfaces, state, parameters.scaling);
+        const auto          problem = problem_with(contact);
+        EliminatedStep<dim> step(problem);
+        Newton<dim>         newton(problem, step, smallest_cell, observer);
+        newton.prepare();
+        newton.iterate();
+        return newton.finish();
+      }
+    MovingContact<dim> contact(discretization, supports, interfaces, state, parameters.scaling);
+    const auto         problem = problem_with(contact);
+    RowStep<dim>       step(problem, contact, smallest_cell);
+    Newton<dim>        newton(problem, step, smallest_cell, observer);
+    return PseudoTransient<dim>(problem, step, newton).run(follow_motion);
+  }
+  //! [solve]
+
+  template struct ContactSolver<2>;
+  template struct ContactSolver<3>;
+} // namespace Amontons

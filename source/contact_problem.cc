@@ -36,6 +36,15 @@ namespace Amontons
         timer(std::cout, TimerOutput::never, TimerOutput::wall_times), geometry(communicator),
         make_reference(make_reference), vtu(output_folder, communicator)
   {
+    const Where entry{scene.file, 0, "Contact solver/Method"};
+    if (parameters.newton.method == "node-to-segment" && scene.kinematics != Kinematics::small_strain)
+      throw InputError(
+          entry, "node-to-segment where surfaces move", "it with 'Kinematics = small strain' only");
+    if (parameters.newton.method == "penalty" && has_history && parameters.refinement.cycles > 0 &&
+        parameters.refinement.history == "transfer")
+      throw InputError(entry,
+                       "penalty with friction, whose history is carried from mesh to mesh",
+                       "'Refinement/History = replay'");
   }
 
   template <int dim>
@@ -114,8 +123,9 @@ namespace Amontons
     reaches.resize(interfaces.size(), 0.);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
-        interfaces[i].reach = reaches[i];
-        interfaces[i].t     = history.state.t;
+        interfaces[i].reach      = reaches[i];
+        interfaces[i].t          = history.state.t;
+        interfaces[i].collocated = parameters.newton.method == "node-to-segment";
       }
     for (const auto &interface : interfaces)
       for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})

@@ -91,8 +91,9 @@ namespace Amontons
     write_increment();
     if (program.finished())
       return;
-    history.state.committed   = history.state.displacement;
-    history.state.committed_t = history.state.t;
+    history.state.committed         = history.state.displacement;
+    history.state.committed_t       = history.state.t;
+    history.state.committed_contact = history.state.contact;
     if (may_transfer())
       make_traction_field();
     history.last_converged = history.state;

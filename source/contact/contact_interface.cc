@@ -1,3 +1,4 @@
+#include <amontons/contact/node_to_segment.h>
 #include <amontons/contact/surface_search.h>
 #include <amontons/discretization/elimination.h>
 
@@ -143,7 +144,9 @@ namespace Amontons
                                               carries,
                                               interface.carried,
                                               stays);
-      interface.carried  = nodes_with_rows(interface);
+      if (interface.collocated && !interface.pair->tied)
+        collocate(discretization, interface);
+      interface.carried = nodes_with_rows(interface);
       if (!faces_something || interface.slave->moved || !interface.coupling.rows.empty())
         return;
       if (any_carries && must_face(discretization, *interface.pair))

@@ -90,19 +90,6 @@ namespace Amontons
       return std::move(sums);
     }
 
-    // Shape values of the master's unknowns at a point.
-    template <int dim>
-    std::vector<double>
-    master_values(const Discretization<dim> &discretization,
-                  const MasterSide<dim>     &master,
-                  const OverlapPoint<dim>   &p)
-    {
-      if (master.surface != nullptr)
-        return lagrange_values<dim - 1>(master.surface->degree, p.xi_master);
-      const auto N = discretization.carrier_weights(master.carrier, master.motion.origin_of(p.x_master));
-      return {N.begin(), N.end()};
-    }
-
     // Adds int psi_i N_q over points [begin, end) of a slave face, all above one face of the master (or above
     // the obstacle). rows: by node of the slave face, null without a multiplier.
     template <int dim>
@@ -311,6 +298,18 @@ namespace Amontons
   }
 
   template <int dim>
+  std::vector<double>
+  master_values(const Discretization<dim> &discretization,
+                const MasterSide<dim>     &master,
+                const OverlapPoint<dim>   &p)
+  {
+    if (master.surface != nullptr)
+      return lagrange_values<dim - 1>(master.surface->degree, p.xi_master);
+    const auto N = discretization.carrier_weights(master.carrier, master.motion.origin_of(p.x_master));
+    return {N.begin(), N.end()};
+  }
+
+  template <int dim>
   AffineMap<dim>
   carrier_motion(const Discretization<dim> &discretization, const unsigned int m, const LA::Vector &u)
   {
@@ -393,6 +392,10 @@ namespace Amontons
   master_dofs<2>(const Discretization<2> &, const MasterSide<2> &, const OverlapPoint<2> &);
   template std::vector<NodeDofs<3>>
   master_dofs<3>(const Discretization<3> &, const MasterSide<3> &, const OverlapPoint<3> &);
+  template std::vector<double>
+  master_values(const Discretization<2> &, const MasterSide<2> &, const OverlapPoint<2> &);
+  template std::vector<double>
+  master_values(const Discretization<3> &, const MasterSide<3> &, const OverlapPoint<3> &);
   template AffineMap<2>
   carrier_motion(const Discretization<2> &, const unsigned int, const LA::Vector &);
   template AffineMap<3>

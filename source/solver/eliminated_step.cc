@@ -59,20 +59,25 @@ namespace Amontons
       return;
     TimerOutput::Scope scope(problem.timer, "assemble condensed system");
     system.assemble(
-        problem.mechanics.bodies().tangent(), *now.constraints, springs, stiffness_across_slip(now));
+        problem.mechanics.bodies().tangent(), *now.constraints, springs, stiffness_of_contact(now));
     solver.matrix_changed(now.is_first() ? LinearSolver::all_rows : now.report.iterations.back().n_changes);
   }
 
   template <int dim>
   std::vector<LocalMatrix>
-  EliminatedStep<dim>::stiffness_across_slip(const Iterate<dim> &now) const
+  EliminatedStep<dim>::stiffness_of_contact(const Iterate<dim> &now) const
   {
     const auto              &nodes = problem.contact.nodes();
     std::vector<LocalMatrix> matrices;
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (nodes[k].frictional && now.states[k] == ContactState::slip && now.laws[k].stiffness > 0 &&
-          problem.discretization.locally_owned.is_element(nodes[k].components[0].candidates[0]))
-        matrices.push_back(slip_stiffness(nodes[k], now.laws[k]));
+      if (now.states[k] != ContactState::open &&
+          problem.discretization.locally_owned.is_element(nodes[k].holding()[0]->candidates[0]))
+        {
+          if (!problem.by_equations(k))
+            matrices.push_back(problem.penalty->stiffness(k, now.states));
+          else if (nodes[k].frictional && now.states[k] == ContactState::slip && now.laws[k].stiffness > 0)
+            matrices.push_back(slip_stiffness(nodes[k], now.laws[k]));
+        }
     return matrices;
   }
 
@@ -87,8 +92,8 @@ namespace Amontons
     distribute(now.constraints->trial(), moved, u);
     LA::Vector residual = problem.mechanics.loads();
     residual -= bodies.internal_forces(u);
-    if (any_friction)
-      residual += known_shear_forces(problem, now);
+    if (any_friction || problem.penalty != nullptr)
+      residual += known_contact_forces(problem, now);
     Solved result;
     result.push = condense(residual, now.constraints->test(), residual);
     zero_constrained(now.constraints->test(), owned, result.push);
@@ -130,8 +135,8 @@ namespace Amontons
   bool
   EliminatedStep<dim>::looks_ahead(const Iterate<dim> &now) const
   {
-    return dim == 2 && any_friction && now.free_modes.empty() && !looked_in_vain &&
-           solver.is_direct(problem.discretization.dof_handler.n_dofs());
+    return dim == 2 && any_friction && problem.penalty == nullptr && now.free_modes.empty() &&
+           !looked_in_vain && solver.is_direct(problem.discretization.dof_handler.n_dofs());
   }
 
   template <int dim>

@@ -325,7 +325,7 @@ namespace Amontons
 
   // dv = (1 - n n^T) dz - (n . z) dn - n (dn . z), exact for fixed weights.
   template <int dim>
-  typename MovingContact<dim>::Rows
+  std::array<Coefficients, dim>
   MovingContact<dim>::slip_gradient(const unsigned int k, const LA::Vector &u) const
   {
     const Tensor<1, dim> n = all[k].normal / all[k].normal.norm(), z = jump_since(k, u);
@@ -465,7 +465,8 @@ namespace Amontons
   std::vector<LocalMatrix>
   MovingContact<dim>::stiffness(const NodeStates<dim>    &states,
                                 const NodalContacts<dim> &answers,
-                                const LA::Vector         &u) const
+                                const LA::Vector         &u,
+                                const bool                by_penalty) const
   {
     std::vector<LocalMatrix> result;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
@@ -480,9 +481,10 @@ namespace Amontons
           result.push_back(std::move(part));
       }
     for (unsigned int k = 0; k < all.size(); ++k)
-      if (!all[k].tied && states[k] == ContactState::slip && is_opposite(k) &&
+      if (!all[k].tied && is_opposite(k) &&
+          (states[k] == ContactState::slip || (by_penalty && states[k] == ContactState::stick)) &&
           discretization.locally_owned.is_element(all[k].components[0].candidates[0]))
-        result.push_back(turning_traction(k, states.law(k), answers[k], u));
+        result.push_back(turning_traction(k, by_penalty ? SlipLaw<dim>() : states.law(k), answers[k], u));
     return result;
   }
 

@@ -179,7 +179,7 @@ namespace Amontons
   Newton<dim>::update_constraints()
   {
     at.constraints = std::make_shared<ContactConstraints>(
-        constraints_of(step.supports(), problem.contact, at.states, &at.first_equation));
+        constraints_of(problem, step.supports(), at.states, &at.first_equation));
   }
 
   template <int dim>
@@ -259,8 +259,8 @@ namespace Amontons
     if (problem.contact.moves())
       update_constraints();
     balance = problem.mechanics.unbalanced();
-    if (problem.contact.any_friction())
-      balance -= known_shear_forces(problem, at);
+    if (problem.contact.any_friction() || problem.penalty != nullptr)
+      balance -= known_contact_forces(problem, at);
     const auto multipliers = multipliers_of(balance_with_drag(), step.supports(), *at.constraints);
     for (unsigned int k = 0; k < at.answers.size(); ++k)
       at.answers[k] = answer(k, multipliers);
@@ -276,10 +276,13 @@ namespace Amontons
       {
         NodalContact<dim> result;
         result.gap = problem.contact.open_gap(k, u);
-        if (node.frictional && problem.contact.is_opposite(k)) // where its law starts if it closes
+        if (node.frictional && problem.contact.is_opposite(k) &&
+            problem.by_equations(k)) // where its law starts if it closes
           result.slip = problem.contact.slip(k, u);
         return result;
       }
+    if (!problem.by_equations(k))
+      return problem.penalty->answer(k, at.states);
     const unsigned int e           = at.first_equation[k];
     const bool         has_a_pivot = at.constraints->pivots()[e].has_value();
     return answer_of_closed(node,
@@ -352,9 +355,10 @@ namespace Amontons
   {
     double distance = 0;
     for (unsigned int k = 0; k < at.answers.size(); ++k)
-      distance = std::max(distance,
-                          problem.contact.violation(k, at.states[k], problem.state.displacement) /
-                              problem.interfaces[problem.contact.nodes()[k].interface].slave->mean_size);
+      if (problem.by_equations(k))
+        distance = std::max(distance,
+                            problem.contact.violation(k, at.states[k], problem.state.displacement) /
+                                problem.interfaces[problem.contact.nodes()[k].interface].slave->mean_size);
     return distance;
   }
 

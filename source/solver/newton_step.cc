@@ -20,21 +20,32 @@ namespace Amontons
         "Multiplies the complementarity parameter c = E/h; neither the result nor the number of "
         "iterations should depend on it.",
         Patterns::Double(1e-8, 1e8));
+    prm.add_parameter(
+        "Method",
+        method,
+        "How surfaces are coupled: mortar (dual multipliers), or, to compare with, penalty (bodies "
+        "overlap) or node-to-segment (nodes touch faces; small strain).",
+        Patterns::Selection("mortar|penalty|node-to-segment"));
+    prm.add_parameter("Penalty factor",
+                      penalty,
+                      "Method = penalty: contact stiffness over E/((1 - nu^2) h), h the size of slave faces.",
+                      Patterns::Double(1e-8, 1e12));
     prm.leave_subsection();
   }
 
   template <int dim>
   ContactConstraints
-  constraints_of(const Constraints            &supports,
-                 const ContactKinematics<dim> &contact,
-                 const NodeStates<dim>        &states,
-                 std::vector<unsigned int>    *first)
+  constraints_of(const ContactEquilibrium<dim> &problem,
+                 const Constraints             &supports,
+                 const NodeStates<dim>         &states,
+                 std::vector<unsigned int>     *first)
   {
+    const auto                  &contact = problem.contact;
     std::vector<ContactEquation> equations;
     if (first != nullptr)
       first->assign(contact.nodes().size(), numbers::invalid_unsigned_int);
     for (unsigned int k = 0; k < contact.nodes().size(); ++k)
-      if (states[k] != ContactState::open)
+      if (states[k] != ContactState::open && problem.by_equations(k))
         {
           if (first != nullptr)
             (*first)[k] = equations.size();
@@ -46,12 +57,14 @@ namespace Amontons
 
   template <int dim>
   LA::Vector
-  known_shear_forces(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now)
+  known_contact_forces(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now)
   {
     const auto &contact = problem.contact;
     LA::Vector  forces  = problem.discretization.make_owned_vector();
     for (unsigned int k = 0; k < now.laws.size(); ++k)
-      if (contact.nodes()[k].frictional && now.states[k] == ContactState::slip && contact.is_opposite(k))
+      if (now.states[k] != ContactState::open && !problem.by_equations(k))
+        problem.penalty->add_forces(k, now.states, forces);
+      else if (contact.nodes()[k].frictional && now.states[k] == ContactState::slip && contact.is_opposite(k))
         add_known_shear_forces(contact.nodes()[k],
                                now.laws[k],
                                contact.slip(k, problem.state.displacement),
@@ -62,17 +75,17 @@ namespace Amontons
   }
 
   template ContactConstraints
-  constraints_of(const Constraints &,
-                 const ContactKinematics<2> &,
+  constraints_of(const ContactEquilibrium<2> &,
+                 const Constraints &,
                  const NodeStates<2> &,
                  std::vector<unsigned int> *);
   template ContactConstraints
-  constraints_of(const Constraints &,
-                 const ContactKinematics<3> &,
+  constraints_of(const ContactEquilibrium<3> &,
+                 const Constraints &,
                  const NodeStates<3> &,
                  std::vector<unsigned int> *);
   template LA::Vector
-  known_shear_forces(const ContactEquilibrium<2> &, const Iterate<2> &);
+  known_contact_forces(const ContactEquilibrium<2> &, const Iterate<2> &);
   template LA::Vector
-  known_shear_forces(const ContactEquilibrium<3> &, const Iterate<3> &);
+  known_contact_forces(const ContactEquilibrium<3> &, const Iterate<3> &);
 } // namespace Amontons

@@ -67,7 +67,11 @@ namespace Amontons
     if (drag != nullptr || !tangent_serves_again(now))
       differentiate(now);
     const auto &u = problem.state.displacement;
-    further       = contact.stiffness(now.states, now.answers, u);
+    further       = contact.stiffness(now.states, now.answers, u, problem.penalty != nullptr);
+    for (unsigned int k = 0; k < contact.nodes().size(); ++k)
+      if (now.states[k] != ContactState::open && !problem.by_equations(k) &&
+          problem.discretization.locally_owned.is_element(contact.nodes()[k].holding()[0]->candidates[0]))
+        further.push_back(problem.penalty->stiffness(k, now.states));
     for (auto &matrix : problem.mechanics.stiffness_of_loads(u))
       further.push_back(std::move(matrix));
     write_rows(now);
@@ -114,7 +118,7 @@ namespace Amontons
         more.close(k);
     contact.differentiate(more);
     if (now.is_first())
-      system.link(homogeneous, constraints_of(homogeneous, contact, more), contact.links(), {});
+      system.link(homogeneous, constraints_of(problem, homogeneous, more), contact.links(), {});
   }
 
   template <int dim>
@@ -131,7 +135,7 @@ namespace Amontons
   {
     rows.clear();
     for (unsigned int k = 0; k < contact.nodes().size(); ++k)
-      if (now.states[k] != ContactState::open)
+      if (now.states[k] != ContactState::open && problem.by_equations(k))
         for (auto &row :
              contact.written_rows(k, now.states[k], pivots_of(now, k), problem.state.displacement))
           rows.push_back(std::move(row));
@@ -144,7 +148,7 @@ namespace Amontons
   {
     auto row = rows.begin();
     for (unsigned int k = 0; k < contact.nodes().size(); ++k)
-      if (now.states[k] != ContactState::open)
+      if (now.states[k] != ContactState::open && problem.by_equations(k))
         {
           const auto pivots = pivots_of(now, k);
           const auto values = contact.row_values(k, now.states[k], problem.state.displacement);
@@ -230,7 +234,7 @@ namespace Amontons
   {
     const auto &owned    = problem.discretization.locally_owned;
     const auto  change   = prescribed_change(now);
-    LA::Vector  residual = known_shear_forces(problem, now);
+    LA::Vector  residual = known_contact_forces(problem, now);
     residual -= problem.mechanics.unbalanced();
     residual -= *problem.mechanics.forces_of_excess();
     residual -= forces_of(change);

@@ -18,8 +18,11 @@ namespace Amontons
                             const typename Newton<dim>::Observer &observer,
                             const bool                            follow_motion) const
   {
-    TimerOutput::Scope scope(timer, "contact iteration");
-    const auto         problem_with = [&](ContactKinematics<dim> &contact) -> ContactEquilibrium<dim> {
+    TimerOutput::Scope          scope(timer, "contact iteration");
+    std::optional<Penalty<dim>> penalty;
+    const auto problem_with = [&](ContactKinematics<dim> &contact) -> ContactEquilibrium<dim> {
+      if (parameters.method == "penalty")
+        penalty.emplace(parameters.penalty, parameters.scaling, contact, state);
       return {parameters,
               solver_parameters,
               discretization,
@@ -28,7 +31,8 @@ namespace Amontons
               interfaces,
               supports,
               state,
-              timer};
+              timer,
+              penalty ? &*penalty : nullptr};
     };
     const double smallest_cell = GridTools::minimal_cell_diameter(discretization.geometry.triangulation);
     if (mechanics.is_linear())

@@ -22,7 +22,8 @@ namespace Amontons
     std::vector<bool> carried;                  // slave nodes with a row
     unsigned int      n_without_multiplier = 0; // slave nodes that supports own whole
     // Gaps up to this are part of the coupling. 0: not known yet, chosen from the sizes of the surfaces.
-    double reach = 0;
+    double reach      = 0;
+    bool   collocated = false; // node to segment, see node_to_segment.h
     // Slave faces that are coupled; empty: all.
     std::vector<bool> wanted_faces;
   };

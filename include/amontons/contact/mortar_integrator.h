@@ -32,6 +32,13 @@ namespace Amontons
               const MasterSide<dim>     &master,
               const OverlapPoint<dim>   &p);
 
+  // Their shape values there.
+  template <int dim>
+  std::vector<double>
+  master_values(const Discretization<dim> &discretization,
+                const MasterSide<dim>     &master,
+                const OverlapPoint<dim>   &p);
+
   // All overlaps of the pair whose gap is at most `reach`, with the geometric gaps. wanted: by slave face,
   // empty for all. Collective: each rank searches for every n-th slave face, wherever its cell is (often one
   // rank has all of them), and all get all points, in the order of the slave faces.

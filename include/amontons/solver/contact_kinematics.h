@@ -54,6 +54,12 @@ namespace Amontons
     virtual std::vector<ContactEquation>
     equations(const unsigned int k, const ContactState state, const SlipLaw<dim> &law) const = 0;
 
+    /// Derivatives of gap and slip (by component), of closed nodes.
+    virtual Coefficients
+    gap_gradient(const unsigned int k) const = 0;
+    virtual std::array<Coefficients, dim>
+    slip_gradient(const unsigned int k, const LA::Vector &u) const = 0;
+
   protected:
     std::vector<CandidateNode<dim>> all;
   };

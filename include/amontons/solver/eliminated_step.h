@@ -38,7 +38,7 @@ namespace Amontons
     double
     forcing(const Iterate<dim> &now) const;
     std::vector<LocalMatrix>
-    stiffness_across_slip(const Iterate<dim> &now) const;
+    stiffness_of_contact(const Iterate<dim> &now) const;
     bool
     looks_ahead(const Iterate<dim> &now) const;
     std::vector<bool>

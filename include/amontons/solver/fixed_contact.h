@@ -49,6 +49,29 @@ namespace Amontons
     {
       return equations_of(all[k], state, law, origins[k]);
     }
+    Coefficients
+    gap_gradient(const unsigned int k) const override
+    {
+      Coefficients result = all[k].closing.equation.coefficients;
+      for (auto &entry : result)
+        entry.second *= -1;
+      return result;
+    }
+    std::array<Coefficients, dim>
+    slip_gradient(const unsigned int k, const LA::Vector &) const override
+    {
+      std::array<Coefficients, dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          Tensor<1, dim> unit;
+          unit[d]         = 1;
+          const auto part = all[k].tangential(unit);
+          for (unsigned int c = 0; c < dim; ++c)
+            for (const auto &[dof, weight] : all[k].components[d].equation.coefficients)
+              result[c][dof] += part[c] * weight;
+        }
+      return result;
+    }
 
   private:
     using ContactKinematics<dim>::all;

@@ -74,6 +74,14 @@ namespace Amontons
     std::vector<ContactEquation>
     equations(const unsigned int k, const ContactState state, const SlipLaw<dim> &law) const override;
 
+    Coefficients
+    gap_gradient(const unsigned int k) const override
+    {
+      return gradient(k).gap;
+    }
+    std::array<Coefficients, dim>
+    slip_gradient(const unsigned int k, const LA::Vector &u) const override;
+
     // The equations of a closed node, linearised about u, to be written into the rows `pivots`. Slip: the gap
     // g closes, -dg = g. Stick: E = v - g/|normal| n = 0 by component.
     std::vector<WrittenRow>
@@ -86,9 +94,13 @@ namespace Amontons
     Tensor<1, dim>
     row_values(const unsigned int k, const ContactState state, const LA::Vector &u) const;
 
-    // Derivatives of the contact forces at fixed multipliers. This rank's part.
+    // Derivatives of the contact forces at fixed pressures and shears; by_penalty: those of sticking nodes,
+    // too, turn with the surface. This rank's part.
     std::vector<LocalMatrix>
-    stiffness(const NodeStates<dim> &states, const NodalContacts<dim> &answers, const LA::Vector &u) const;
+    stiffness(const NodeStates<dim>    &states,
+              const NodalContacts<dim> &answers,
+              const LA::Vector         &u,
+              const bool                by_penalty = false) const;
 
     // Blocks that stiffness() and rows may have now or after a little sliding; without values. This rank's
     // part.
@@ -126,8 +138,6 @@ namespace Amontons
       const auto &interface = interfaces[all[k].interface];
       return interface.slave->nodes[interface.coupling.rows[all[k].row].node];
     }
-    Rows
-    slip_gradient(const unsigned int k, const LA::Vector &u) const;
     Rows
     unit_normal_gradient(const unsigned int k) const;
     const RowGradient<dim> &

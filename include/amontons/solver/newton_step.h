@@ -7,6 +7,7 @@
 #include <amontons/solver/contact_kinematics.h>
 #include <amontons/solver/newton_report.h>
 #include <amontons/solver/node_states.h>
+#include <amontons/solver/penalty.h>
 
 #include <deal.II/base/timer.h>
 
@@ -15,8 +16,10 @@ namespace Amontons
   struct NewtonParameters : ParameterGroup
   {
     unsigned int max_iterations = 60;
-    double       tolerance      = 1e-9; // residual relative to the internal forces
-    double       scaling        = 1;    // multiplies the complementarity parameter c = E / h
+    double       tolerance      = 1e-9;     // residual relative to the internal forces
+    double       scaling        = 1;        // multiplies the complementarity parameter c = E / h
+    std::string  method         = "mortar"; // mortar | penalty | node-to-segment
+    double       penalty        = 10;       // contact stiffness over E/(1 - nu^2)/h
 
     void
     declare(ParameterHandler &prm) override;
@@ -35,6 +38,14 @@ namespace Amontons
     const Constraints                        &supports; // with what they prescribe
     SolutionState<dim>                       &state;    // displacement: the start and the result
     TimerOutput                              &timer;
+    const Penalty<dim>                       *penalty = nullptr; // instead of equations
+
+    /// Whether a closed node obeys equations.
+    bool
+    by_equations(const unsigned int k) const
+    {
+      return penalty == nullptr || contact.nodes()[k].tied;
+    }
   };
 
   /// Where the iteration is; its displacement, readable, is that of the state.
@@ -126,13 +137,14 @@ namespace Amontons
   /// What constrains the closed nodes in these states; first: by node, its first equation there.
   template <int dim>
   ContactConstraints
-  constraints_of(const Constraints            &supports,
-                 const ContactKinematics<dim> &contact,
-                 const NodeStates<dim>        &states,
-                 std::vector<unsigned int>    *first = nullptr);
+  constraints_of(const ContactEquilibrium<dim> &problem,
+                 const Constraints             &supports,
+                 const NodeStates<dim>         &states,
+                 std::vector<unsigned int>     *first = nullptr);
 
-  /// Of the slipping nodes, those that the pressure does not make.
+  /// Contact forces without multipliers: of slipping nodes, what the pressure does not make; of penalties,
+  /// all.
   template <int dim>
   LA::Vector
-  known_shear_forces(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now);
+  known_contact_forces(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now);
 } // namespace Amontons

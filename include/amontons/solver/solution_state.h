@@ -13,8 +13,9 @@ namespace Amontons
     LA::Vector displacement; // readable at relevant DoFs; obeys hanging nodes and supports
     /// The displacement that the increment started from, all the history there is: slip is the change of the
     /// tangential jump since then. Empty: none.
-    LA::Vector committed;
-    double     committed_t = 0; // its time
+    LA::Vector                      committed;
+    double                          committed_t = 0;   // its time
+    std::vector<NodalContacts<dim>> committed_contact; // at that time; empty: none
     /// A field on the slave nodes' DoFs (zero elsewhere) that carries the states from one mesh to the next:
     /// along the normal (p/peak)^2, continued to negative values beyond the contact; along the surface the
     /// trial shear over its bound, a node slipping where this exceeds 1.

@@ -1,0 +1,117 @@
+#include <amontons/solver/penalty.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // Weights of the jump by DoF with their component; frictionless nodes: of its normal part.
+    template <int dim, typename Action>
+    void
+    for_each_weight(const CandidateNode<dim> &node, const Action &action)
+    {
+      if (!node.frictional)
+        for (const auto &[dof, weight] : node.closing.equation.coefficients)
+          action(0, dof, weight);
+      else
+        for (unsigned int c = 0; c < dim; ++c)
+          for (const auto &[dof, weight] : node.components[c].equation.coefficients)
+            action(c, dof, weight);
+    }
+  } // namespace
+
+  template <int dim>
+  Tensor<1, dim>
+  Penalty<dim>::trial(const unsigned int k) const
+  {
+    const auto    &node   = contact.nodes()[k];
+    Tensor<1, dim> result = eps(k) * contact.slip(k, state.displacement);
+    if (!state.committed_contact.empty())
+      result += node.tangential(state.committed_contact[node.interface][node.node].shear);
+    return result;
+  }
+
+  template <int dim>
+  NodalContact<dim>
+  Penalty<dim>::answer(const unsigned int k, const NodeStates<dim> &states) const
+  {
+    NodalContact<dim> result;
+    result.gap      = contact.gap(k, state.displacement);
+    result.pressure = -eps(k) * result.gap;
+    if (!contact.nodes()[k].frictional)
+      return result;
+    const auto q = result.shear = trial(k);
+    if (const double length = q.norm(); states[k] == ContactState::slip && length > 0)
+      {
+        result.shear = states.bound(k, result.pressure).value / length * q;
+        result.slip  = (q - result.shear) / eps(k);
+      }
+    return result;
+  }
+
+  template <int dim>
+  void
+  Penalty<dim>::add_forces(const unsigned int k, const NodeStates<dim> &states, LA::Vector &forces) const
+  {
+    const auto          &node = contact.nodes()[k];
+    const auto           at   = answer(k, states);
+    const Tensor<1, dim> t    = at.pressure * node.normal + at.shear;
+    for_each_weight(node, [&](const unsigned int c, const auto dof, const double weight) {
+      if (forces.in_local_range(dof))
+        forces(dof) -= node.area * weight * (node.frictional ? t[c] : at.pressure);
+    });
+  }
+
+  // area sum weight_c dt_c with dt = n dp + dq, dp = -eps dg and, with d = trial/|trial|,
+  //   stick: dq = eps dv,   slip: dq = phi' dp d + (phi eps/|trial|) (1 - d d^T) dv.
+  template <int dim>
+  LocalMatrix
+  Penalty<dim>::stiffness(const unsigned int k, const NodeStates<dim> &states) const
+  {
+    const auto &node = contact.nodes()[k];
+    const auto  dg   = contact.gap_gradient(k);
+    // By component; frictionless: the pressure alone.
+    std::vector<Coefficients> dt(node.frictional ? dim : 1);
+    const auto                add = [](Coefficients &sum, const double factor, const Coefficients &term) {
+      for (const auto &[dof, value] : term)
+        sum[dof] += factor * value;
+    };
+    if (!node.frictional)
+      add(dt[0], -eps(k), dg);
+    else
+      {
+        const auto           dv     = contact.slip_gradient(k, state.displacement);
+        const auto           q      = trial(k);
+        const bool           slips  = states[k] == ContactState::slip && q.norm() > 0;
+        const Tensor<1, dim> d      = slips ? q / q.norm() : Tensor<1, dim>();
+        const auto           bound  = states.bound(k, -eps(k) * contact.gap(k, state.displacement));
+        const double         across = slips ? bound.value / q.norm() * eps(k) : eps(k);
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            add(dt[c], -eps(k) * (node.normal[c] + (slips ? bound.slope * d[c] : 0.)), dg);
+            for (unsigned int e = 0; e < dim; ++e)
+              add(dt[c], across * (double(c == e) - d[c] * d[e]), dv[e]);
+          }
+      }
+    LocalMatrix result;
+    for (const auto &component : dt)
+      for (const auto &entry : component)
+        result.columns.push_back(entry.first);
+    std::sort(result.columns.begin(), result.columns.end());
+    result.columns.erase(std::unique(result.columns.begin(), result.columns.end()), result.columns.end());
+    std::vector<std::pair<unsigned int, double>> terms;
+    for_each_weight(node, [&](const unsigned int c, const auto dof, const double weight) {
+      result.rows.push_back(dof);
+      terms.emplace_back(c, node.area * weight);
+    });
+    result.matrix.reinit(result.rows.size(), result.columns.size());
+    for (unsigned int i = 0; i < terms.size(); ++i)
+      for (const auto &[dof, value] : dt[terms[i].first])
+        result.matrix(i,
+                      std::lower_bound(result.columns.begin(), result.columns.end(), dof) -
+                          result.columns.begin()) += terms[i].second * value;
+    return result;
+  }
+
+  template class Penalty<2>;
+  template class Penalty<3>;
+} // namespace Amontons

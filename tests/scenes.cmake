@@ -81,6 +81,20 @@ foreach(degree 1 2)
     endforeach()
   endforeach()
 endforeach()
+# Methods to compare with. Penalty: a uniform pressure p makes the overlap p (1 - nu^2) h/(factor E) (checks.penetration: over h, of the lower block, p = 5).
+# Node to segment passes the patch test on matching meshes only.
+add_scene_test(NAME patch_penalty SCENE verification/patch_pressure.prm
+               SET "Contact solver/Method=penalty" "Contact solver/Penalty factor=20" "Contact interface/Slave=second"
+               CHECK ${EXACT} "checks.penetration ~ 2.4e-3 1e-12")
+add_scene_test(NAME patch_node_to_segment SCENE verification/patch_pressure.prm
+               SET "Contact solver/Method=node-to-segment" "Body lower/Cells=5,5" CHECK ${EXACT})
+add_scene_test(NAME patch_node_to_segment_other_mesh SCENE verification/patch_pressure.prm
+               SET "Contact solver/Method=node-to-segment" CHECK "reference.errors.pressure_l2 >= 1e-3" "checks.force_balance <= 1e-8" "pairs.0.normal_force.1 ~ -10 1e-10")
+add_scene_test(NAME penalty_friction_3d SCENE verification/patch_friction_3d.prm
+               SET "Contact solver/Method=penalty" "Contact solver/Penalty factor=1e6" CHECK "reference.errors.pressure_l2 <= 1e-6" "checks.coulomb_cone <= 1e-9")
+add_scene_test(NAME penalty_finite SCENE verification/press_finite.prm
+               SET "Contact solver/Method=penalty" "Contact solver/Penalty factor=1e5" "Contact solver/Tolerance=1e-9"
+               CHECK "reference.errors.nodal_peak_pressure <= 1e-5" "newton.0:.iterations <= 5")
 # Both components of the normals are alike.
 foreach(case "1;first" "2;second")
   list(GET case 0 degree)

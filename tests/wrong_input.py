@@ -185,6 +185,10 @@ def scenes():
     change("unknown boundary", "lower/bottom", "lower/botom", "no boundary 'botom'.*bottom.*left, right", ranks=3)
     change("unknown boundary of a contact", "= lower/top", "= lower/tpo", "no boundary 'tpo'.*top")
     change("unknown parameter", "set Young modulus", "set Young module", r"unknown entry 'Young module' \(did you mean 'Young modulus'")
+    method = "subsection Contact solver\n  set Method = %s\nend"
+    case("node to segment on moving surfaces", "set Kinematics = finite strain\n" + method % "node-to-segment" + "\n" + BASE,
+         "Contact solver/Method: node-to-segment where surfaces move.*small strain")
+    case("unknown method", method % "penality" + "\n" + BASE, "penality.*mortar")
     change("unknown section", "subsection Contact middle", "subsection Contct middle", "unknown section 'Contct middle'.*Contact middle")
     change("unknown obstacle", "= lower/top", "= tool", "unknown obstacle 'tool'", part="subsection Contact")
     change("body without boundary", "= lower/top", "= lower", "without a boundary.*lower/BOUNDARY", part="subsection Contact")

@@ -459,7 +459,10 @@ namespace Amontons
   Newton<dim>::finish()
   {
     at.report.start_residual = at.force_scale > 0 ? at.report.start_residual / at.force_scale : 0;
-    problem.state.contact    = at.states.by_slave_node(at.answers);
+    for (unsigned int k = 0; k < at.answers.size(); ++k)
+      if (at.states[k] != ContactState::open && !problem.by_equations(k))
+        at.answers[k].gap = problem.contact.gap(k, problem.state.displacement);
+    problem.state.contact = at.states.by_slave_node(at.answers);
     if (at.report.goes_on())
       at.report.failure = Diagnosis::no_states_found(at.report, at.states, problem.contact.any_friction());
     return at.report;

@@ -35,8 +35,7 @@ namespace Amontons
   Penalty<dim>::answer(const unsigned int k, const NodeStates<dim> &states) const
   {
     NodalContact<dim> result;
-    result.gap      = contact.gap(k, state.displacement);
-    result.pressure = -eps(k) * result.gap;
+    result.pressure = -eps(k) * contact.gap(k, state.displacement);
     if (!contact.nodes()[k].frictional)
       return result;
     const auto q = result.shear = trial(k);

@@ -23,7 +23,7 @@ namespace Amontons
     {
     }
 
-    /// Of a closed node.
+    /// Of a closed node; its gap is 0, as the overlap stands for a pressure.
     NodalContact<dim>
     answer(const unsigned int k, const NodeStates<dim> &states) const;
 

@@ -1,0 +1,129 @@
+// The penalty's stiffness is the derivative of its forces, and its tractions obey the laws.
+#include "contact/contact_scene.h"
+
+#include <amontons/solver/fixed_contact.h>
+#include <amontons/solver/penalty.h>
+
+template <int dim>
+void
+check_law(const ContactState status, const double friction)
+{
+  const std::string what = std::to_string(dim) + "D, " +
+                           (friction == 0                   ? "frictionless"
+                            : status == ContactState::stick ? "stick"
+                                                            : "slip");
+  Scene scene;
+  scene.bodies = {block("lower", {0, 0, 0}, {1, 1, 1}, {{3, 1, 1}}),
+                  block("upper", {0, 1, 0}, {1, 2, 1}, {{2, 1, 2}})};
+  if (dim == 3)
+    scene.bodies = {block("lower", {0, 0, 0}, {1, 1, 1}, {{3, 2, 1}}),
+                    block("upper", {0, 0, 1}, {1, 1, 2}, {{2, 1, 1}})};
+  scene.pairs = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+  if (friction > 0)
+    scene.pairs[0].friction = Expression(friction);
+  Problem<dim> problem(scene, 1);
+  auto        &discretization = *problem.discretization;
+  for (const auto *surface : {problem.interfaces[0].slave.get(), problem.interfaces[0].master_surface.get()})
+    discretization.add_relevant(surface->dofs());
+
+  // The upper block overlaps by 0.01 to 0.02 and has slid; before it bore a shear.
+  const unsigned int up = dim - 1;
+  std::mt19937       generator(1);
+  const auto         random = [&]() { return generator() / double(generator.max()) - 0.5; };
+  LA::Vector         u = discretization.make_owned_vector(), du = u;
+  for (const auto &node : problem.slave().nodes)
+    for (unsigned int c = 0; c < dim; ++c)
+      u(node.dofs[c]) = (c == up ? -0.015 : 0.01) + 0.005 * random();
+  for (const auto dof : discretization.locally_owned)
+    du(dof) = random();
+  u.compress(VectorOperation::insert);
+  du.compress(VectorOperation::insert);
+
+  SolutionState<dim> state;
+  state.displacement = discretization.make_relevant_vector();
+  state.displacement = u;
+  state.contact      = {NodalContacts<dim>(problem.slave().nodes.size())};
+  for (auto &node : state.contact[0])
+    {
+      node.has_multiplier = true;
+      node.state          = friction == 0 ? ContactState::slip : status;
+      node.pressure       = 1;
+      node.trial[0]       = 2;
+      node.shear[0]       = 0.01;
+    }
+  state.committed_contact            = state.contact;
+  const auto                supports = discretization.make_supports(0);
+  const FixedContact<dim>   contact(discretization, problem.interfaces, state, 1);
+  const FloatingBodies<dim> floating(discretization, supports, problem.interfaces);
+  NodeStates<dim>           states(contact.nodes(), problem.interfaces, floating, 0);
+  states.start(state, std::vector<bool>(contact.nodes().size(), true));
+  const double       factor = 7;
+  const Penalty<dim> penalty(factor, 1, contact, state);
+  check::is_true(contact.nodes().size() > 2, what + ": contact nodes");
+
+  const auto forces = [&](const unsigned int k, const double step) {
+    LA::Vector moved(u), result = discretization.make_owned_vector();
+    moved.add(step, du);
+    state.displacement = moved;
+    penalty.add_forces(k, states, result);
+    result.compress(VectorOperation::add);
+    state.displacement = u;
+    return result;
+  };
+  for (unsigned int k = 0; k < contact.nodes().size(); ++k)
+    {
+      const auto  &node = contact.nodes()[k];
+      const double eps  = factor * node.c;
+      const auto   at   = penalty.answer(k, states);
+      check::is_close(
+          at.pressure, -eps * contact.gap(k, state.displacement), 1e-12, what + ": pressure of the overlap");
+      if (friction > 0)
+        {
+          const Tensor<1, dim> v      = contact.slip(k, state.displacement);
+          Tensor<1, dim>       before = v;
+          before                      = 0;
+          before[0]                   = 0.01;
+          if (status == ContactState::stick)
+            check::is_close((at.shear - before - eps * v).norm(), 0, 1e-12, what + ": elastic shear", 1);
+          else
+            {
+              check::is_close(at.shear.norm(), friction * at.pressure, 1e-12, what + ": shear at its bound");
+              check::is_close((at.shear - before - eps * (v - at.slip)).norm(),
+                              0,
+                              1e-10,
+                              what + ": slip less its elastic part",
+                              1);
+              check::is_close(at.slip * at.shear,
+                              at.slip.norm() * at.shear.norm(),
+                              1e-10,
+                              what + ": slip along the shear");
+            }
+        }
+      const auto matrix  = penalty.stiffness(k, states);
+      LA::Vector product = discretization.make_owned_vector(), difference = forces(k, -1e-6);
+      for (unsigned int i = 0; i < matrix.rows.size(); ++i)
+        for (unsigned int j = 0; j < matrix.columns.size(); ++j)
+          product(matrix.rows[i]) += matrix.matrix(i, j) * du(matrix.columns[j]);
+      product.compress(VectorOperation::add);
+      difference -= forces(k, 1e-6);
+      difference /= 2e-6;
+      const double size = product.l2_norm();
+      difference -= product;
+      check::is_true(size > 0, what + ": stiffness");
+      check::is_close(difference.l2_norm() / size, 0, 1e-7, what + ": derivative of the forces", 1);
+    }
+}
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  check_law<2>(ContactState::slip, 0);
+  check_law<3>(ContactState::slip, 0);
+  for (const auto status : {ContactState::stick, ContactState::slip})
+    {
+      check_law<2>(status, 0.3);
+      check_law<3>(status, 0.3);
+    }
+  return check::result();
+}

@@ -1054,3 +1054,5 @@ endforeach()
 set(ROUND "error_estimate.facets == 0" "reference.errors.nodal_peak_pressure <= 0.01" "error_estimate.contact <= 0.02" "reference.errors.pressure_l2 <= 0.015")
 add_scene_test(NAME second_order_mesh SCENE verification/polygon_roller.prm SET "Body roller/Mesh=round_roller.geo" CHECK ${ROUND})
 add_scene_test(NAME declared_circle SCENE verification/polygon_roller.prm SET "Body roller/Curved boundaries=arc = circle(0, 10)" CHECK ${ROUND})
+# One increment would take the block through the beam.
+add_comparison_test(NAME large_increment SCENE verification/large_increment.prm RUN "1 | Increments=1" "1 | Increments=12" OPTIONS --tolerance 1e-8 --history 1)

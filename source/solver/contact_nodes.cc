@@ -1,6 +1,8 @@
 #include <amontons/elasticity/linear_elastic.h>
 #include <amontons/solver/contact_nodes.h>
 
+#include <sstream>
+
 namespace Amontons
 {
   namespace
@@ -28,6 +30,24 @@ namespace Amontons
       return result;
     }
   } // namespace
+
+  template <int dim>
+  std::string
+  places_of(const std::vector<CandidateNode<dim>> &nodes, const std::vector<unsigned int> &which)
+  {
+    std::ostringstream text;
+    text.precision(4);
+    for (unsigned int i = 0; i < std::min<std::size_t>(3, which.size()); ++i)
+      {
+        text << (i == 0 ? "(" : ", (") << nodes[which[i]].X[0];
+        for (unsigned int d = 1; d < dim; ++d)
+          text << ", " << nodes[which[i]].X[d];
+        text << ")";
+      }
+    if (which.size() > 3)
+      text << " and " << which.size() - 3 << " more";
+    return text.str();
+  }
 
   double
   evaluate(const LinearEquation &equation, const LA::Vector &u)
@@ -257,6 +277,10 @@ namespace Amontons
                     const unsigned int,
                     const double,
                     const bool);
+  template std::string
+  places_of(const std::vector<CandidateNode<2>> &, const std::vector<unsigned int> &);
+  template std::string
+  places_of(const std::vector<CandidateNode<3>> &, const std::vector<unsigned int> &);
   template struct CandidateNode<2>;
   template struct CandidateNode<3>;
   template std::vector<CandidateNode<2>>

@@ -51,6 +51,9 @@ namespace Amontons
             return "the linear solver failed after " + std::to_string(failure.n) + " iterations";
           case Failure::Kind::inverted_cell:
             return failure.cell;
+          case Failure::Kind::passed_through:
+            return "the increment is so large that a surface passes through another one, at " +
+                   failure.where + "; take smaller increments";
           case Failure::Kind::moves_apart:
             return "the loads drive the rigid " + failure.motion +
                    ", and no node that is closed holds it: the bodies move apart or slide off each other; "
@@ -133,6 +136,15 @@ namespace Amontons
 
     template <int dim>
     Failure
+    passed_through(const std::vector<CandidateNode<dim>> &nodes, const std::vector<unsigned int> &which)
+    {
+      Failure failure{Failure::Kind::passed_through};
+      failure.where = places_of(nodes, which);
+      return failure;
+    }
+
+    template <int dim>
+    Failure
     no_states_found(const NewtonReport &report, const NodeStates<dim> &states, const bool any_friction)
     {
       if (const auto beyond = friction_beyond_limit(states))
@@ -173,6 +185,10 @@ namespace Amontons
     no_states_found(const NewtonReport &, const NodeStates<2> &, const bool);
     template Failure
     inverted(const Discretization<2> &, const InvertedCell<2> &);
+    template Failure
+    passed_through(const std::vector<CandidateNode<2>> &, const std::vector<unsigned int> &);
+    template Failure
+    passed_through(const std::vector<CandidateNode<3>> &, const std::vector<unsigned int> &);
     template std::optional<Failure>
     friction_beyond_limit(const NodeStates<3> &);
     template Failure

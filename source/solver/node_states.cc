@@ -1,8 +1,6 @@
 #include <amontons/friction/limit_load.h>
 #include <amontons/solver/node_states.h>
 
-#include <sstream>
-
 namespace Amontons
 {
   template <int dim>
@@ -346,19 +344,7 @@ namespace Amontons
   std::string
   NodeStates<dim>::where_unsettled() const
   {
-    const auto        &list = held.empty() ? changed : held;
-    std::ostringstream text;
-    text.precision(4);
-    for (unsigned int i = 0; i < std::min<std::size_t>(3, list.size()); ++i)
-      {
-        text << (i == 0 ? "(" : ", (") << nodes[list[i]].X[0];
-        for (unsigned int d = 1; d < dim; ++d)
-          text << ", " << nodes[list[i]].X[d];
-        text << ")";
-      }
-    if (list.size() > 3)
-      text << " and " << list.size() - 3 << " more";
-    return text.str();
+    return places_of(nodes, held.empty() ? changed : held);
   }
 
   // (shear + c slip)/bound is bounded, as it will be interpolated: where the pressure vanishes the ratio has

@@ -1,3 +1,4 @@
+#include <amontons/solver/diagnosis.h>
 #include <amontons/solver/eliminated_step.h>
 #include <amontons/solver/fixed_contact.h>
 #include <amontons/solver/pseudo_transient.h>
@@ -49,7 +50,13 @@ namespace Amontons
     const auto         problem = problem_with(contact);
     RowStep<dim>       step(problem, contact, smallest_cell);
     Newton<dim>        newton(problem, step, smallest_cell, observer);
-    return PseudoTransient<dim>(problem, step, newton).run(follow_motion);
+    auto               report = PseudoTransient<dim>(problem, step, newton).run(follow_motion);
+    if (const auto nodes = contact.passed_through(state); report.converged && !report.moved && !nodes.empty())
+      {
+        report.converged = false;
+        report.failure   = Diagnosis::passed_through(contact.nodes(), nodes);
+      }
+    return report;
   }
   //! [solve]
 

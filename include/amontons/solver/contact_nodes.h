@@ -50,6 +50,11 @@ namespace Amontons
                         const std::vector<ContactInterface<dim>> &interfaces,
                         const double                              scaling);
 
+  // "(x, y), (x, y), (x, y) and n more"
+  template <int dim>
+  std::string
+  places_of(const std::vector<CandidateNode<dim>> &nodes, const std::vector<unsigned int> &which);
+
   // sum coefficient u
   double
   evaluate(const LinearEquation &equation, const LA::Vector &u);

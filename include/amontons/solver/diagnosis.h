@@ -28,6 +28,11 @@ namespace Amontons
     Failure
     friction_exceeded(const NodeStates<dim> &states);
 
+    /// which: of the nodes.
+    template <int dim>
+    Failure
+    passed_through(const std::vector<CandidateNode<dim>> &nodes, const std::vector<unsigned int> &which);
+
     template <int dim>
     Failure
     inverted(const Discretization<dim> &discretization, const InvertedCell<dim> &cell);

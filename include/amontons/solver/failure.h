@@ -14,6 +14,7 @@ namespace Amontons
       not_a_number,
       linear_solver,
       inverted_cell,         // by every step that was tried, however short
+      passed_through,        // one surface through another, within the increment
       moves_apart,           // loads drive a rigid motion that no closed node holds
       friction_beyond_limit, // limit analysis: no contact forces within the bounds balance the loads
       friction_exceeded,     // where nodes are held against their bound nothing else changes

@@ -54,7 +54,7 @@ namespace Amontons
             return false;
           }
         if (!program.finished())
-          terminal.progress("load increments", program.time() / scene.end_time);
+          report.progress(program.time() / scene.end_time);
       }
     return true;
   }
@@ -78,17 +78,11 @@ namespace Amontons
       {
         history.work.add(answer());
         keep_record(program);
-        auto &mesh         = summary.meshes.back();
-        mesh.external_work = history.work.external_work;
-        mesh.contact_work  = history.work.contact_work;
-        mesh.dissipation   = history.work.dissipation;
-        if (mesh.reference)
-          reference->compare_dissipation(answer(), history.work.dissipation, *mesh.reference);
         remember_path();
       }
     if (!finite_strain && !is_repeat)
-      neglected.add(*discretization, *recovery, history.state, interfaces, summary.meshes.back().energy);
-    write_increment();
+      neglected.add(*discretization, *recovery, history.state, interfaces, report.energy());
+    report.commit(answer(), history.work, *recovery, error);
     if (program.finished())
       return;
     history.state.committed         = history.state.displacement;
@@ -118,15 +112,9 @@ namespace Amontons
         history.last_speed = distance / duration;
         return;
       }
-    auto      &notes = summary.notes;
-    const auto note  = [&](const bool far) { return Diagnosis::snapped(history.snaps, far); };
-    for (const bool far : {true, false})
-      notes.erase(std::remove(notes.begin(), notes.end(), note(far)), notes.end());
     history.snaps.push_back(
         {history.state.t, distance, distance > 3 * expected, history.last_report.unstable});
-    for (const bool far : {true, false})
-      if (const std::string text = note(far); !text.empty())
-        notes.push_back(text);
+    report.add_snap(history.snaps);
   }
 
   template <int dim>
@@ -134,10 +122,10 @@ namespace Amontons
   ContactProblem<dim>::roll_back(const double failed_time)
   {
     std::ostringstream text;
-    text << "increments were cut back first before t = " << failed_time << ": " << summary.message;
+    text << "increments were cut back first before t = " << failed_time << ": " << report.message();
     if (history.n_cut_backs++ == 0)
-      summary.notes.push_back(text.str());
-    summary.meshes.pop_back();
+      report.note(text.str());
+    report.drop_last_solve();
     go_back();
   }
 
@@ -220,7 +208,7 @@ namespace Amontons
   ContactProblem<dim>::return_to_last_converged()
   {
     const double failed_time = history.state.t;
-    summary.meshes.pop_back();
+    report.drop_last_solve();
     const bool is_transferred = history.last_converged.contact.empty();
     go_back();
     const double t = history.state.t;
@@ -233,8 +221,8 @@ namespace Amontons
     recovery->recover(history.state.displacement);
     std::ostringstream text;
     text << "the increment from t = " << t << " to " << failed_time
-         << " failed (results are those of t = " << t << "): " << summary.message;
-    summary.message = text.str();
+         << " failed (results are those of t = " << t << "): " << report.message();
+    report.fail(text.str());
   }
 
   template <int dim>
@@ -244,7 +232,7 @@ namespace Amontons
     const auto &refinement = parameters.refinement;
     // What facets do refinement does not mend.
     const double mendable =
-        std::sqrt(std::max(0., std::pow(estimated_error(), 2) - std::pow(error.facets, 2)));
+        std::sqrt(std::max(0., std::pow(error.decisive(), 2) - std::pow(error.facets, 2)));
     return cycle < refinement.cycles && !(refinement.target_error > 0 && mendable <= refinement.target_error);
   }
 
@@ -255,7 +243,7 @@ namespace Amontons
   {
     if (!has_history || parameters.refinement.history != "replay" || !wants_refinement() || !refine())
       return false;
-    vtu.restart();
+    report.replay();
     return true;
   }
 
@@ -297,16 +285,16 @@ namespace Amontons
     history.state.traction = history.last_converged.traction;
     history.state.peaks    = history.last_converged.peaks;
     carry_active_set();
-    terminal.note("equilibrium of the transferred state at t = " + std::to_string(history.state.t));
-    const auto report = iterate();
-    if (!report.converged)
+    report.say("equilibrium of the transferred state at t = " + std::to_string(history.state.t));
+    const auto result = iterate();
+    if (!result.converged)
       {
         collect_fields();
-        summary.message = "after refinement at t = " + std::to_string(history.state.t) + ": " +
-                          Diagnosis::sentence(*report.failure);
+        report.fail("after refinement at t = " + std::to_string(history.state.t) + ": " +
+                    Diagnosis::sentence(*result.failure));
         return false;
       }
-    history.transfer_residual = std::max(history.transfer_residual, report.start_residual);
+    history.transfer_residual = std::max(history.transfer_residual, result.start_residual);
     history.work.rebase(answer());
     history.state.committed   = history.state.displacement;
     history.state.committed_t = history.state.t;

@@ -68,7 +68,7 @@ namespace Amontons
   void
   ContactProblem<dim>::measure_increments()
   {
-    TimerOutput::Scope scope(timer, "error of the increments");
+    TimerOutput::Scope scope(report.timer(), "error of the increments");
     LoadProgram        plan(scene, incremental);
     while (!plan.finished())
       plan.accept(1);
@@ -76,7 +76,6 @@ namespace Amontons
 
     auto       kept_interfaces = std::move(interfaces);
     auto       kept_bodies     = std::move(elasticity);
-    auto       kept_summary    = summary;
     auto       kept_history    = std::move(history);
     const auto kept_error      = error;
     const auto kept_fields     = fields;
@@ -84,7 +83,7 @@ namespace Amontons
     const auto kept_reaches    = reaches;
 
     is_repeat = true;
-    terminal.be_quiet(true);
+    report.pause(true);
     coarser         = few ? 0.5 : 2;
     elasticity      = std::make_unique<ElasticityOperator<dim>>(*discretization, finite_strain);
     history         = LoadHistory<dim>();
@@ -92,14 +91,13 @@ namespace Amontons
     history.state.t = LoadProgram(scene, incremental, coarser).next();
     couple_surfaces();
     if (run_load_program() && history.record.n_increments != kept_history.record.n_increments)
-      kept_summary.increments = error_of_increments(kept_history.record, history.record);
+      report.set_error_of_increments(error_of_increments(kept_history.record, history.record));
 
     is_repeat = false;
-    terminal.be_quiet(false);
+    report.pause(false);
     coarser             = 1;
     interfaces          = std::move(kept_interfaces);
     elasticity          = std::move(kept_bodies);
-    summary             = std::move(kept_summary);
     kept_history.path   = std::move(history.path);
     history             = std::move(kept_history);
     error               = kept_error;
@@ -125,19 +123,17 @@ namespace Amontons
         Parameters replay         = parameters;
         replay.refinement.history = "replay";
         replay.output.vtu         = false;
-        TimerOutput::Scope scope(timer, "error of the increments");
-        summary.increments = ContactProblem<dim>(part, replay, folder, true).run_to_measure_increments();
+        TimerOutput::Scope scope(report.timer(), "error of the increments");
+        report.set_error_of_increments(
+            ContactProblem<dim>(part, replay, folder, true).run_to_measure_increments());
       }
     else if (!measured_increments)
       measure_increments();
-    const auto add = [&](const std::string &text) {
-      summary.notes.push_back(text);
-      terminal.note(text);
-    };
-    if (!summary.increments)
-      return add("the error of the increments is not known: with half as many (where they are few: twice as "
-                 "many) the iteration does not converge");
-    const IncrementErrors &errors = *summary.increments;
+    if (!report.error_of_increments())
+      return report.announce(
+          "the error of the increments is not known: with half as many (where they are few: twice as "
+          "many) the iteration does not converge");
+    const IncrementErrors &errors = *report.error_of_increments();
     std::ostringstream     text;
     text.precision(2);
     if (errors.largest() > allowed_error())
@@ -147,10 +143,10 @@ namespace Amontons
     if (errors.dissipation > allowed_error())
       text << (text.str().empty() ? "" : ", ") << errors.dissipation << " of the work, in that of friction";
     if (!text.str().empty())
-      add("warning: with " + std::to_string(errors.repeated_with) + " increments instead of " +
-          std::to_string(errors.n_increments) +
-          " the answer is another; what is wrong by the increments is about " + text.str() +
-          "; it falls with their number ('Increments')");
+      report.announce("warning: with " + std::to_string(errors.repeated_with) + " increments instead of " +
+                      std::to_string(errors.n_increments) +
+                      " the answer is another; what is wrong by the increments is about " + text.str() +
+                      "; it falls with their number ('Increments')");
   }
 
   template <int dim>
@@ -164,7 +160,7 @@ namespace Amontons
     refine_where_bodies_are_close();
     if (run_all_meshes() && !measured_increments)
       measure_increments();
-    return summary.increments;
+    return report.error_of_increments();
   }
 
   template class ContactProblem<2>;

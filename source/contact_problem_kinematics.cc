@@ -84,7 +84,7 @@ namespace Amontons
   {
     if (!finite_strain)
       return;
-    TimerOutput::Scope scope(timer, "contact surfaces");
+    TimerOutput::Scope scope(report.timer(), "contact surfaces");
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       if (!history.state.contact.empty() &&
           history.state.contact[i].size() == interfaces[i].slave->nodes.size())
@@ -107,9 +107,9 @@ namespace Amontons
     supports                      = discretization->make_supports(history.state.t);
     couple_moved(*discretization, supports, history.state.displacement, history.state.t, interfaces);
     auto       mechanics = finite_mechanics(finite);
-    const auto report = contact_solver().solve(mechanics, interfaces, supports, trial, [](const auto &) {});
+    const auto result = contact_solver().solve(mechanics, interfaces, supports, trial, [](const auto &) {});
     std::optional<double> change;
-    if (report.converged)
+    if (result.converged)
       {
         change                = change_of_contact(before, contact_answer(interfaces, trial));
         LA::Vector difference = discretization->make_owned_vector(), old = difference;
@@ -163,16 +163,12 @@ namespace Amontons
   bool
   ContactProblem<dim>::choose_kinematics(const bool success)
   {
-    const auto note = [&](const std::string &text) {
-      summary.notes.push_back(text);
-      terminal.note(text);
-    };
     std::ostringstream allowed;
     allowed << " (allowed are " << allowed_error() << ")";
     const bool automatic = scene.kinematics == Kinematics::automatic;
     const bool stiffens  = automatic && neglected.largest().stiffening > allowed_error();
     {
-      TimerOutput::Scope scope(timer, "choice of the model");
+      TimerOutput::Scope scope(report.timer(), "choice of the model");
       neglected.measure_gaps(*discretization, supports, interfaces);
       tried_finite_strain =
           success && !any_free_rotation(*discretization) &&
@@ -189,13 +185,14 @@ namespace Amontons
                           (change_of_answer && *change_of_answer <= allowed_error());
     if (automatic && !harmless && !any_free_rotation(*discretization))
       {
-        note(describe_small_strain() + ": finite strain is used" + allowed.str());
+        report.announce(describe_small_strain() + ": finite strain is used" + allowed.str());
         restart(true);
         if (run_all_meshes())
           return true;
         if (!success || kinematic_error() > too_much)
           return false;
-        note("warning: finite strain failed (" + summary.message + "): the answer is that of small strain");
+        report.announce("warning: finite strain failed (" + report.message() +
+                        "): the answer is that of small strain");
         restart(false);
         return run_all_meshes();
       }
@@ -204,11 +201,12 @@ namespace Amontons
     if (harmless)
       {
         if (automatic)
-          note(describe_small_strain() + ": small strain is enough" + allowed.str());
+          report.announce(describe_small_strain() + ": small strain is enough" + allowed.str());
         else if (neglected.largest().stiffening > 1)
-          note("warning: stress may stiffen or buckle a slender body, which small strain leaves out "
-               "('Kinematics = "
-               "auto' looks)");
+          report.announce(
+              "warning: stress may stiffen or buckle a slender body, which small strain leaves out "
+              "('Kinematics = "
+              "auto' looks)");
         return true;
       }
     const std::string advice = any_free_rotation(*discretization)
@@ -216,10 +214,10 @@ namespace Amontons
                                    : "; say 'Kinematics = finite strain' or 'auto'";
     if (kinematic_error() <= too_much)
       {
-        note("warning: " + describe_small_strain() + allowed.str() + advice);
+        report.announce("warning: " + describe_small_strain() + allowed.str() + advice);
         return true;
       }
-    summary.message = "kinematics: " + describe_small_strain() + advice;
+    report.fail("kinematics: " + describe_small_strain() + advice);
     return false;
   }
 
@@ -232,13 +230,10 @@ namespace Amontons
     discretization->finite_strain = finite_strain;
     incremental                   = has_history || finite_strain;
     elasticity                    = std::make_unique<ElasticityOperator<dim>>(*discretization, finite_strain);
-    summary.meshes.clear();
-    summary.newton.clear();
+    report.restart();
     history.path.clear();
     measured_increments = false;
     reaches.clear(); // how far surfaces see depends on how far they move
-    summary.increments.reset();
-    vtu.restart();
     history.state   = SolutionState<dim>();
     history.state.t = LoadProgram(scene, incremental).next();
     rebuild();

@@ -11,7 +11,7 @@ namespace Amontons
   {
     for (unsigned int i = 0; i < parameters.refinement.initial_refinements; ++i)
       {
-        TimerOutput::Scope scope(timer, "mesh");
+        TimerOutput::Scope scope(report.timer(), "mesh");
         if (mark_close_cells(*discretization, interfaces, 0.1) == 0)
           break;
         geometry.triangulation.execute_coarsening_and_refinement();
@@ -51,7 +51,7 @@ namespace Amontons
       }
     if (too_short)
       {
-        TimerOutput::Scope scope(timer, "contact surfaces");
+        TimerOutput::Scope scope(report.timer(), "contact surfaces");
         for (unsigned int i = 0; i < interfaces.size(); ++i)
           interfaces[i].reach = reaches[i];
         integrate_couplings(*discretization, supports, interfaces);
@@ -63,7 +63,7 @@ namespace Amontons
   bool
   ContactProblem<dim>::refine()
   {
-    TimerOutput::Scope scope(timer, "mesh");
+    TimerOutput::Scope scope(report.timer(), "mesh");
     // Two aims: the stress everywhere, on which contact forces and sizes depend, and the pressure itself.
     const bool bulk = mark_cells(*discretization, geometry, parameters.refinement, error.cell_indicators);
     const bool contact =
@@ -71,7 +71,7 @@ namespace Amontons
         mark_cells(*discretization, geometry, parameters.refinement, error.contact_indicators);
     if (!bulk && !contact)
       {
-        terminal.note("no further refinement: the limit of 'Maximum DoFs' is reached");
+        report.say("no further refinement: the limit of 'Maximum DoFs' is reached");
         return false;
       }
     make_traction_field();

@@ -6,28 +6,13 @@
 #include <amontons/adaptivity/model_selection.h>
 #include <amontons/elasticity/loads.h>
 #include <amontons/load_history.h>
-#include <amontons/output/contact_csv.h>
-#include <amontons/output/energy.h>
-#include <amontons/output/reference.h>
-#include <amontons/output/terminal.h>
-#include <amontons/output/vtu_output.h>
-#include <amontons/solver/diagnosis.h>
 #include <amontons/elasticity/finite_mechanics.h>
 #include <amontons/elasticity/linear_mechanics.h>
-#include <amontons/solver/load_program.h>
+#include <amontons/run_report.h>
 #include <amontons/solver/solve_contact.h>
 
 namespace Amontons
 {
-  struct OutputParameters : ParameterGroup
-  {
-    bool vtu    = true;
-    bool report = true;
-
-    void
-    declare(ParameterHandler &prm) override;
-  };
-
   // All sections of the .prm file that are not the scene itself.
   struct Parameters
   {
@@ -131,7 +116,7 @@ namespace Amontons
     NewtonReport
     iterate();
     ContactSolver<dim>
-    contact_solver() const;
+    contact_solver();
     FiniteMechanics<dim>
     finite_mechanics(ElasticityOperator<dim> &bodies) const;
     void
@@ -156,8 +141,6 @@ namespace Amontons
     unused_shears() const;
     bool
     widen_reach();
-    double
-    estimated_error() const;
     bool
     refine();
     void
@@ -168,35 +151,20 @@ namespace Amontons
     carry_active_set();
     void
     collect_fields();
-    void
-    summarise_mesh(const LoadProgram &program, const NewtonReport &report, const double seconds);
-    void
-    add_notes(const NewtonReport &report);
-    void
-    write_increment();
-    void
-    add_energy_checks();
-    void
-    note_untouched_pairs();
-    void
-    note_facets();
-    void
-    finish();
     Answer<dim>
     answer() const;
+    typename RunReport<dim>::Ending
+    ending(const bool success) const;
     std::vector<CoveredPoint<dim>>
     covered_points() const;
 
-    const Scene         scene;
-    bool                finite_strain; // in effect
-    bool                has_history;   // friction: the answer depends on the path of the load
-    bool                incremental;   // it is applied in increments
-    const Parameters   &parameters;
-    const std::string   folder;
-    const MPI_Comm      communicator;
-    Terminal            terminal;
-    Timer               wall;
-    mutable TimerOutput timer;
+    const Scene       scene;
+    bool              finite_strain; // in effect
+    bool              has_history;   // friction: the answer depends on the path of the load
+    bool              incremental;   // it is applied in increments
+    const Parameters &parameters;
+    const std::string folder;
+    RunReport<dim>    report;
 
     Geometry<dim>                            geometry;
     std::unique_ptr<Discretization<dim>>     discretization;
@@ -212,18 +180,14 @@ namespace Amontons
     std::vector<SurfaceFields<dim>>          fields;
     std::unique_ptr<StressRecovery<dim>>     recovery;
     ErrorEstimate<dim>                       error;
-    const MakeReference<dim>                 make_reference;
-    std::unique_ptr<const Reference<dim>>    reference;
-    VtuOutput                                vtu;
     unsigned int                             mesh_number = 0;
     NeglectedTermsOfHistory<dim>             neglected; // small strain
     std::map<std::string, double>            neglected_checks;
     bool                                     tried_finite_strain = false; // after small strain, and
     std::optional<double>                    change_of_answer;            // by it, if it converged
     // Friction: the repeat of the load program with other increments.
-    double     coarser             = 1;
-    bool       is_repeat           = false;
-    bool       measured_increments = false, only_increments = false; // only: what this run is for
-    RunSummary summary;
+    double coarser             = 1;
+    bool   is_repeat           = false;
+    bool   measured_increments = false, only_increments = false; // only: what this run is for
   };
 } // namespace Amontons

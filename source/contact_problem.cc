@@ -1,9 +1,8 @@
-#include <amontons/base/points.h>
-#include <amontons/contact/surface_fields.h>
 #include <amontons/contact/surface_search.h>
 #include <amontons/contact_problem.h>
-#include <amontons/friction/shear_law.h>
 #include <amontons/output/files.h>
+
+#include <sstream>
 
 namespace Amontons
 {
@@ -13,16 +12,15 @@ namespace Amontons
                                       const std::string        &output_folder,
                                       const bool                quiet,
                                       const MakeReference<dim> &make_reference)
-      : scene(scene), finite_strain(scene.kinematics == Kinematics::finite_strain),
-        has_history(scene.has_friction()), incremental(has_history || finite_strain), parameters(parameters),
-        folder(output_folder), report(this->scene, parameters.output, folder, quiet, make_reference),
-        geometry(MPI_COMM_WORLD)
+      : scene(scene), parameters(parameters), folder(output_folder),
+        report(this->scene, parameters.output, folder, quiet, make_reference),
+        small_strain(this->scene, parameters)
   {
     const Where entry{scene.file, 0, "Contact solver/Method"};
     if (parameters.newton.method == "node-to-segment" && scene.kinematics != Kinematics::small_strain)
       throw InputError(
           entry, "node-to-segment where surfaces move", "it with 'Kinematics = small strain' only");
-    if (parameters.newton.method == "penalty" && has_history && parameters.refinement.cycles > 0 &&
+    if (parameters.newton.method == "penalty" && scene.has_friction() && parameters.refinement.cycles > 0 &&
         parameters.refinement.history == "transfer")
       throw InputError(entry,
                        "penalty with friction, whose history is carried from mesh to mesh",
@@ -34,38 +32,20 @@ namespace Amontons
   ContactProblem<dim>::run()
   {
     report.start();
-    history.state.t = LoadProgram(scene, incremental).next();
     //! [run]
     make_mesh();
-    rebuild();
-    refuse_hidden_sides(*discretization, interfaces);
-    refine_where_bodies_are_close();
-    make_output_folder(folder, geometry.communicator);
+    start(scene.kinematics == Kinematics::finite_strain);
+    refuse_hidden_sides(steps->model.discretization(), steps->model.interfaces);
+    steps->model.refine_where_bodies_are_close(parameters.refinement.initial_refinements);
+    make_output_folder(folder, mesh->geometry.communicator);
 
-    bool success = run_all_meshes();
-    if (!finite_strain)
+    bool success = steps->run();
+    if (!steps->model.finite_strain())
       success = choose_kinematics(success);
-    if (success && has_history)
+    if (success && scene.has_friction())
       add_error_of_increments();
-    return report.finish(answer(), ending(success));
+    return report.finish(steps->answer(), ending(success));
     //! [run]
-  }
-
-  template <int dim>
-  bool
-  ContactProblem<dim>::run_all_meshes()
-  {
-    bool success, enough;
-    do
-      {
-        success = run_load_program();
-        if (success && has_history && !measured_increments && parameters.refinement.history == "replay" &&
-            resolves_friction())
-          measure_increments();
-        enough = only_increments && measured_increments;
-      }
-    while (success && !enough && replay_refined());
-    return success;
   }
 
   template <int dim>
@@ -73,225 +53,150 @@ namespace Amontons
   ContactProblem<dim>::make_mesh()
   {
     TimerOutput::Scope scope(report.timer(), "mesh");
-    make_geometry(scene, geometry);
-    discretization = std::make_unique<Discretization<dim>>(scene, geometry, parameters.discretization.degree);
-    elasticity     = std::make_unique<ElasticityOperator<dim>>(*discretization, finite_strain);
-    discretization->distribute_dofs();
-    first_is_slave = choose_slaves(*discretization);
+    mesh             = std::make_shared<BodyMesh<dim>>(scene, parameters.discretization.degree);
+    mesh->collocated = parameters.newton.method == "node-to-segment";
   }
 
-  // All that depends on the mesh, after start and after refinement.
+  // On the present mesh.
   template <int dim>
   void
-  ContactProblem<dim>::rebuild()
+  ContactProblem<dim>::start(const bool finite_strain)
   {
-    TimerOutput::Scope scope(report.timer(), "contact surfaces");
-    discretization->distribute_dofs();
-    elasticity->clear();
-    couple_surfaces();
-    recovery.reset();
-  }
-
-  // Where they are undeformed; with finite strain on refined meshes move_surfaces() follows instead.
-  template <int dim>
-  void
-  ContactProblem<dim>::couple_surfaces()
-  {
-    interfaces = make_interfaces(*discretization, first_is_slave);
-    reaches.resize(interfaces.size(), 0.);
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      {
-        interfaces[i].reach      = reaches[i];
-        interfaces[i].t          = history.state.t;
-        interfaces[i].collocated = parameters.newton.method == "node-to-segment";
-      }
-    for (const auto &interface : interfaces)
-      for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
-        if (surface != nullptr)
-          discretization->add_relevant(surface->dofs());
-    supports         = discretization->make_supports(history.state.t);
-    time_of_supports = history.state.t;
-    if (!finite_strain || history.state.displacement.size() == 0)
-      integrate_couplings(*discretization, supports, interfaces);
-  }
-
-  template <int dim>
-  void
-  ContactProblem<dim>::set_time(const double t)
-  {
-    history.state.t = t;
-    if (time_of_supports == t)
-      return;
-    supports         = discretization->make_supports(t);
-    time_of_supports = t;
-    if (!finite_strain)
-      redeclare_gaps(*discretization, t, interfaces);
-  }
-
-  // Points of faces where bodies lie on each other from the start: pressure does not act there.
-  template <int dim>
-  std::vector<CoveredPoint<dim>>
-  ContactProblem<dim>::covered_points() const
-  {
-    const unsigned int             rank = Utilities::MPI::this_mpi_process(geometry.communicator);
-    std::vector<CoveredPoint<dim>> covered;
-    const auto                     add = [&](const ContactSurface<dim> &surface,
-                         const unsigned int         face,
-                         const Point<dim - 1>      &xi,
-                         const double               weight) {
-      if (surface.faces[face].rank != rank)
-        return;
-      const auto [cell, f] = surface.owned[surface.faces[face].owned_index];
-      covered.push_back({cell, f, on_unit_cell<dim>(f, xi), weight});
-    };
-    for (const auto &interface : interfaces)
-      for (const auto &p : interface.coupling.points)
-        if (std::abs(gap_grows(interface) && !finite_strain
-                         ? interface.pair->initial_gap->value(as_3d(p.x_slave), 0)
-                         : p.gap) <= 1e-6 * interface.slave->faces[p.slave_face].size)
-          {
-            add(*interface.slave, p.slave_face, p.xi_slave, p.weight);
-            if (interface.master.surface != nullptr)
-              add(*interface.master.surface, p.master_face, p.xi_master, p.weight);
-          }
-    return covered;
-  }
-
-  template <int dim>
-  typename ContactProblem<dim>::Increment
-  ContactProblem<dim>::solve_increment(const LoadProgram &program)
-  {
-    //! [increment]
-    for (;;)
-      {
-        do
-          if (!solve_on_mesh(program))
-            return Increment::failed;
-        while (widen_reach());
-        if (!refine_now(program) || !refine())
-          return Increment::converged;
-        if (has_history && program.time() > 0 && !rebalance(program))
-          return Increment::lost;
-        //! [increment]
-      }
-  }
-
-  template <int dim>
-  bool
-  ContactProblem<dim>::solve_on_mesh(const LoadProgram &program)
-  {
-    Timer seconds;
-    report.begin_solve(program, mesh_number, *discretization);
-    history.last_report        = iterate();
-    const double solve_seconds = seconds.wall_time();
-    collect_fields();
-    if (!is_repeat)
-      estimate();
-    report.end_solve(answer(),
-                     {program, mesh_number, history.last_report, error, recovery.get(), solve_seconds});
-    return history.last_report.converged;
-  }
-
-  // The semismooth Newton iteration at state.t on the present mesh.
-  template <int dim>
-  NewtonReport
-  ContactProblem<dim>::iterate()
-  {
-    if (history.state.displacement.size() != discretization->dof_handler.n_dofs())
-      history.state.displacement = discretization->make_relevant_vector();
-    const auto observer = report.observer();
-    if (finite_strain)
-      {
-        auto       mechanics = finite_mechanics(*elasticity);
-        const auto result    = contact_solver().solve(
-            mechanics, interfaces, supports, history.state, observer, history.follow_motion);
-        loads = mechanics.loads_at(history.state.displacement);
-        return result;
-      }
-    {
-      TimerOutput::Scope scope(report.timer(), "assemble stiffness");
-      if (elasticity->n_cells() == 0)
-        elasticity->assemble(history.state.displacement);
-      loads = assemble_loads(*discretization, history.state.t, covered_points());
-    }
-    LinearMechanics<dim> mechanics(*elasticity, loads);
-    return contact_solver().solve(mechanics, interfaces, supports, history.state, observer);
-  }
-
-  template <int dim>
-  ContactSolver<dim>
-  ContactProblem<dim>::contact_solver()
-  {
-    return {parameters.newton, parameters.linear_solver, *discretization, report.timer()};
-  }
-
-  template <int dim>
-  void
-  ContactProblem<dim>::collect_fields()
-  {
-    fields.clear();
-    const auto unused = unused_shears();
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      fields.push_back(make_surface_fields(
-          *discretization, interfaces[i], history.state.contact[i], unused[i], history.state.displacement));
-  }
-
-  // What the shear leaves of the bound of friction, by pair and row.
-  template <int dim>
-  std::vector<std::vector<double>>
-  ContactProblem<dim>::unused_shears() const
-  {
-    std::vector<std::vector<double>> unused(interfaces.size());
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      for (const auto &row : interfaces[i].coupling.rows)
-        {
-          const auto  &node  = history.state.contact[i][row.node];
-          const auto   X     = as_3d(interfaces[i].slave->nodes[row.node].X);
-          const double bound = shear_bound(*interfaces[i].pair, X, history.state.t, node.pressure).value;
-          unused[i].push_back(node.state == ContactState::stick ? std::max(0., bound - node.shear.norm())
-                                                                : 0);
-        }
-    return unused;
-  }
-
-  template <int dim>
-  void
-  ContactProblem<dim>::estimate()
-  {
-    TimerOutput::Scope scope(report.timer(), "error estimate");
-    recovery = std::make_unique<StressRecovery<dim>>(*discretization, *elasticity);
-    recovery->recover(history.state.displacement);
-    const auto before = error;
-    error             = estimate_error(*discretization, *recovery, interfaces, fields);
-    // What the load history needs is the worst of its increments.
-    const auto keep_largest = [](const Vector<float> &old, Vector<float> &now) {
-      for (unsigned int c = 0; c < now.size() && old.size() == now.size(); ++c)
-        now[c] = std::max(now[c], old[c]);
-    };
-    if (has_history)
-      {
-        keep_largest(before.cell_indicators, error.cell_indicators);
-        keep_largest(before.contact_indicators, error.contact_indicators);
-      }
-    report.add_estimate(error);
-  }
-
-  template <int dim>
-  Answer<dim>
-  ContactProblem<dim>::answer() const
-  {
-    return {*discretization, *elasticity, interfaces, fields, supports, loads, history.state};
+    steps.reset();
+    steps = std::make_unique<LoadStepping<dim>>(
+        scene, parameters, mesh, finite_strain, report, finite_strain ? nullptr : &small_strain.neglected);
   }
 
   template <int dim>
   typename RunReport<dim>::Ending
   ContactProblem<dim>::ending(const bool success) const
   {
-    typename RunReport<dim>::Ending ending = {
-        success, error, recovery.get(), history, parameters.refinement.target_error, {}, neglected_checks};
-    if (!finite_strain)
-      ending.kinematic_error = kinematic_error();
-    return ending;
+    std::optional<double> kinematic_error;
+    if (!steps->model.finite_strain())
+      kinematic_error = small_strain.error();
+    return {success,
+            steps->evaluation,
+            steps->history,
+            parameters.refinement.target_error,
+            kinematic_error,
+            small_strain.checks()};
+  }
+
+  // After the load program with small strain: whether its answer, or that of finite strain, is one.
+  template <int dim>
+  bool
+  ContactProblem<dim>::choose_kinematics(const bool success)
+  {
+    small_strain.look(steps->model, steps->history.state, success, report.timer());
+    if (scene.kinematics == Kinematics::automatic && !small_strain.is_harmless() &&
+        small_strain.has_alternative())
+      return run_with_finite_strain(success);
+    return success && judge_small_strain();
+  }
+
+  // Should this fail, small strain may still be the better answer.
+  template <int dim>
+  bool
+  ContactProblem<dim>::run_with_finite_strain(const bool small_strain_converged)
+  {
+    report.announce(small_strain.description() + ": finite strain is used" + small_strain.allowance());
+    report.restart();
+    start(true);
+    if (steps->run())
+      return true;
+    if (!small_strain_converged || small_strain.error() > small_strain.too_much)
+      return false;
+    report.announce("warning: finite strain failed (" + report.message() +
+                    "): the answer is that of small strain");
+    report.restart();
+    start(false);
+    return steps->run();
+  }
+
+  template <int dim>
+  bool
+  ContactProblem<dim>::judge_small_strain()
+  {
+    if (small_strain.is_harmless())
+      {
+        if (scene.kinematics == Kinematics::automatic)
+          report.announce(small_strain.description() + ": small strain is enough" + small_strain.allowance());
+        else if (small_strain.neglected.largest().stiffening > 1)
+          report.announce("warning: stress may stiffen or buckle a slender body, which small strain leaves "
+                          "out ('Kinematics = auto' looks)");
+        return true;
+      }
+    const std::string advice = small_strain.has_alternative()
+                                   ? "; say 'Kinematics = finite strain' or 'auto'"
+                                   : "; finite strain needs rotations that are given or held, not free";
+    if (small_strain.error() <= small_strain.too_much)
+      {
+        report.announce("warning: " + small_strain.description() + small_strain.allowance() + advice);
+        return true;
+      }
+    report.fail("kinematics: " + small_strain.description() + advice);
+    return false;
+  }
+
+  // In the end. With friction the answer depends on the increments: by how much.
+  template <int dim>
+  void
+  ContactProblem<dim>::add_error_of_increments()
+  {
+    if (!steps->has_measured_increments())
+      {
+        if (parameters.refinement.history == "transfer" && mesh->n_refinements > 0)
+          report.set_error_of_increments(measure_increments_elsewhere());
+        else
+          steps->measure_increments();
+      }
+    if (!report.error_of_increments())
+      return report.announce(
+          "the error of the increments is not known: with half as many (where they are few: twice as "
+          "many) the iteration does not converge");
+    const IncrementErrors &errors  = *report.error_of_increments();
+    const double           allowed = small_strain.allowed_error();
+    std::ostringstream     text;
+    text.precision(2);
+    if (errors.largest() > allowed)
+      text << errors.shear << " of the shear traction (against its bound), " << errors.stick_size
+           << " of the stick size, " << std::max(errors.normal_force, errors.tangential_force)
+           << " of the forces";
+    if (errors.dissipation > allowed)
+      text << (text.str().empty() ? "" : ", ") << errors.dissipation << " of the work, in that of friction";
+    if (!text.str().empty())
+      report.announce("warning: with " + std::to_string(errors.repeated_with) + " increments instead of " +
+                      std::to_string(errors.n_increments) +
+                      " the answer is another; what is wrong by the increments is about " + text.str() +
+                      "; it falls with their number ('Increments')");
+  }
+
+  // Where meshes were refined on the way: the load program on a mesh of its own.
+  template <int dim>
+  std::optional<IncrementErrors>
+  ContactProblem<dim>::measure_increments_elsewhere()
+  {
+    TimerOutput::Scope scope(report.timer(), "error of the increments");
+    Scene              part = scene;
+    part.kinematics = steps->model.finite_strain() ? Kinematics::finite_strain : Kinematics::small_strain;
+    part.reference.reset();
+    part.probes.clear();
+    Parameters replay         = parameters;
+    replay.refinement.history = "replay";
+    replay.output.vtu         = false;
+    return ContactProblem<dim>(part, replay, folder, true).run_to_measure_increments();
+  }
+
+  template <int dim>
+  std::optional<IncrementErrors>
+  ContactProblem<dim>::run_to_measure_increments()
+  {
+    make_mesh();
+    start(scene.kinematics == Kinematics::finite_strain);
+    steps->model.refine_where_bodies_are_close(parameters.refinement.initial_refinements);
+    if (steps->run(true) && !steps->has_measured_increments())
+      steps->measure_increments();
+    return report.error_of_increments();
   }
 
   template class ContactProblem<2>;

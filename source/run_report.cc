@@ -100,9 +100,10 @@ namespace Amontons
 
   template <int dim>
   void
-  RunReport<dim>::progress(const double fraction)
+  RunReport<dim>::progress(const LoadProgram &program)
   {
-    terminal.progress("load increments", fraction);
+    if (!program.finished())
+      terminal.progress("load increments", program.time() / scene.end_time);
   }
 
   template <int dim>
@@ -153,6 +154,7 @@ namespace Amontons
   {
     if (paused)
       return;
+    const auto         &error  = solve.evaluation.error;
     const NewtonSummary newton = summarise(solve, answer.discretization);
     summary.newton.push_back(newton);
 
@@ -167,11 +169,11 @@ namespace Amontons
     mesh.residual          = newton.residual;
     mesh.seconds           = wall.wall_time();
     mesh.pairs             = summarize_pairs(answer);
-    mesh.error_estimate    = {solve.error.bulk, solve.error.contact, solve.error.facets};
+    mesh.error_estimate    = {error.bulk, error.contact, error.facets};
     mesh.energy            = stored_energy(answer);
     if (!scene.probes.empty())
-      mesh.probes =
-          evaluate_probes(answer.discretization, *solve.recovery, answer.state.displacement, summary.notes);
+      mesh.probes = evaluate_probes(
+          answer.discretization, *solve.evaluation.recovery, answer.state.displacement, summary.notes);
     if (reference && !answer.interfaces.empty() && solve.program.is_last())
       mesh.reference = reference->compare(answer);
     if (is_incremental(answer)) // known when the increment is committed
@@ -244,10 +246,9 @@ namespace Amontons
 
   template <int dim>
   void
-  RunReport<dim>::commit(const Answer<dim>         &answer,
-                         const WorkDone<dim>       &work,
-                         const StressRecovery<dim> &recovery,
-                         const ErrorEstimate<dim>  &error)
+  RunReport<dim>::commit(const Answer<dim>     &answer,
+                         const WorkDone<dim>   &work,
+                         const Evaluation<dim> &evaluation)
   {
     if (paused)
       return;
@@ -263,9 +264,11 @@ namespace Amontons
     if (!parameters.vtu)
       return;
     TimerOutput::Scope scope(phases, "output");
-    vtu.write_bodies(
-        BodyFields<dim>{answer.discretization, answer.state.displacement, recovery, error.cell_indicators},
-        answer.state.t);
+    vtu.write_bodies(BodyFields<dim>{answer.discretization,
+                                     answer.state.displacement,
+                                     *evaluation.recovery,
+                                     evaluation.error.cell_indicators},
+                     answer.state.t);
     vtu.write_contact(answer.interfaces, answer.fields, answer.state.t);
   }
 
@@ -304,12 +307,12 @@ namespace Amontons
     if (!summary.meshes.empty())
       add_answer(answer, ending);
     note_untouched_pairs();
-    note_facets(answer.interfaces, ending.error);
+    note_facets(answer.interfaces, ending.evaluation.error);
     note_limits(answer, ending);
     for (const auto &[name, seconds] : phases.get_summary_data(TimerOutput::total_wall_time))
       summary.timing[name] = seconds;
     summary.wall_seconds = wall.wall_time();
-    write_files(answer, ending.recovery);
+    write_files(answer, ending.evaluation.recovery.get());
     terminal.answer(summary);
     return summary;
   }
@@ -412,11 +415,11 @@ namespace Amontons
   void
   RunReport<dim>::note_limits(const Answer<dim> &answer, const Ending &ending)
   {
+    const auto  &error  = ending.evaluation.error;
     const double target = ending.target_error;
-    if (target > 0 && !(ending.error.decisive() <= target))
-      note(ending.error.facets > target
-               ? "the target error cannot be reached: facets alone make a larger one"
-               : "the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'");
+    if (target > 0 && !(error.decisive() <= target))
+      note(error.facets > target ? "the target error cannot be reached: facets alone make a larger one"
+                                 : "the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'");
     if (scene.kind == Kind::axisymmetric)
       note("axisymmetric: forces are for the full turn");
     if (std::any_of(answer.fields.begin(), answer.fields.end(), [](const auto &fields) {

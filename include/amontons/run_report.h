@@ -2,7 +2,7 @@
 /// end.
 #pragma once
 
-#include <amontons/adaptivity/error_estimator.h>
+#include <amontons/evaluation.h>
 #include <amontons/load_history.h>
 #include <amontons/output/reference.h>
 #include <amontons/output/terminal.h>
@@ -62,9 +62,9 @@ namespace Amontons
     note(const std::string &text);
     void
     announce(const std::string &text);
-    /// How much of the load program is done, 0 to 1.
+    /// How much of the load program is done.
     void
-    progress(const double fraction);
+    progress(const LoadProgram &program);
 
     /// Why the run is not converged, until the next solve. The last one counts.
     void
@@ -87,22 +87,18 @@ namespace Amontons
     add_estimate(const ErrorEstimate<dim> &error);
     struct Solve
     {
-      const LoadProgram         &program;
-      unsigned int               mesh;
-      const NewtonReport        &newton;
-      const ErrorEstimate<dim>  &error;
-      const StressRecovery<dim> *recovery; // needed where there are probes
-      double                     seconds;
+      const LoadProgram     &program;
+      unsigned int           mesh;
+      const NewtonReport    &newton;
+      const Evaluation<dim> &evaluation;
+      double                 seconds;
     };
     void
     end_solve(const Answer<dim> &answer, const Solve &solve);
 
     /// The last solve is an increment of the load program: what was done so far, pictures.
     void
-    commit(const Answer<dim>         &answer,
-           const WorkDone<dim>       &work,
-           const StressRecovery<dim> &recovery,
-           const ErrorEstimate<dim>  &error);
+    commit(const Answer<dim> &answer, const WorkDone<dim> &work, const Evaluation<dim> &evaluation);
     /// The stored energy of the last solve.
     double
     energy() const
@@ -132,8 +128,7 @@ namespace Amontons
     struct Ending
     {
       bool                          converged;
-      const ErrorEstimate<dim>     &error;
-      const StressRecovery<dim>    *recovery;
+      const Evaluation<dim>        &evaluation;
       const LoadHistory<dim>       &history;
       double                        target_error;    // 0: none
       std::optional<double>         kinematic_error; // of small strain

@@ -63,8 +63,11 @@ namespace Amontons
   ContactProblem<dim>::start(const bool finite_strain)
   {
     steps.reset();
-    steps = std::make_unique<LoadStepping<dim>>(
-        scene, parameters, mesh, finite_strain, report, finite_strain ? nullptr : &small_strain.neglected);
+    const double t = LoadProgram(scene, scene.has_friction() || finite_strain).next();
+    steps          = std::make_unique<LoadStepping<dim>>(parameters,
+                                                Model<dim>(mesh, finite_strain, t, report.timer()),
+                                                report,
+                                                finite_strain ? nullptr : &small_strain.neglected);
   }
 
   template <int dim>

@@ -6,32 +6,15 @@
 namespace Amontons
 {
   template <int dim>
-  LoadStepping<dim>::LoadStepping(const Scene                          &scene,
-                                  const Parameters                     &parameters,
-                                  const std::shared_ptr<BodyMesh<dim>> &mesh,
-                                  const bool                            finite_strain,
-                                  RunReport<dim>                       &report,
-                                  NeglectedTermsOfHistory<dim>         *neglected)
-      : model(mesh,
-              finite_strain,
-              LoadProgram(scene, scene.has_friction() || finite_strain).next(),
-              report.timer()),
-        scene(scene), parameters(parameters), report(report), neglected(neglected),
-        refinement(!scene.has_friction()                       ? Refinement::in_last_increment
+  LoadStepping<dim>::LoadStepping(const Parameters             &parameters,
+                                  Model<dim>                  &&start,
+                                  RunReport<dim>               &report,
+                                  NeglectedTermsOfHistory<dim> *neglected)
+      : LoadPath<dim>(parameters, std::move(start), report.timer()), report(report), neglected(neglected),
+        refinement(!has_history()                              ? Refinement::in_last_increment
                    : parameters.refinement.history == "replay" ? Refinement::between_replays
                                                                : Refinement::on_the_way)
   {
-    history.state.t = model.time();
-  }
-
-  // A repeat on the same mesh, of which nothing is estimated, and nothing tried twice.
-  template <int dim>
-  LoadStepping<dim>::LoadStepping(const LoadStepping &original, const double coarser)
-      : model(original.model.at_rest(LoadProgram(original.scene, original.is_incremental(), coarser).next())),
-        scene(original.scene), parameters(original.parameters), report(original.report), neglected(nullptr),
-        refinement(Refinement::never), coarser(coarser)
-  {
-    history.state.t = model.time();
   }
 
   template <int dim>
@@ -54,7 +37,7 @@ namespace Amontons
   bool
   LoadStepping<dim>::run_load_program()
   {
-    LoadProgram program(scene, is_incremental(), coarser);
+    LoadProgram program(scene, is_incremental());
     Failures    failures;
     history.restart();
     evaluation.error = ErrorEstimate<dim>();
@@ -67,7 +50,7 @@ namespace Amontons
         const Result result = solve_increment(program);
         if (result == Result::converged)
           {
-            commit(program);
+            commit_increment(program);
             failures = Failures();
           }
         else if (result == Result::lost)
@@ -85,32 +68,6 @@ namespace Amontons
   }
 
   template <int dim>
-  void
-  LoadStepping<dim>::set_time(const double t)
-  {
-    history.state.t = t;
-    model.set_time(t);
-  }
-
-  // Where the load program was run on the mesh before: from what it found there.
-  template <int dim>
-  void
-  LoadStepping<dim>::start_increment(const double t)
-  {
-    set_time(t);
-    for (const auto &point : history.path)
-      if (std::abs(point.t - t) <= 1e-12 * scene.end_time &&
-          point.displacement.size() == model.discretization().dof_handler.n_dofs())
-        {
-          history.state.displacement = point.displacement;
-          history.state.traction     = point.traction;
-          history.state.peaks        = point.peaks;
-          model.move_to(history.state);
-          carry_active_set(model.interfaces, history.state);
-        }
-  }
-
-  template <int dim>
   typename LoadStepping<dim>::Result
   LoadStepping<dim>::solve_increment(const LoadProgram &program)
   {
@@ -119,8 +76,8 @@ namespace Amontons
       {
         do
           if (!solve_on_mesh(program))
-            return is_repeat() ? Result::lost : Result::failed;
-        while (model.widen_search(history.state, !has_history()));
+            return Result::failed;
+        while (model.widen_search(history.state));
         if (!refine_now(program) || !refine())
           return Result::converged;
         if (has_history() && program.time() > 0 && !rebalance(program))
@@ -136,52 +93,26 @@ namespace Amontons
     Timer              seconds;
     const unsigned int mesh = model.mesh->n_refinements;
     report.begin_solve(program, mesh, model.discretization());
-    history.last_report        = iterate();
+    history.last_report        = iterate(report.observer());
     const double solve_seconds = seconds.wall_time();
     evaluation.collect_fields(model, history.state);
-    if (!is_repeat())
-      {
-        TimerOutput::Scope scope(report.timer(), "error estimate");
-        evaluation.estimate(model, history.state, has_history());
-        report.add_estimate(evaluation.error);
-      }
+    {
+      TimerOutput::Scope scope(timer, "error estimate");
+      evaluation.estimate(model, history.state, has_history());
+    }
+    report.add_estimate(evaluation.error);
     report.end_solve(answer(), {program, mesh, history.last_report, evaluation, solve_seconds});
     return history.last_report.converged;
   }
 
-  // At state.t on the present mesh.
-  template <int dim>
-  NewtonReport
-  LoadStepping<dim>::iterate()
-  {
-    if (history.state.displacement.size() != model.discretization().dof_handler.n_dofs())
-      history.state.displacement = model.discretization().make_relevant_vector();
-    const auto               mechanics = model.mechanics(history.state);
-    const ContactSolver<dim> solver    = {
-           parameters.newton, parameters.linear_solver, model.discretization(), report.timer()};
-    const auto result = solver.solve(*mechanics,
-                                     model.interfaces,
-                                     model.supports,
-                                     history.state,
-                                     report.observer(),
-                                     history.follow_motion);
-    if (!mechanics->is_linear())
-      model.update_loads(history.state);
-    return result;
-  }
-
-  // The increment becomes history. Where the load path turns, slip stops: the next guess is stick.
   template <int dim>
   void
-  LoadStepping<dim>::commit(LoadProgram &program)
+  LoadStepping<dim>::commit_increment(LoadProgram &program)
   {
     note_snap(program.next() - program.time());
     program.accept(history.last_report.moved ? 0 : history.last_report.iterations.size());
     history.follow_motion = false;
-    if (is_incremental())
-      history.work.add(answer());
-    if (has_history())
-      keep_record(program);
+    commit(program);
     if (refinement == Refinement::between_replays && may_refine())
       remember_path();
     if (neglected != nullptr)
@@ -190,27 +121,9 @@ namespace Amontons
     report.commit(answer(), history.work, evaluation);
     if (program.finished())
       return;
-    history.state.committed         = history.state.displacement;
-    history.state.committed_t       = history.state.t;
-    history.state.committed_contact = history.state.contact;
     if (may_transfer())
       store_contact();
-    history.last_converged = history.state;
-    for (unsigned int i = 0; program.at_corner() && i < model.interfaces.size(); ++i)
-      for (auto &node : history.state.contact[i])
-        if (model.interfaces[i].pair->has_friction() && node.state == ContactState::slip)
-          node.state = ContactState::stick;
-  }
-
-  template <int dim>
-  void
-  LoadStepping<dim>::keep_record(const LoadProgram &program)
-  {
-    ++history.record.n_increments;
-    history.record.largest_work = history.work.largest_work;
-    if (program.has_landed())
-      history.record.landings.push_back(
-          {record_pairs(model.interfaces, evaluation.fields, history.state), history.work.dissipation});
+    begin_next(program);
   }
 
   template <int dim>
@@ -290,7 +203,7 @@ namespace Amontons
       history.state.displacement = model.discretization().make_relevant_vector();
     model.move_to(history.state);
     if (history.last_converged.displacement.size() > 0 && history.last_converged.contact.empty())
-      carry_active_set(model.interfaces, history.state);
+      restore_contact();
   }
 
   // What is written and reported is the last increment that converged; the message says how the next one
@@ -306,7 +219,7 @@ namespace Amontons
     const double t = history.state.t;
     set_time(t);
     if (is_transferred)
-      iterate();
+      iterate(report.observer());
     model.update_loads(history.state);
     evaluation.collect_fields(model, history.state);
     evaluation.recovery->recover(history.state.displacement);
@@ -367,17 +280,10 @@ namespace Amontons
   }
 
   template <int dim>
-  void
-  LoadStepping<dim>::store_contact()
-  {
-    make_traction_field(model.discretization(), model.interfaces, evaluation.fields, history.state);
-  }
-
-  template <int dim>
   bool
   LoadStepping<dim>::refine()
   {
-    TimerOutput::Scope scope(report.timer(), "mesh");
+    TimerOutput::Scope scope(timer, "mesh");
     if (!model.mark_cells(parameters.refinement, evaluation.error))
       {
         report.say("no further refinement: the limit of 'Maximum DoFs' is reached");
@@ -392,7 +298,7 @@ namespace Amontons
     evaluation.recovery.reset();
     history.last_converged.contact.clear(); // of the nodes before, see go_back()
     model.move_to(history.state);
-    carry_active_set(model.interfaces, history.state);
+    restore_contact();
     return true;
   }
 
@@ -411,9 +317,9 @@ namespace Amontons
     model.move_to(state);
     state.traction = history.last_converged.traction;
     state.peaks    = history.last_converged.peaks;
-    carry_active_set(model.interfaces, state);
+    restore_contact();
     report.say("equilibrium of the transferred state at t = " + std::to_string(state.t));
-    const auto result = iterate();
+    const auto result = iterate(report.observer());
     if (!result.converged)
       {
         evaluation.collect_fields(model, state);
@@ -429,28 +335,27 @@ namespace Amontons
     state.traction         = traction_at_end;
     state.peaks            = peaks_at_end;
     set_time(t);
-    carry_active_set(model.interfaces, state);
+    restore_contact();
     return true;
   }
 
   // The load program, which has converged on this mesh, once more with half as many increments; where they
-  // are few, with twice as many. Nothing is shown nor written.
+  // are few, with twice as many.
   template <int dim>
   void
   LoadStepping<dim>::measure_increments()
   {
-    TimerOutput::Scope scope(report.timer(), "error of the increments");
+    TimerOutput::Scope scope(timer, "error of the increments");
     LoadProgram        plan(scene, is_incremental());
     while (!plan.finished())
       plan.accept(1);
     const bool few = plan.number() - 1 < 4 * plan.n_landings();
 
-    report.pause(true);
-    LoadStepping repeat(*this, few ? 0.5 : 2.);
+    LoadProgram   program(scene, is_incremental(), few ? 0.5 : 2);
+    LoadPath<dim> repeat(parameters, model.at_rest(program.next()), timer);
     repeat.history.path.swap(history.path); // first guesses for both
-    const bool success = repeat.run_load_program();
+    const bool success = repeat.run(program);
     repeat.history.path.swap(history.path);
-    report.pause(false);
     if (success && repeat.history.record.n_increments != history.record.n_increments)
       report.set_error_of_increments(error_of_increments(history.record, repeat.history.record));
     measured = true;

@@ -232,11 +232,12 @@ namespace Amontons
 
   template <int dim>
   bool
-  Model<dim>::widen_search(const SolutionState<dim> &state, const bool may_shrink)
+  Model<dim>::widen_search(const SolutionState<dim> &state)
   {
     if (finite_strain()) // surfaces are searched wherever they are
       return false;
-    bool too_short = false;
+    const bool may_shrink = !discretization().scene.has_friction(); // else the path may need them again
+    bool       too_short  = false;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         if (interfaces[i].pair->tied || interfaces[i].pair->initial_gap)

@@ -52,14 +52,6 @@ namespace Amontons
 
   template <int dim>
   void
-  RunReport<dim>::pause(const bool now)
-  {
-    paused = now;
-    terminal.be_quiet(now);
-  }
-
-  template <int dim>
-  void
   RunReport<dim>::replay()
   {
     vtu.restart();
@@ -86,8 +78,7 @@ namespace Amontons
   void
   RunReport<dim>::note(const std::string &text)
   {
-    if (!paused)
-      summary.notes.push_back(text);
+    summary.notes.push_back(text);
   }
 
   template <int dim>
@@ -110,8 +101,7 @@ namespace Amontons
   void
   RunReport<dim>::fail(const std::string &message)
   {
-    if (!paused)
-      summary.message = message;
+    summary.message = message;
   }
 
   template <int dim>
@@ -152,8 +142,6 @@ namespace Amontons
   void
   RunReport<dim>::end_solve(const Answer<dim> &answer, const Solve &solve)
   {
-    if (paused)
-      return;
     const auto         &error  = solve.evaluation.error;
     const NewtonSummary newton = summarise(solve, answer.discretization);
     summary.newton.push_back(newton);
@@ -250,8 +238,6 @@ namespace Amontons
                          const WorkDone<dim>   &work,
                          const Evaluation<dim> &evaluation)
   {
-    if (paused)
-      return;
     if (is_incremental(answer))
       {
         auto &mesh         = summary.meshes.back();
@@ -283,8 +269,6 @@ namespace Amontons
   void
   RunReport<dim>::add_snap(const std::vector<Diagnosis::Snap> &snaps)
   {
-    if (paused)
-      return;
     auto      &notes  = summary.notes;
     const auto before = std::vector<Diagnosis::Snap>(snaps.begin(), snaps.end() - 1);
     for (const bool far : {true, false})

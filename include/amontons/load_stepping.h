@@ -1,28 +1,29 @@
-/// The load of a scene, increment by increment, on meshes that follow the solution.
+/// The load of a scene on meshes that follow its solution, with retries where it is hard to find.
 #pragma once
 
 #include <amontons/adaptivity/model_selection.h>
-#include <amontons/adaptivity/state_transfer.h>
 #include <amontons/failed_increment.h>
-#include <amontons/run_parameters.h>
-#include <amontons/solver/solve_contact.h>
+#include <amontons/load_path.h>
 
 namespace Amontons
 {
-  /// One kinematics throughout. An increment is solved on one mesh after the other; where the answer depends
-  /// on the path of the load, meshes are refined on the way, or the whole load program is repeated on refined
-  /// ones.
+  /// An increment is solved on one mesh after the other; where the answer depends on the path of the load,
+  /// meshes are refined on the way, or the whole load program is repeated on refined ones.
   template <int dim>
-  class LoadStepping
+  class LoadStepping : public LoadPath<dim>
   {
   public:
-    /// neglected: small strain: collects what that leaves out, over the increments; null: nothing does.
-    LoadStepping(const Scene                          &scene,
-                 const Parameters                     &parameters,
-                 const std::shared_ptr<BodyMesh<dim>> &mesh,
-                 const bool                            finite_strain,
-                 RunReport<dim>                       &report,
-                 NeglectedTermsOfHistory<dim>         *neglected);
+    using LoadPath<dim>::model;
+    using LoadPath<dim>::history;
+    using LoadPath<dim>::evaluation;
+    using LoadPath<dim>::answer;
+
+    /// start: at rest. neglected: small strain: collects what that leaves out, over the increments; null:
+    /// nothing does.
+    LoadStepping(const Parameters             &parameters,
+                 Model<dim>                  &&start,
+                 RunReport<dim>               &report,
+                 NeglectedTermsOfHistory<dim> *neglected);
 
     /// False: not to the end. Why not is in the report; the state is the last one that converged, where there
     /// is one. until_measured: no more than it takes to know the error of the increments.
@@ -38,52 +39,36 @@ namespace Amontons
       return measured;
     }
 
-    Answer<dim>
-    answer() const
-    {
-      return {model.discretization(),
-              model.elasticity,
-              model.interfaces,
-              evaluation.fields,
-              model.supports,
-              model.loads,
-              history.state};
-    }
-
-    Model<dim>       model;
-    LoadHistory<dim> history;
-    Evaluation<dim>  evaluation;
-
   private:
-    LoadStepping(const LoadStepping &original, const double coarser);
+    using LoadPath<dim>::scene;
+    using LoadPath<dim>::parameters;
+    using LoadPath<dim>::timer;
+    using LoadPath<dim>::has_history;
+    using LoadPath<dim>::is_incremental;
+    using LoadPath<dim>::set_time;
+    using LoadPath<dim>::start_increment;
+    using LoadPath<dim>::iterate;
+    using LoadPath<dim>::commit;
+    using LoadPath<dim>::begin_next;
+    using LoadPath<dim>::store_contact;
+    using LoadPath<dim>::restore_contact;
 
     // What becomes of an increment.
     enum class Result
     {
       converged,
       failed, // a shorter one may converge
-      lost    // nothing is to be tried again
+      lost    // none does: where it starts from has no equilibrium on the refined mesh
     };
 
     bool
     run_load_program();
-    void
-    start_increment(const double t);
-    void
-    set_time(const double t);
     Result
     solve_increment(const LoadProgram &program);
     bool
     solve_on_mesh(const LoadProgram &program);
-    NewtonReport
-    iterate();
-
     void
-    commit(LoadProgram &program);
-    void
-    keep_record(const LoadProgram &program);
-    void
-    remember_path();
+    commit_increment(LoadProgram &program);
     void
     note_snap(const double duration);
 
@@ -111,45 +96,24 @@ namespace Amontons
     replay_refined();
     bool
     may_transfer() const;
-    void
-    store_contact();
     bool
     refine();
     bool
     rebalance(const LoadProgram &program);
-
-    bool
-    is_repeat() const
-    {
-      return coarser != 1;
-    }
-    // The answer depends on the path of the load; the load is applied in increments.
-    bool
-    has_history() const
-    {
-      return scene.has_friction();
-    }
-    bool
-    is_incremental() const
-    {
-      return has_history() || model.finite_strain();
-    }
+    void
+    remember_path();
 
     // When meshes are refined.
     enum class Refinement
     {
-      never,
       in_last_increment,
       on_the_way,     // and the history goes on there
       between_replays // of the load program
     };
 
-    const Scene                  &scene;
-    const Parameters             &parameters;
     RunReport<dim>               &report;
     NeglectedTermsOfHistory<dim> *neglected;
     const Refinement              refinement;
-    const double                  coarser  = 1; // how many times longer increments are than the scene says
     bool                          measured = false; // the increments, once
   };
 } // namespace Amontons

@@ -87,11 +87,10 @@ namespace Amontons
     refine(const std::vector<LA::Vector *> &fields);
 
     /// Gaps that are far larger than what displacements close never matter. Of those of the nodes that are
-    /// closed and of what displacements closed elsewhere, the next meshes take twice the largest into account
-    /// (less than before if it may); if that was not enough here, the surfaces are coupled again with more
-    /// (returns true).
+    /// closed and of what displacements closed elsewhere, the next meshes take twice the largest into
+    /// account; if that was not enough here, the surfaces are coupled again with more (returns true).
     bool
-    widen_search(const SolutionState<dim> &state, const bool may_shrink);
+    widen_search(const SolutionState<dim> &state);
 
     std::shared_ptr<BodyMesh<dim>>     mesh;
     ElasticityOperator<dim>            elasticity;

@@ -39,10 +39,6 @@ namespace Amontons
     void
     start();
 
-    /// For what is not part of the run: until the next call nothing is shown, added or written.
-    void
-    pause(const bool now);
-
     /// The load program starts again, on a refined mesh; with another model, whose solves alone count.
     void
     replay();
@@ -167,7 +163,6 @@ namespace Amontons
     TimerOutput                           phases;
     std::unique_ptr<const Reference<dim>> reference;
     VtuOutput                             vtu;
-    bool                                  paused = false;
     RunSummary                            summary;
   };
 } // namespace Amontons

@@ -35,12 +35,12 @@ namespace Amontons
     //! [run]
     make_mesh();
     start(scene.kinematics == Kinematics::finite_strain);
-    refuse_hidden_sides(steps->model.discretization(), steps->model.interfaces);
-    steps->model.refine_where_bodies_are_close(parameters.refinement.initial_refinements);
+    refuse_hidden_sides(steps->model->discretization(), steps->model->interfaces);
+    steps->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);
     make_output_folder(folder, mesh->geometry.communicator);
 
     bool success = steps->run();
-    if (!steps->model.finite_strain())
+    if (!steps->model->finite_strain())
       success = choose_kinematics(success);
     if (success && scene.has_friction())
       add_error_of_increments();
@@ -65,7 +65,7 @@ namespace Amontons
     steps.reset();
     const double t = LoadProgram(scene, scene.has_friction() || finite_strain).next();
     steps          = std::make_unique<LoadStepping<dim>>(parameters,
-                                                Model<dim>(mesh, finite_strain, t, report.timer()),
+                                                make_model(mesh, finite_strain, t, report.timer()),
                                                 report,
                                                 finite_strain ? nullptr : &small_strain.neglected);
   }
@@ -75,7 +75,7 @@ namespace Amontons
   ContactProblem<dim>::ending(const bool success) const
   {
     std::optional<double> kinematic_error;
-    if (!steps->model.finite_strain())
+    if (!steps->model->finite_strain())
       kinematic_error = small_strain.error();
     return {success,
             steps->evaluation,
@@ -90,7 +90,7 @@ namespace Amontons
   bool
   ContactProblem<dim>::choose_kinematics(const bool success)
   {
-    small_strain.look(steps->model, steps->history.state, success, report.timer());
+    small_strain.look(*steps->model, steps->history.state, success, report.timer());
     if (scene.kinematics == Kinematics::automatic && !small_strain.is_harmless() &&
         small_strain.has_alternative())
       return run_with_finite_strain(success);
@@ -181,22 +181,22 @@ namespace Amontons
   {
     TimerOutput::Scope scope(report.timer(), "error of the increments");
     Scene              part = scene;
-    part.kinematics = steps->model.finite_strain() ? Kinematics::finite_strain : Kinematics::small_strain;
     part.reference.reset();
     part.probes.clear();
     Parameters replay         = parameters;
     replay.refinement.history = "replay";
     replay.output.vtu         = false;
-    return ContactProblem<dim>(part, replay, folder, true).run_to_measure_increments();
+    return ContactProblem<dim>(part, replay, folder, true)
+        .run_to_measure_increments(steps->model->finite_strain());
   }
 
   template <int dim>
   std::optional<IncrementErrors>
-  ContactProblem<dim>::run_to_measure_increments()
+  ContactProblem<dim>::run_to_measure_increments(const bool finite_strain)
   {
     make_mesh();
-    start(scene.kinematics == Kinematics::finite_strain);
-    steps->model.refine_where_bodies_are_close(parameters.refinement.initial_refinements);
+    start(finite_strain);
+    steps->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);
     if (steps->run(true) && !steps->has_measured_increments())
       steps->measure_increments();
     return report.error_of_increments();

@@ -5,22 +5,22 @@
 namespace Amontons
 {
   template <int dim>
-  LoadPath<dim>::LoadPath(const Parameters &parameters, Model<dim> &&start, TimerOutput &timer)
-      : model(std::move(start)), scene(model.discretization().scene), parameters(parameters), timer(timer)
+  LoadPath<dim>::LoadPath(const Parameters &parameters, std::unique_ptr<Model<dim>> start, TimerOutput &timer)
+      : model(std::move(start)), scene(model->discretization().scene), parameters(parameters), timer(timer)
   {
-    history.state.t = model.time();
+    history.state.t = model->time();
   }
 
   template <int dim>
   Answer<dim>
   LoadPath<dim>::answer() const
   {
-    return {model.discretization(),
-            model.elasticity,
-            model.interfaces,
+    return {model->discretization(),
+            model->elasticity,
+            model->interfaces,
             evaluation.fields,
-            model.supports,
-            model.loads,
+            model->supports,
+            model->loads,
             history.state};
   }
 
@@ -38,8 +38,8 @@ namespace Amontons
             if (!history.last_report.converged)
               return false;
           }
-        while (model.widen_search(history.state));
-        evaluation.collect_fields(model, history.state);
+        while (model->widen_search(history.state));
+        evaluation.collect_fields(*model, history.state);
         program.accept(history.last_report.moved ? 0 : history.last_report.iterations.size());
         commit(program);
         if (!program.finished())
@@ -53,7 +53,7 @@ namespace Amontons
   LoadPath<dim>::set_time(const double t)
   {
     history.state.t = t;
-    model.set_time(t);
+    model->set_time(t);
   }
 
   // Where the load program was run on the mesh before: from what it found there.
@@ -64,12 +64,12 @@ namespace Amontons
     set_time(t);
     for (const auto &point : history.path)
       if (std::abs(point.t - t) <= 1e-12 * scene.end_time &&
-          point.displacement.size() == model.discretization().dof_handler.n_dofs())
+          point.displacement.size() == model->discretization().dof_handler.n_dofs())
         {
           history.state.displacement = point.displacement;
           history.state.traction     = point.traction;
           history.state.peaks        = point.peaks;
-          model.move_to(history.state);
+          model->move_to(history.state);
           restore_contact();
         }
   }
@@ -79,15 +79,15 @@ namespace Amontons
   NewtonReport
   LoadPath<dim>::iterate(const typename Newton<dim>::Observer &observer)
   {
-    if (history.state.displacement.size() != model.discretization().dof_handler.n_dofs())
-      history.state.displacement = model.discretization().make_relevant_vector();
-    const auto               mechanics = model.mechanics(history.state);
+    if (history.state.displacement.size() != model->discretization().dof_handler.n_dofs())
+      history.state.displacement = model->discretization().make_relevant_vector();
+    const auto               mechanics = model->mechanics(history.state);
     const ContactSolver<dim> solver    = {
-           parameters.newton, parameters.linear_solver, model.discretization(), timer};
+           parameters.newton, parameters.linear_solver, model->discretization(), timer};
     const auto result = solver.solve(
-        *mechanics, model.interfaces, model.supports, history.state, observer, history.follow_motion);
+        *mechanics, model->interfaces, model->supports, history.state, observer, history.follow_motion);
     if (!mechanics->is_linear())
-      model.update_loads(history.state);
+      model->update_loads(history.state);
     return result;
   }
 
@@ -102,7 +102,7 @@ namespace Amontons
     history.record.largest_work = history.work.largest_work;
     if (program.has_landed())
       history.record.landings.push_back(
-          {record_pairs(model.interfaces, evaluation.fields, history.state), history.work.dissipation});
+          {record_pairs(model->interfaces, evaluation.fields, history.state), history.work.dissipation});
   }
 
   // Where the load path turns, slip stops: the first guess is stick.
@@ -114,9 +114,9 @@ namespace Amontons
     history.state.committed_t       = history.state.t;
     history.state.committed_contact = history.state.contact;
     history.last_converged          = history.state;
-    for (unsigned int i = 0; program.at_corner() && i < model.interfaces.size(); ++i)
+    for (unsigned int i = 0; program.at_corner() && i < model->interfaces.size(); ++i)
       for (auto &node : history.state.contact[i])
-        if (model.interfaces[i].pair->has_friction() && node.state == ContactState::slip)
+        if (model->interfaces[i].pair->has_friction() && node.state == ContactState::slip)
           node.state = ContactState::stick;
   }
 
@@ -125,14 +125,14 @@ namespace Amontons
   void
   LoadPath<dim>::store_contact()
   {
-    make_traction_field(model.discretization(), model.interfaces, evaluation.fields, history.state);
+    make_traction_field(model->discretization(), model->interfaces, evaluation.fields, history.state);
   }
 
   template <int dim>
   void
   LoadPath<dim>::restore_contact()
   {
-    carry_active_set(model.interfaces, history.state);
+    carry_active_set(model->interfaces, history.state);
   }
 
   template class LoadPath<2>;

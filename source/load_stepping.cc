@@ -7,7 +7,7 @@ namespace Amontons
 {
   template <int dim>
   LoadStepping<dim>::LoadStepping(const Parameters             &parameters,
-                                  Model<dim>                  &&start,
+                                  std::unique_ptr<Model<dim>>   start,
                                   RunReport<dim>               &report,
                                   NeglectedTermsOfHistory<dim> *neglected)
       : LoadPath<dim>(parameters, std::move(start), report.timer()), report(report), neglected(neglected),
@@ -26,7 +26,7 @@ namespace Amontons
         if (!run_load_program())
           return false;
         if (refinement == Refinement::between_replays && !measured &&
-            resolves_friction(model.interfaces, history.state))
+            resolves_friction(model->interfaces, history.state))
           measure_increments();
       }
     while (!(until_measured && measured) && replay_refined());
@@ -77,7 +77,7 @@ namespace Amontons
         do
           if (!solve_on_mesh(program))
             return Result::failed;
-        while (model.widen_search(history.state));
+        while (model->widen_search(history.state));
         if (!refine_now(program) || !refine())
           return Result::converged;
         if (has_history() && program.time() > 0 && !rebalance(program))
@@ -91,14 +91,14 @@ namespace Amontons
   LoadStepping<dim>::solve_on_mesh(const LoadProgram &program)
   {
     Timer              seconds;
-    const unsigned int mesh = model.mesh->n_refinements;
-    report.begin_solve(program, mesh, model.discretization());
+    const unsigned int mesh = model->mesh->n_refinements;
+    report.begin_solve(program, mesh, model->discretization());
     history.last_report        = iterate(report.observer());
     const double solve_seconds = seconds.wall_time();
-    evaluation.collect_fields(model, history.state);
+    evaluation.collect_fields(*model, history.state);
     {
       TimerOutput::Scope scope(timer, "error estimate");
-      evaluation.estimate(model, history.state, has_history());
+      evaluation.estimate(*model, history.state, has_history());
     }
     report.add_estimate(evaluation.error);
     report.end_solve(answer(), {program, mesh, history.last_report, evaluation, solve_seconds});
@@ -117,7 +117,7 @@ namespace Amontons
       remember_path();
     if (neglected != nullptr)
       neglected->add(
-          model.discretization(), *evaluation.recovery, history.state, model.interfaces, report.energy());
+          model->discretization(), *evaluation.recovery, history.state, model->interfaces, report.energy());
     report.commit(answer(), history.work, evaluation);
     if (program.finished())
       return;
@@ -139,7 +139,7 @@ namespace Amontons
   void
   LoadStepping<dim>::note_snap(const double duration)
   {
-    LA::Vector moved = model.discretization().make_owned_vector(), before = moved;
+    LA::Vector moved = model->discretization().make_owned_vector(), before = moved;
     moved = history.state.displacement;
     if (history.state.committed.size() == history.state.displacement.size())
       before = history.state.committed;
@@ -161,7 +161,7 @@ namespace Amontons
   LoadStepping<dim>::try_again(LoadProgram &program, Failures &failures)
   {
     const unsigned int patience = has_history() ? 5 : 3; // friction: mostly states that are hard to find
-    if (model.finite_strain() && !history.follow_motion &&
+    if (model->finite_strain() && !history.follow_motion &&
         (++failures.in_a_row == patience || program.is_smallest()))
       {
         history.follow_motion = true;
@@ -170,9 +170,9 @@ namespace Amontons
       }
     if (!is_incremental())
       return false;
-    FailedIncrement<dim> failed(model, history.last_report);
+    FailedIncrement<dim> failed(*model, history.last_report);
     const bool           from_rest = history.last_converged.displacement.size() == 0;
-    if ((!model.finite_strain() && failed.is_alike(failures.last, from_rest)) || !program.cut_back())
+    if ((!model->finite_strain() && failed.is_alike(failures.last, from_rest)) || !program.cut_back())
       return false;
     failures.last         = std::move(failed);
     history.follow_motion = false;
@@ -200,8 +200,8 @@ namespace Amontons
   {
     history.state = history.last_converged;
     if (history.state.displacement.size() == 0)
-      history.state.displacement = model.discretization().make_relevant_vector();
-    model.move_to(history.state);
+      history.state.displacement = model->discretization().make_relevant_vector();
+    model->move_to(history.state);
     if (history.last_converged.displacement.size() > 0 && history.last_converged.contact.empty())
       restore_contact();
   }
@@ -220,8 +220,8 @@ namespace Amontons
     set_time(t);
     if (is_transferred)
       iterate(report.observer());
-    model.update_loads(history.state);
-    evaluation.collect_fields(model, history.state);
+    model->update_loads(history.state);
+    evaluation.collect_fields(*model, history.state);
     evaluation.recovery->recover(history.state.displacement);
     std::ostringstream text;
     text << "the increment from t = " << t << " to " << failed_time
@@ -233,7 +233,7 @@ namespace Amontons
   bool
   LoadStepping<dim>::may_refine() const
   {
-    return model.mesh->n_refinements < parameters.refinement.cycles;
+    return model->mesh->n_refinements < parameters.refinement.cycles;
   }
 
   template <int dim>
@@ -256,7 +256,7 @@ namespace Amontons
     if (refinement == Refinement::in_last_increment)
       return program.is_last() && wants_refinement();
     const double part = parameters.refinement.cycles * program.next() / scene.end_time;
-    return refinement == Refinement::on_the_way && model.mesh->n_refinements < std::ceil(part - 1e-9) &&
+    return refinement == Refinement::on_the_way && model->mesh->n_refinements < std::ceil(part - 1e-9) &&
            wants_refinement();
   }
 
@@ -276,7 +276,7 @@ namespace Amontons
   LoadStepping<dim>::may_transfer() const
   {
     return may_refine() && (refinement == Refinement::on_the_way ||
-                            (refinement == Refinement::in_last_increment && model.finite_strain()));
+                            (refinement == Refinement::in_last_increment && model->finite_strain()));
   }
 
   template <int dim>
@@ -284,20 +284,20 @@ namespace Amontons
   LoadStepping<dim>::refine()
   {
     TimerOutput::Scope scope(timer, "mesh");
-    if (!model.mark_cells(parameters.refinement, evaluation.error))
+    if (!model->mark_cells(parameters.refinement, evaluation.error))
       {
         report.say("no further refinement: the limit of 'Maximum DoFs' is reached");
         return false;
       }
     store_contact();
     if (neglected != nullptr && parameters.refinement.history == "transfer")
-      neglected->measure_gaps(model.discretization(), model.supports, model.interfaces);
+      neglected->measure_gaps(model->discretization(), model->supports, model->interfaces);
     if (!may_transfer()) // there is none, or the history starts anew on the refined mesh
       history.last_converged = SolutionState<dim>();
-    model.refine(history.fields());
+    model->refine(history.fields());
     evaluation.recovery.reset();
     history.last_converged.contact.clear(); // of the nodes before, see go_back()
-    model.move_to(history.state);
+    model->move_to(history.state);
     restore_contact();
     return true;
   }
@@ -314,7 +314,7 @@ namespace Amontons
     const auto   peaks_at_end    = state.peaks;
     set_time(program.time());
     state.displacement = state.committed;
-    model.move_to(state);
+    model->move_to(state);
     state.traction = history.last_converged.traction;
     state.peaks    = history.last_converged.peaks;
     restore_contact();
@@ -322,7 +322,7 @@ namespace Amontons
     const auto result = iterate(report.observer());
     if (!result.converged)
       {
-        evaluation.collect_fields(model, state);
+        evaluation.collect_fields(*model, state);
         report.fail("after refinement at t = " + std::to_string(state.t) + ": " +
                     Diagnosis::sentence(*result.failure));
         return false;
@@ -352,7 +352,7 @@ namespace Amontons
     const bool few = plan.number() - 1 < 4 * plan.n_landings();
 
     LoadProgram   program(scene, is_incremental(), few ? 0.5 : 2);
-    LoadPath<dim> repeat(parameters, model.at_rest(program.next()), timer);
+    LoadPath<dim> repeat(parameters, model->at_rest(program.next()), timer);
     repeat.history.path.swap(history.path); // first guesses for both
     const bool success = repeat.run(program);
     repeat.history.path.swap(history.path);

@@ -1,8 +1,6 @@
 #include <amontons/base/points.h>
-#include <amontons/contact/surface_search.h>
-#include <amontons/elasticity/finite_mechanics.h>
-#include <amontons/elasticity/linear_mechanics.h>
-#include <amontons/model.h>
+#include <amontons/finite_strain_model.h>
+#include <amontons/small_strain_model.h>
 
 namespace Amontons
 {
@@ -20,43 +18,10 @@ namespace Amontons
                     const bool                            finite_strain,
                     const double                          t,
                     TimerOutput                          &timer)
-      : Model(mesh, finite_strain, t, timer, {})
-  {
-    TimerOutput::Scope scope(timer, "contact surfaces");
-    couple_at_rest();
-  }
-
-  template <int dim>
-  Model<dim>::Model(const std::shared_ptr<BodyMesh<dim>> &mesh,
-                    const bool                            finite_strain,
-                    const double                          t,
-                    TimerOutput                          &timer,
-                    const std::vector<double>            &reaches)
-      : mesh(mesh), elasticity(*mesh->discretization, finite_strain), timer(timer), t(t), reaches(reaches)
+      : mesh(mesh), elasticity(*mesh->discretization, finite_strain), timer(timer), t(t)
   {
     resume();
     find_surfaces();
-  }
-
-  template <int dim>
-  Model<dim>
-  Model<dim>::at_rest(const double t) const
-  {
-    Model other(mesh, finite_strain(), t, timer, reaches);
-    other.couple_at_rest();
-    return other;
-  }
-
-  template <int dim>
-  Model<dim>
-  Model<dim>::with_finite_strain(const SolutionState<dim> &state) const
-  {
-    std::vector<double> same;
-    for (const auto &interface : interfaces)
-      same.push_back(interface.reach);
-    Model other(mesh, true, t, timer, same);
-    other.move_to(state);
-    return other;
   }
 
   // Given rotations are finite, and surfaces may come from afar, as in this model.
@@ -68,43 +33,19 @@ namespace Amontons
   }
 
   template <int dim>
-  std::unique_ptr<Mechanics<dim>>
-  Model<dim>::mechanics(const SolutionState<dim> &state)
-  {
-    if (finite_strain())
-      return std::make_unique<FiniteMechanics<dim>>(
-          discretization(), elasticity, t, [this]() { return covered_points(); });
-    TimerOutput::Scope scope(timer, "assemble stiffness");
-    if (elasticity.is_cleared())
-      elasticity.assemble(state.displacement);
-    update_loads(state);
-    return std::make_unique<LinearMechanics<dim>>(elasticity, loads);
-  }
-
-  template <int dim>
-  void
-  Model<dim>::make_supports(const double now)
-  {
-    t        = now;
-    supports = discretization().make_supports(t);
-  }
-
-  template <int dim>
   void
   Model<dim>::find_surfaces()
   {
     interfaces = make_interfaces(discretization(), mesh->first_is_slave);
-    reaches.resize(interfaces.size(), 0.);
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
+    for (auto &interface : interfaces)
       {
-        interfaces[i].reach      = reaches[i];
-        interfaces[i].t          = t;
-        interfaces[i].collocated = mesh->collocated;
-        for (const auto *surface : {interfaces[i].slave.get(), interfaces[i].master_surface.get()})
+        interface.t          = t;
+        interface.collocated = mesh->collocated;
+        for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
           if (surface != nullptr)
             mesh->discretization->add_relevant(surface->dofs());
       }
-    make_supports(t);
+    supports = discretization().make_supports(t);
   }
 
   template <int dim>
@@ -131,34 +72,8 @@ namespace Amontons
   {
     if (t == now)
       return;
-    make_supports(now);
-    if (!finite_strain())
-      redeclare_gaps(discretization(), t, interfaces);
-  }
-
-  template <int dim>
-  void
-  Model<dim>::move_to(const SolutionState<dim> &state)
-  {
-    if (!finite_strain())
-      return;
-    TimerOutput::Scope scope(timer, "contact surfaces");
-    for (unsigned int i = 0; i < state.contact.size(); ++i)
-      if (state.contact[i].size() == interfaces[i].slave->nodes.size())
-        {
-          interfaces[i].carried.clear();
-          for (const auto &node : state.contact[i])
-            interfaces[i].carried.push_back(node.has_multiplier);
-        }
-    couple_moved(discretization(), supports, state.displacement, state.t, interfaces);
-  }
-
-  template <int dim>
-  void
-  Model<dim>::update_loads(const SolutionState<dim> &state)
-  {
-    loads = assemble_loads(
-        discretization(), state.t, covered_points(), finite_strain() ? &state.displacement : nullptr);
+    t        = now;
+    supports = discretization().make_supports(t);
   }
 
   // Points of faces where bodies lie on each other: pressure does not act there. Small strain: from the
@@ -180,9 +95,7 @@ namespace Amontons
     };
     for (const auto &interface : interfaces)
       for (const auto &p : interface.coupling.points)
-        if (std::abs(gap_grows(interface) && !finite_strain()
-                         ? interface.pair->initial_gap->value(as_3d(p.x_slave), 0)
-                         : p.gap) <= 1e-6 * interface.slave->faces[p.slave_face].size)
+        if (std::abs(gap_to_cover(interface, p)) <= 1e-6 * interface.slave->faces[p.slave_face].size)
           {
             add(*interface.slave, p.slave_face, p.xi_slave, p.weight);
             if (interface.master.surface != nullptr)
@@ -224,51 +137,30 @@ namespace Amontons
   {
     refine_and_transfer(*mesh->discretization, mesh->geometry, fields, [&]() {
       rebuild();
-      if (!finite_strain())
-        couple_at_rest();
+      couple_refined();
     });
     ++mesh->n_refinements;
   }
 
   template <int dim>
-  bool
-  Model<dim>::widen_search(const SolutionState<dim> &state)
+  std::unique_ptr<Model<dim>>
+  make_model(const std::shared_ptr<BodyMesh<dim>> &mesh,
+             const bool                            finite_strain,
+             const double                          t,
+             TimerOutput                          &timer)
   {
-    if (finite_strain()) // surfaces are searched wherever they are
-      return false;
-    const bool may_shrink = !discretization().scene.has_friction(); // else the path may need them again
-    bool       too_short  = false;
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      {
-        if (interfaces[i].pair->tied || interfaces[i].pair->initial_gap)
-          continue; // a declared gap says nothing about the distance of the meshes
-        double needed     = 0;
-        bool   any_closed = false;
-        for (const auto &row : interfaces[i].coupling.rows)
-          {
-            const auto &node   = state.contact[i][row.node];
-            const bool  closed = node.state != ContactState::open;
-            any_closed         = any_closed || closed;
-            needed             = std::max(needed, closed ? std::abs(row.gap) : row.gap - node.gap);
-          }
-        if (!any_closed)
-          continue;
-        const bool short_here = reaches[i] > 0 && needed > 0.75 * reaches[i];
-        if (short_here || reaches[i] == 0 || (may_shrink && 4 * needed < reaches[i]))
-          reaches[i] = 2 * needed + 1e-3 * interfaces[i].slave->mean_size;
-        too_short = too_short || short_here;
-      }
-    if (!too_short)
-      return false;
     TimerOutput::Scope scope(timer, "contact surfaces");
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      interfaces[i].reach = reaches[i];
-    couple_at_rest();
-    return true;
+    if (finite_strain)
+      return std::make_unique<FiniteStrainModel<dim>>(mesh, t, timer);
+    return std::make_unique<SmallStrainModel<dim>>(mesh, t, timer);
   }
 
   template struct BodyMesh<2>;
   template struct BodyMesh<3>;
   template class Model<2>;
   template class Model<3>;
+  template std::unique_ptr<Model<2>>
+  make_model(const std::shared_ptr<BodyMesh<2>> &, const bool, const double, TimerOutput &);
+  template std::unique_ptr<Model<3>>
+  make_model(const std::shared_ptr<BodyMesh<3>> &, const bool, const double, TimerOutput &);
 } // namespace Amontons

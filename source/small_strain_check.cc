@@ -1,3 +1,4 @@
+#include <amontons/finite_strain_model.h>
 #include <amontons/output/summary.h>
 #include <amontons/small_strain_check.h>
 #include <amontons/solver/solve_contact.h>
@@ -155,8 +156,8 @@ namespace Amontons
                                                  const SolutionState<dim> &state,
                                                  TimerOutput              &timer) const
   {
-    SolutionState<dim>       trial     = state;
-    Model<dim>               finite    = model.with_finite_strain(state);
+    SolutionState<dim>       trial = state;
+    FiniteStrainModel<dim>   finite(model, state, timer);
     const auto               mechanics = finite.mechanics(state);
     const ContactSolver<dim> solver    = {
            parameters.newton, parameters.linear_solver, model.discretization(), timer};

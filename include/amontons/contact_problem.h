@@ -37,7 +37,7 @@ namespace Amontons
     std::optional<IncrementErrors>
     measure_increments_elsewhere();
     std::optional<IncrementErrors>
-    run_to_measure_increments();
+    run_to_measure_increments(const bool finite_strain);
     typename RunReport<dim>::Ending
     ending(const bool success) const;
 

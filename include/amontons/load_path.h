@@ -13,8 +13,8 @@ namespace Amontons
   class LoadPath
   {
   public:
-    /// At rest, at the time of the model. timer: of the run.
-    LoadPath(const Parameters &parameters, Model<dim> &&model, TimerOutput &timer);
+    /// start: at rest, at the time of the first increment. timer: of the run.
+    LoadPath(const Parameters &parameters, std::unique_ptr<Model<dim>> start, TimerOutput &timer);
 
     /// The load program on this mesh, if every increment converges at once; nobody is told.
     bool
@@ -23,9 +23,9 @@ namespace Amontons
     Answer<dim>
     answer() const;
 
-    Model<dim>       model;
-    LoadHistory<dim> history;
-    Evaluation<dim>  evaluation;
+    std::unique_ptr<Model<dim>> model;
+    LoadHistory<dim>            history;
+    Evaluation<dim>             evaluation;
 
   protected:
     void
@@ -52,7 +52,7 @@ namespace Amontons
     bool
     is_incremental() const
     {
-      return has_history() || model.finite_strain();
+      return has_history() || model->finite_strain();
     }
 
     const Scene      &scene;

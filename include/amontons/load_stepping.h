@@ -21,7 +21,7 @@ namespace Amontons
     /// start: at rest. neglected: small strain: collects what that leaves out, over the increments; null:
     /// nothing does.
     LoadStepping(const Parameters             &parameters,
-                 Model<dim>                  &&start,
+                 std::unique_ptr<Model<dim>>   start,
                  RunReport<dim>               &report,
                  NeglectedTermsOfHistory<dim> *neglected);
 

@@ -26,54 +26,54 @@ namespace Amontons
   };
 
   /// Who solves reads the bodies' stiffness, the interfaces, supports and loads, all of the same mesh and
-  /// time.
+  /// time. How they follow the state is a matter of the kinematics: small_strain_model.h,
+  /// finite_strain_model.h.
   template <int dim>
   class Model
   {
   public:
-    /// At time t, with the surfaces coupled where the bodies are undeformed. timer: of the run.
-    Model(const std::shared_ptr<BodyMesh<dim>> &mesh,
-          const bool                            finite_strain,
-          const double                          t,
-          TimerOutput                          &timer);
+    virtual ~Model() = default;
 
     /// Another one on the same mesh, undeformed at time t.
-    Model
-    at_rest(const double t) const;
+    virtual std::unique_ptr<Model>
+    at_rest(const double t) const = 0;
 
-    /// Another one on the same mesh, where the state is. This one is of use again after resume().
-    Model
-    with_finite_strain(const SolutionState<dim> &state) const;
+    /// After another model has used the mesh.
     void
     resume();
 
-    bool
-    finite_strain() const
-    {
-      return elasticity.finite_strain();
-    }
     const Discretization<dim> &
     discretization() const
     {
       return *mesh->discretization;
+    }
+    bool
+    finite_strain() const
+    {
+      return elasticity.finite_strain();
     }
     double
     time() const
     {
       return t;
     }
-    /// At the present time; must not outlive the model. Small strain: with the loads, and all assembled.
-    std::unique_ptr<Mechanics<dim>>
-    mechanics(const SolutionState<dim> &state);
 
     /// Supports and declared gaps.
-    void
+    virtual void
     set_time(const double t);
-    /// Finite strain: couples the surfaces where the state takes them (else they stay where they are).
-    void
-    move_to(const SolutionState<dim> &state);
-    void
-    update_loads(const SolutionState<dim> &state);
+    /// Couples the surfaces where the state takes them, if they move.
+    virtual void
+    move_to(const SolutionState<dim> &state) = 0;
+    /// Of the state.
+    virtual void
+    update_loads(const SolutionState<dim> &state) = 0;
+    /// For an iteration that starts from the state, at the present time; must not outlive the model.
+    virtual std::unique_ptr<Mechanics<dim>>
+    mechanics(const SolutionState<dim> &state) = 0;
+    /// The couplings left something out that this state, their solution, closes or may close: the surfaces
+    /// are coupled anew, and it has to be solved again.
+    virtual bool
+    widen_search(const SolutionState<dim> &state) = 0;
 
     /// Surfaces that touch in a small part of what faces each other are refined there, at most `times`.
     void
@@ -81,43 +81,50 @@ namespace Amontons
     /// False where no cell may be refined.
     bool
     mark_cells(const RefinementParameters &parameters, const ErrorEstimate<dim> &error);
-    /// Refines marked cells, and takes fields along (see refine_and_transfer). Finite strain: move_to() has
-    /// to follow.
+    /// Refines marked cells, and takes fields along (see refine_and_transfer); move_to() has to follow.
     void
     refine(const std::vector<LA::Vector *> &fields);
 
-    /// Gaps that are far larger than what displacements close never matter. Of those of the nodes that are
-    /// closed and of what displacements closed elsewhere, the next meshes take twice the largest into
-    /// account; if that was not enough here, the surfaces are coupled again with more (returns true).
-    bool
-    widen_search(const SolutionState<dim> &state);
+    const std::shared_ptr<BodyMesh<dim>> mesh;
+    ElasticityOperator<dim>              elasticity;
+    std::vector<ContactInterface<dim>>   interfaces;
+    Constraints                          supports;
+    LA::Vector                           loads; // of the last update_loads()
 
-    std::shared_ptr<BodyMesh<dim>>     mesh;
-    ElasticityOperator<dim>            elasticity;
-    std::vector<ContactInterface<dim>> interfaces;
-    Constraints                        supports;
-    LA::Vector                         loads; // of the last update_loads()
-
-  private:
+  protected:
+    // Surfaces that are not coupled yet.
     Model(const std::shared_ptr<BodyMesh<dim>> &mesh,
           const bool                            finite_strain,
           const double                          t,
-          TimerOutput                          &timer,
-          const std::vector<double>            &reaches);
+          TimerOutput                          &timer);
 
-    void
-    make_supports(const double t);
-    void
-    find_surfaces();
-    void
+    virtual void
     couple_at_rest();
-    void
-    rebuild();
+    // As far as that can be done before move_to().
+    virtual void
+    couple_refined() = 0;
+    // Of a point where surfaces face each other: where this is 0, pressure does not act.
+    virtual double
+    gap_to_cover(const ContactInterface<dim> &interface, const OverlapPoint<dim> &point) const = 0;
     std::vector<CoveredPoint<dim>>
     covered_points() const;
 
-    TimerOutput        &timer;
-    double              t;       // of the supports
-    std::vector<double> reaches; // by pair, of the next coupling, see widen_search; 0: not known yet
+    TimerOutput &timer;
+
+  private:
+    void
+    find_surfaces();
+    void
+    rebuild();
+
+    double t; // of the supports
   };
+
+  /// At time t, with the surfaces coupled where the bodies are undeformed. timer: of the run.
+  template <int dim>
+  std::unique_ptr<Model<dim>>
+  make_model(const std::shared_ptr<BodyMesh<dim>> &mesh,
+             const bool                            finite_strain,
+             const double                          t,
+             TimerOutput                          &timer);
 } // namespace Amontons

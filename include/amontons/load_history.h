@@ -33,16 +33,12 @@ namespace Amontons
     double                       transfer_residual = 0; // largest, of the transferred state on its new mesh
     unsigned int                 n_cut_backs       = 0;
 
+    /// All that moves to a refined mesh; what is not known stays empty.
+    std::vector<LA::Vector *>
+    fields();
+
     /// The load program starts; the state is where it starts from.
     void
-    restart()
-    {
-      work.restart();
-      record = LoadRecord();
-      snaps.clear();
-      state.committed   = LA::Vector();
-      state.committed_t = 0;
-      last_converged    = SolutionState<dim>();
-    }
+    restart();
   };
 } // namespace Amontons

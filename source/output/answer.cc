@@ -182,9 +182,7 @@ namespace Amontons
   unsigned int
   planned_increments(const Scene &scene)
   {
-    const bool has_history = std::any_of(
-        scene.pairs.begin(), scene.pairs.end(), [](const PairData &pair) { return pair.has_friction(); });
-    LoadProgram program(scene, has_history);
+    LoadProgram program(scene, scene.has_friction());
     while (!program.finished())
       program.accept(1);
     return program.number() - 1;

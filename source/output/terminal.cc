@@ -99,7 +99,7 @@ namespace Amontons
 
   Terminal::Terminal(const MPI_Comm communicator, const bool quiet, std::ostream *other)
       : stream(other != nullptr ? *other : std::cout),
-        quiet(quiet || Utilities::MPI::this_mpi_process(communicator) != 0), active(!this->quiet),
+        quiet(quiet || Utilities::MPI::this_mpi_process(communicator) != 0),
         is_tty(other == nullptr && isatty(STDOUT_FILENO) == 1)
   {
   }
@@ -107,7 +107,7 @@ namespace Amontons
   void
   Terminal::line(const std::string &text)
   {
-    if (!active)
+    if (quiet)
       return;
     if (bar_shown)
       stream << "\r\033[K";
@@ -226,7 +226,7 @@ namespace Amontons
   void
   Terminal::progress(const std::string &what, const double fraction)
   {
-    if (!active)
+    if (quiet)
       return;
     if (what != work)
       {

@@ -26,6 +26,13 @@ namespace Amontons
         0; // relative L2 error of the contact pressure, estimated: see estimate_error; 0 without contact
     double                  facets = 0; // the part of it that facets cause
     std::vector<FacetError> facets_of;  // by interface
+
+    // What refinement goes by: of the contact pressure; of the stress where nothing touches.
+    double
+    decisive() const
+    {
+      return contact > 0 ? contact : bulk;
+    }
   };
 
   // Bulk: eta_K^2 = int_K (sigma* - sigma_h) : C^-1 : (sigma* - sigma_h)   (Zienkiewicz and Zhu 1987), with

@@ -26,13 +26,6 @@ namespace Amontons
     // stream: std::cout, or another one in tests (then never taken for a terminal).
     Terminal(const MPI_Comm communicator, const bool quiet, std::ostream *stream = nullptr);
 
-    // For what is not part of the run.
-    void
-    be_quiet(const bool now)
-    {
-      active = !now && !quiet;
-    }
-
     // The scene in one paragraph.
     void
     scene(const Scene &scene, const unsigned int n_ranks);
@@ -69,8 +62,7 @@ namespace Amontons
     using Clock = std::chrono::steady_clock;
 
     std::ostream &stream;
-    const bool    quiet; // always
-    bool          active, is_tty;
+    const bool    quiet, is_tty;
     bool          bar_shown = false;
     std::string   work; // what the bar is about
 

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -261,5 +262,13 @@ namespace Amontons
     std::vector<ProbeData>       probes;
     std::optional<ReferenceData> reference;
     BoundaryFields               boundary_fields; // of `conditions`
+
+    // The answer depends on the path of the load.
+    bool
+    has_friction() const
+    {
+      return std::any_of(
+          pairs.begin(), pairs.end(), [](const PairData &pair) { return pair.has_friction(); });
+    }
   };
 } // namespace Amontons

@@ -1,0 +1,21 @@
+/// What is kept of a load program with friction, to compare it with another one (increment_error.h).
+#pragma once
+
+#include <amontons/adaptivity/increment_error.h>
+#include <amontons/contact/contact_interface.h>
+#include <amontons/solver/solution_state.h>
+
+namespace Amontons
+{
+  /// Contact at the end of an increment; fields: of the state, by pair. Tied pairs are left out.
+  template <int dim>
+  std::vector<LoadRecord::Pair>
+  record_pairs(const std::vector<ContactInterface<dim>> &interfaces,
+               const std::vector<SurfaceFields<dim>>    &fields,
+               const SolutionState<dim>                 &state);
+
+  /// Enough nodes of a pair with friction touch to see how slip spreads.
+  template <int dim>
+  bool
+  resolves_friction(const std::vector<ContactInterface<dim>> &interfaces, const SolutionState<dim> &state);
+} // namespace Amontons

@@ -1,0 +1,26 @@
+/// What is derived from a solved state: contact fields, recovered stress, estimated error.
+#pragma once
+
+#include <amontons/adaptivity/error_estimator.h>
+#include <amontons/model.h>
+
+namespace Amontons
+{
+  /// Of one mesh: its refinement leaves no recovery, and fields and error of the mesh before until the next
+  /// solve.
+  template <int dim>
+  struct Evaluation
+  {
+    std::vector<SurfaceFields<dim>>      fields; // by pair
+    std::unique_ptr<StressRecovery<dim>> recovery;
+    ErrorEstimate<dim>                   error;
+
+    void
+    collect_fields(const Model<dim> &model, const SolutionState<dim> &state);
+
+    /// After collect_fields(). worst_so_far: indicators do not fall below those of the last estimate on this
+    /// mesh (what a load history needs is the worst of its increments).
+    void
+    estimate(const Model<dim> &model, const SolutionState<dim> &state, const bool worst_so_far);
+  };
+} // namespace Amontons

@@ -1,0 +1,62 @@
+/// The load of a scene along its path, increment by increment, on the present mesh.
+#pragma once
+
+#include <amontons/evaluation.h>
+#include <amontons/load_history.h>
+#include <amontons/run_parameters.h>
+#include <amontons/solver/load_program.h>
+#include <amontons/solver/solve_contact.h>
+
+namespace Amontons
+{
+  template <int dim>
+  class LoadPath
+  {
+  public:
+    /// start: at rest, at the time of the first increment. timer: of the run.
+    LoadPath(const Parameters &parameters, std::unique_ptr<Model<dim>> start, TimerOutput &timer);
+
+    /// The load program on this mesh, if every increment converges at once; nobody is told.
+    bool
+    run(LoadProgram &program);
+
+    Answer<dim>
+    answer() const;
+
+    std::unique_ptr<Model<dim>> model;
+    LoadHistory<dim>            history;
+    Evaluation<dim>             evaluation;
+
+  protected:
+    void
+    set_time(const double t);
+    void
+    start_increment(const double t);
+    NewtonReport
+    iterate(const typename Newton<dim>::Observer &observer);
+    void
+    commit(const LoadProgram &program);
+    void
+    begin_next(const LoadProgram &program);
+    void
+    store_contact();
+    void
+    restore_contact();
+
+    // The answer depends on the path of the load; the load is applied in increments.
+    bool
+    has_history() const
+    {
+      return scene.has_friction();
+    }
+    bool
+    is_incremental() const
+    {
+      return has_history() || model->finite_strain();
+    }
+
+    const Scene      &scene;
+    const Parameters &parameters;
+    TimerOutput      &timer;
+  };
+} // namespace Amontons

@@ -1,0 +1,119 @@
+/// The load of a scene on meshes that follow its solution, with retries where it is hard to find.
+#pragma once
+
+#include <amontons/adaptivity/model_selection.h>
+#include <amontons/failed_increment.h>
+#include <amontons/load_path.h>
+
+namespace Amontons
+{
+  /// An increment is solved on one mesh after the other; where the answer depends on the path of the load,
+  /// meshes are refined on the way, or the whole load program is repeated on refined ones.
+  template <int dim>
+  class LoadStepping : public LoadPath<dim>
+  {
+  public:
+    using LoadPath<dim>::model;
+    using LoadPath<dim>::history;
+    using LoadPath<dim>::evaluation;
+    using LoadPath<dim>::answer;
+
+    /// start: at rest. neglected: small strain: collects what that leaves out, over the increments; null:
+    /// nothing does.
+    LoadStepping(const Parameters             &parameters,
+                 std::unique_ptr<Model<dim>>   start,
+                 RunReport<dim>               &report,
+                 NeglectedTermsOfHistory<dim> *neglected);
+
+    /// False: not to the end. Why not is in the report; the state is the last one that converged, where there
+    /// is one. until_measured: no more than it takes to know the error of the increments.
+    bool
+    run(const bool until_measured = false);
+
+    /// Friction, after run(): what the increments do to the answer, for the report.
+    void
+    measure_increments();
+    bool
+    has_measured_increments() const
+    {
+      return measured;
+    }
+
+  private:
+    using LoadPath<dim>::scene;
+    using LoadPath<dim>::parameters;
+    using LoadPath<dim>::timer;
+    using LoadPath<dim>::has_history;
+    using LoadPath<dim>::is_incremental;
+    using LoadPath<dim>::set_time;
+    using LoadPath<dim>::start_increment;
+    using LoadPath<dim>::iterate;
+    using LoadPath<dim>::commit;
+    using LoadPath<dim>::begin_next;
+    using LoadPath<dim>::store_contact;
+    using LoadPath<dim>::restore_contact;
+
+    // What becomes of an increment.
+    enum class Result
+    {
+      converged,
+      failed, // a shorter one may converge
+      lost    // none does: where it starts from has no equilibrium on the refined mesh
+    };
+
+    bool
+    run_load_program();
+    Result
+    solve_increment(const LoadProgram &program);
+    bool
+    solve_on_mesh(const LoadProgram &program);
+    void
+    commit_increment(LoadProgram &program);
+    void
+    note_snap(const double duration);
+
+    struct Failures
+    {
+      unsigned int         in_a_row = 0;
+      FailedIncrement<dim> last;
+    };
+    bool
+    try_again(LoadProgram &program, Failures &failures);
+    void
+    roll_back();
+    void
+    go_back();
+    void
+    return_to_last_converged();
+
+    bool
+    may_refine() const;
+    bool
+    wants_refinement() const;
+    bool
+    refine_now(const LoadProgram &program) const;
+    bool
+    replay_refined();
+    bool
+    may_transfer() const;
+    bool
+    refine();
+    bool
+    rebalance(const LoadProgram &program);
+    void
+    remember_path();
+
+    // When meshes are refined.
+    enum class Refinement
+    {
+      in_last_increment,
+      on_the_way,     // and the history goes on there
+      between_replays // of the load program
+    };
+
+    RunReport<dim>               &report;
+    NeglectedTermsOfHistory<dim> *neglected;
+    const Refinement              refinement;
+    bool                          measured = false; // the increments, once
+  };
+} // namespace Amontons

@@ -1,0 +1,168 @@
+/// What a run tells its user: lines on the screen while it goes on, pictures of its increments, files at its
+/// end.
+#pragma once
+
+#include <amontons/evaluation.h>
+#include <amontons/load_history.h>
+#include <amontons/output/reference.h>
+#include <amontons/output/terminal.h>
+#include <amontons/output/vtu_output.h>
+#include <amontons/solver/load_program.h>
+
+#include <deal.II/base/timer.h>
+
+namespace Amontons
+{
+  struct OutputParameters : ParameterGroup
+  {
+    bool vtu    = true;
+    bool report = true;
+
+    void
+    declare(ParameterHandler &prm) override;
+  };
+
+  /// Gathers the summary of one run; nothing that the run decides on is here. Methods that take an answer are
+  /// collective.
+  template <int dim>
+  class RunReport
+  {
+  public:
+    /// make_reference: not needed for scenes without `reference`.
+    RunReport(const Scene              &scene,
+              const OutputParameters   &parameters,
+              const std::string        &folder,
+              const bool                quiet,
+              const MakeReference<dim> &make_reference);
+
+    /// Introduces the scene; throws InputError where its reference cannot be made.
+    void
+    start();
+
+    /// The load program starts again, on a refined mesh; with another model, whose solves alone count.
+    void
+    replay();
+    void
+    restart();
+
+    TimerOutput &
+    timer()
+    {
+      return phases;
+    }
+
+    /// On the screen only; in the summary only; both.
+    void
+    say(const std::string &text);
+    void
+    note(const std::string &text);
+    void
+    announce(const std::string &text);
+    /// How much of the load program is done.
+    void
+    progress(const LoadProgram &program);
+
+    /// Why the run is not converged, until the next solve. The last one counts.
+    void
+    fail(const std::string &message);
+    const std::string &
+    message() const
+    {
+      return summary.message;
+    }
+
+    /// One solve on one mesh; `mesh`: number of refinements so far.
+    void
+    begin_solve(const LoadProgram         &program,
+                const unsigned int         mesh,
+                const Discretization<dim> &discretization);
+    /// Of its iterations: a line each.
+    std::function<void(const NewtonReport::Iteration &)>
+    observer();
+    void
+    add_estimate(const ErrorEstimate<dim> &error);
+    struct Solve
+    {
+      const LoadProgram     &program;
+      unsigned int           mesh;
+      const NewtonReport    &newton;
+      const Evaluation<dim> &evaluation;
+      double                 seconds;
+    };
+    void
+    end_solve(const Answer<dim> &answer, const Solve &solve);
+
+    /// The last solve is an increment of the load program: what was done so far, pictures.
+    void
+    commit(const Answer<dim> &answer, const WorkDone<dim> &work, const Evaluation<dim> &evaluation);
+    /// The stored energy of the last solve.
+    double
+    energy() const
+    {
+      return summary.meshes.back().energy;
+    }
+    /// The last solve is none: it failed.
+    void
+    drop_last_solve();
+    /// All snaps so far, of which the last is new.
+    void
+    add_snap(const std::vector<Diagnosis::Snap> &snaps);
+
+    /// Friction: what the increments do to the answer, if that is known.
+    void
+    set_error_of_increments(const std::optional<IncrementErrors> &errors)
+    {
+      summary.increments = errors;
+    }
+    const std::optional<IncrementErrors> &
+    error_of_increments() const
+    {
+      return summary.increments;
+    }
+
+    /// Ends the summary, and writes the files.
+    struct Ending
+    {
+      bool                          converged;
+      const Evaluation<dim>        &evaluation;
+      const LoadHistory<dim>       &history;
+      double                        target_error;    // 0: none
+      std::optional<double>         kinematic_error; // of small strain
+      std::map<std::string, double> neglected;       // by small strain, to be added to the checks
+    };
+    const RunSummary &
+    finish(const Answer<dim> &answer, const Ending &ending);
+
+  private:
+    bool
+    is_incremental(const Answer<dim> &answer) const;
+    NewtonSummary
+    summarise(const Solve &solve, const Discretization<dim> &discretization) const;
+    void
+    add_notes(const NewtonReport &newton, const std::vector<ContactInterface<dim>> &interfaces);
+    void
+    add_answer(const Answer<dim> &answer, const Ending &ending);
+    void
+    add_energy_checks(const LoadHistory<dim> &history, const bool finite_strain);
+    void
+    note_untouched_pairs();
+    void
+    note_facets(const std::vector<ContactInterface<dim>> &interfaces, const ErrorEstimate<dim> &error);
+    void
+    note_limits(const Answer<dim> &answer, const Ending &ending);
+    void
+    write_files(const Answer<dim> &answer, const StressRecovery<dim> *recovery) const;
+
+    const Scene                          &scene;
+    const OutputParameters               &parameters;
+    const std::string                     folder;
+    const MPI_Comm                        communicator;
+    const MakeReference<dim>              make_reference;
+    Terminal                              terminal;
+    Timer                                 wall;
+    TimerOutput                           phases;
+    std::unique_ptr<const Reference<dim>> reference;
+    VtuOutput                             vtu;
+    RunSummary                            summary;
+  };
+} // namespace Amontons

@@ -1,0 +1,64 @@
+#include <amontons/adaptivity/load_record.h>
+#include <amontons/base/points.h>
+#include <amontons/friction/shear_law.h>
+
+namespace Amontons
+{
+  template <int dim>
+  std::vector<LoadRecord::Pair>
+  record_pairs(const std::vector<ContactInterface<dim>> &interfaces,
+               const std::vector<SurfaceFields<dim>>    &fields,
+               const SolutionState<dim>                 &state)
+  {
+    std::vector<LoadRecord::Pair> pairs;
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        const PairData &pair = *interfaces[i].pair;
+        if (pair.tied)
+          continue;
+        LoadRecord::Pair kept;
+        for (const auto &row : interfaces[i].coupling.rows)
+          {
+            const auto  &node    = state.contact[i][row.node];
+            const double p       = node.pressure;
+            const auto   X       = as_3d(interfaces[i].slave->nodes[row.node].X);
+            const double bound   = pair.has_friction() ? shear_bound(pair, X, state.t, p).value : 0;
+            kept.nodes[row.node] = {row.area, p, bound, as_3d(node.shear)};
+          }
+        kept.normal_force     = as_3d(fields[i].normal_force);
+        kept.tangential_force = as_3d(fields[i].tangential_force);
+        kept.contact_size     = fields[i].contact_size;
+        kept.stick_size       = fields[i].stick_size;
+        kept.tresca_alone     = !pair.friction;
+        pairs.push_back(kept);
+      }
+    return pairs;
+  }
+
+  template <int dim>
+  bool
+  resolves_friction(const std::vector<ContactInterface<dim>> &interfaces, const SolutionState<dim> &state)
+  {
+    unsigned int most = 0;
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      if (interfaces[i].pair->has_friction())
+        most = std::max<unsigned int>(
+            most, std::count_if(state.contact[i].begin(), state.contact[i].end(), [](const auto &node) {
+              return node.state != ContactState::open;
+            }));
+    return most >= (dim == 2 ? 10 : 20);
+  }
+
+  template std::vector<LoadRecord::Pair>
+  record_pairs(const std::vector<ContactInterface<2>> &,
+               const std::vector<SurfaceFields<2>> &,
+               const SolutionState<2> &);
+  template std::vector<LoadRecord::Pair>
+  record_pairs(const std::vector<ContactInterface<3>> &,
+               const std::vector<SurfaceFields<3>> &,
+               const SolutionState<3> &);
+  template bool
+  resolves_friction(const std::vector<ContactInterface<2>> &, const SolutionState<2> &);
+  template bool
+  resolves_friction(const std::vector<ContactInterface<3>> &, const SolutionState<3> &);
+} // namespace Amontons

@@ -1,0 +1,67 @@
+#include <amontons/base/points.h>
+#include <amontons/contact/surface_fields.h>
+#include <amontons/evaluation.h>
+#include <amontons/friction/shear_law.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // What the shear of sticking nodes leaves of the bound of friction, by coupling row.
+    template <int dim>
+    std::vector<double>
+    unused_shears(const ContactInterface<dim> &interface, const NodalContacts<dim> &contact, const double t)
+    {
+      std::vector<double> unused;
+      for (const auto &row : interface.coupling.rows)
+        {
+          const auto  &node  = contact[row.node];
+          const auto   X     = as_3d(interface.slave->nodes[row.node].X);
+          const double bound = shear_bound(*interface.pair, X, t, node.pressure).value;
+          unused.push_back(node.state == ContactState::stick ? std::max(0., bound - node.shear.norm()) : 0);
+        }
+      return unused;
+    }
+
+    void
+    keep_largest(const Vector<float> &old, Vector<float> &now)
+    {
+      for (unsigned int c = 0; c < now.size() && old.size() == now.size(); ++c)
+        now[c] = std::max(now[c], old[c]);
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  Evaluation<dim>::collect_fields(const Model<dim> &model, const SolutionState<dim> &state)
+  {
+    fields.clear();
+    for (unsigned int i = 0; i < model.interfaces.size(); ++i)
+      {
+        const auto &interface = model.interfaces[i];
+        fields.push_back(make_surface_fields(model.discretization(),
+                                             interface,
+                                             state.contact[i],
+                                             unused_shears(interface, state.contact[i], state.t),
+                                             state.displacement));
+      }
+  }
+
+  template <int dim>
+  void
+  Evaluation<dim>::estimate(const Model<dim> &model, const SolutionState<dim> &state, const bool worst_so_far)
+  {
+    recovery = std::make_unique<StressRecovery<dim>>(model.discretization(), model.elasticity);
+    recovery->recover(state.displacement);
+    const auto before = error;
+    error             = estimate_error(model.discretization(), *recovery, model.interfaces, fields);
+    if (worst_so_far)
+      {
+        keep_largest(before.cell_indicators, error.cell_indicators);
+        keep_largest(before.contact_indicators, error.contact_indicators);
+      }
+  }
+
+  template struct Evaluation<2>;
+  template struct Evaluation<3>;
+} // namespace Amontons

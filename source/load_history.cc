@@ -1,0 +1,34 @@
+#include <amontons/load_history.h>
+
+namespace Amontons
+{
+  template <int dim>
+  std::vector<LA::Vector *>
+  LoadHistory<dim>::fields()
+  {
+    std::vector<LA::Vector *> all;
+    for (auto *const known : {&state, &last_converged})
+      for (auto *const field : {&known->displacement, &known->traction, &known->committed})
+        all.push_back(field);
+    for (auto &point : path)
+      for (auto *const field : {&point.displacement, &point.traction})
+        all.push_back(field);
+    return all;
+  }
+
+  template <int dim>
+  void
+  LoadHistory<dim>::restart()
+  {
+    work.restart();
+    record = LoadRecord();
+    snaps.clear();
+    state.committed   = LA::Vector();
+    state.committed_t = 0;
+    state.committed_contact.clear();
+    last_converged = SolutionState<dim>();
+  }
+
+  template struct LoadHistory<2>;
+  template struct LoadHistory<3>;
+} // namespace Amontons

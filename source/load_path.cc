@@ -1,0 +1,140 @@
+#include <amontons/adaptivity/load_record.h>
+#include <amontons/adaptivity/state_transfer.h>
+#include <amontons/load_path.h>
+
+namespace Amontons
+{
+  template <int dim>
+  LoadPath<dim>::LoadPath(const Parameters &parameters, std::unique_ptr<Model<dim>> start, TimerOutput &timer)
+      : model(std::move(start)), scene(model->discretization().scene), parameters(parameters), timer(timer)
+  {
+    history.state.t = model->time();
+  }
+
+  template <int dim>
+  Answer<dim>
+  LoadPath<dim>::answer() const
+  {
+    return {model->discretization(),
+            model->elasticity,
+            model->interfaces,
+            evaluation.fields,
+            model->supports,
+            model->loads,
+            history.state};
+  }
+
+  template <int dim>
+  bool
+  LoadPath<dim>::run(LoadProgram &program)
+  {
+    history.restart();
+    while (!program.finished())
+      {
+        start_increment(program.next());
+        do
+          {
+            history.last_report = iterate([](const auto &) {});
+            if (!history.last_report.converged)
+              return false;
+          }
+        while (model->widen_search(history.state));
+        evaluation.collect_fields(*model, history.state);
+        program.accept(history.last_report.moved ? 0 : history.last_report.iterations.size());
+        commit(program);
+        if (!program.finished())
+          begin_next(program);
+      }
+    return true;
+  }
+
+  template <int dim>
+  void
+  LoadPath<dim>::set_time(const double t)
+  {
+    history.state.t = t;
+    model->set_time(t);
+  }
+
+  // Where the load program was run on the mesh before: from what it found there.
+  template <int dim>
+  void
+  LoadPath<dim>::start_increment(const double t)
+  {
+    set_time(t);
+    for (const auto &point : history.path)
+      if (std::abs(point.t - t) <= 1e-12 * scene.end_time &&
+          point.displacement.size() == model->discretization().dof_handler.n_dofs())
+        {
+          history.state.displacement = point.displacement;
+          history.state.traction     = point.traction;
+          history.state.peaks        = point.peaks;
+          model->move_to(history.state);
+          restore_contact();
+        }
+  }
+
+  // At state.t on the present mesh.
+  template <int dim>
+  NewtonReport
+  LoadPath<dim>::iterate(const typename Newton<dim>::Observer &observer)
+  {
+    if (history.state.displacement.size() != model->discretization().dof_handler.n_dofs())
+      history.state.displacement = model->discretization().make_relevant_vector();
+    const auto               mechanics = model->mechanics(history.state);
+    const ContactSolver<dim> solver    = {
+           parameters.newton, parameters.linear_solver, model->discretization(), timer};
+    const auto result = solver.solve(
+        *mechanics, model->interfaces, model->supports, history.state, observer, history.follow_motion);
+    if (!mechanics->is_linear())
+      model->update_loads(history.state);
+    return result;
+  }
+
+  // The increment becomes history.
+  template <int dim>
+  void
+  LoadPath<dim>::commit(const LoadProgram &program)
+  {
+    if (is_incremental())
+      history.work.add(answer());
+    ++history.record.n_increments;
+    history.record.largest_work = history.work.largest_work;
+    if (program.has_landed())
+      history.record.landings.push_back(
+          {record_pairs(model->interfaces, evaluation.fields, history.state), history.work.dissipation});
+  }
+
+  // Where the load path turns, slip stops: the first guess is stick.
+  template <int dim>
+  void
+  LoadPath<dim>::begin_next(const LoadProgram &program)
+  {
+    history.state.committed         = history.state.displacement;
+    history.state.committed_t       = history.state.t;
+    history.state.committed_contact = history.state.contact;
+    history.last_converged          = history.state;
+    for (unsigned int i = 0; program.at_corner() && i < model->interfaces.size(); ++i)
+      for (auto &node : history.state.contact[i])
+        if (model->interfaces[i].pair->has_friction() && node.state == ContactState::slip)
+          node.state = ContactState::stick;
+  }
+
+  // As a field, which outlives the mesh; and the states that it tells on the present one.
+  template <int dim>
+  void
+  LoadPath<dim>::store_contact()
+  {
+    make_traction_field(model->discretization(), model->interfaces, evaluation.fields, history.state);
+  }
+
+  template <int dim>
+  void
+  LoadPath<dim>::restore_contact()
+  {
+    carry_active_set(model->interfaces, history.state);
+  }
+
+  template class LoadPath<2>;
+  template class LoadPath<3>;
+} // namespace Amontons

@@ -1,0 +1,366 @@
+#include <amontons/adaptivity/load_record.h>
+#include <amontons/load_stepping.h>
+
+#include <sstream>
+
+namespace Amontons
+{
+  template <int dim>
+  LoadStepping<dim>::LoadStepping(const Parameters             &parameters,
+                                  std::unique_ptr<Model<dim>>   start,
+                                  RunReport<dim>               &report,
+                                  NeglectedTermsOfHistory<dim> *neglected)
+      : LoadPath<dim>(parameters, std::move(start), report.timer()), report(report), neglected(neglected),
+        refinement(!has_history()                              ? Refinement::in_last_increment
+                   : parameters.refinement.history == "replay" ? Refinement::between_replays
+                                                               : Refinement::on_the_way)
+  {
+  }
+
+  template <int dim>
+  bool
+  LoadStepping<dim>::run(const bool until_measured)
+  {
+    do
+      {
+        if (!run_load_program())
+          return false;
+        if (refinement == Refinement::between_replays && !measured &&
+            resolves_friction(model->interfaces, history.state))
+          measure_increments();
+      }
+    while (!(until_measured && measured) && replay_refined());
+    return true;
+  }
+
+  template <int dim>
+  bool
+  LoadStepping<dim>::run_load_program()
+  {
+    LoadProgram program(scene, is_incremental());
+    Failures    failures;
+    history.restart();
+    evaluation.error = ErrorEstimate<dim>();
+    if (neglected != nullptr)
+      *neglected = NeglectedTermsOfHistory<dim>();
+    //! [load program]
+    while (!program.finished())
+      {
+        start_increment(program.next());
+        const Result result = solve_increment(program);
+        if (result == Result::converged)
+          {
+            commit_increment(program);
+            failures = Failures();
+          }
+        else if (result == Result::lost)
+          return false;
+        else if (!try_again(program, failures))
+          {
+            if (is_incremental() && program.number() > 1)
+              return_to_last_converged();
+            return false;
+          }
+        report.progress(program);
+      }
+    //! [load program]
+    return true;
+  }
+
+  template <int dim>
+  typename LoadStepping<dim>::Result
+  LoadStepping<dim>::solve_increment(const LoadProgram &program)
+  {
+    //! [increment]
+    for (;;)
+      {
+        do
+          if (!solve_on_mesh(program))
+            return Result::failed;
+        while (model->widen_search(history.state));
+        if (!refine_now(program) || !refine())
+          return Result::converged;
+        if (has_history() && program.time() > 0 && !rebalance(program))
+          return Result::lost;
+        //! [increment]
+      }
+  }
+
+  template <int dim>
+  bool
+  LoadStepping<dim>::solve_on_mesh(const LoadProgram &program)
+  {
+    Timer              seconds;
+    const unsigned int mesh = model->mesh->n_refinements;
+    report.begin_solve(program, mesh, model->discretization());
+    history.last_report        = iterate(report.observer());
+    const double solve_seconds = seconds.wall_time();
+    evaluation.collect_fields(*model, history.state);
+    {
+      TimerOutput::Scope scope(timer, "error estimate");
+      evaluation.estimate(*model, history.state, has_history());
+    }
+    report.add_estimate(evaluation.error);
+    report.end_solve(answer(), {program, mesh, history.last_report, evaluation, solve_seconds});
+    return history.last_report.converged;
+  }
+
+  template <int dim>
+  void
+  LoadStepping<dim>::commit_increment(LoadProgram &program)
+  {
+    note_snap(program.next() - program.time());
+    program.accept(history.last_report.moved ? 0 : history.last_report.iterations.size());
+    history.follow_motion = false;
+    commit(program);
+    if (refinement == Refinement::between_replays && may_refine())
+      remember_path();
+    if (neglected != nullptr)
+      neglected->add(
+          model->discretization(), *evaluation.recovery, history.state, model->interfaces, report.energy());
+    report.commit(answer(), history.work, evaluation);
+    if (program.finished())
+      return;
+    if (may_transfer())
+      store_contact();
+    begin_next(program);
+  }
+
+  template <int dim>
+  void
+  LoadStepping<dim>::remember_path()
+  {
+    store_contact();
+    const auto &state = history.state;
+    history.path.push_back({state.t, state.displacement, state.traction, state.peaks});
+  }
+
+  template <int dim>
+  void
+  LoadStepping<dim>::note_snap(const double duration)
+  {
+    LA::Vector moved = model->discretization().make_owned_vector(), before = moved;
+    moved = history.state.displacement;
+    if (history.state.committed.size() == history.state.displacement.size())
+      before = history.state.committed;
+    moved -= before;
+    const double distance = moved.linfty_norm(), expected = history.last_speed * duration;
+    if (!history.last_report.moved)
+      {
+        history.last_speed = distance / duration;
+        return;
+      }
+    history.snaps.push_back(
+        {history.state.t, distance, distance > 3 * expected, history.last_report.unstable});
+    report.add_snap(history.snaps);
+  }
+
+  // An increment that fails is cut; where that does not help, the bodies may snap: damped motion is tried.
+  template <int dim>
+  bool
+  LoadStepping<dim>::try_again(LoadProgram &program, Failures &failures)
+  {
+    const unsigned int patience = has_history() ? 5 : 3; // friction: mostly states that are hard to find
+    if (model->finite_strain() && !history.follow_motion &&
+        (++failures.in_a_row == patience || program.is_smallest()))
+      {
+        history.follow_motion = true;
+        roll_back();
+        return true;
+      }
+    if (!is_incremental())
+      return false;
+    FailedIncrement<dim> failed(*model, history.last_report);
+    const bool           from_rest = history.last_converged.displacement.size() == 0;
+    if ((!model->finite_strain() && failed.is_alike(failures.last, from_rest)) || !program.cut_back())
+      return false;
+    failures.last         = std::move(failed);
+    history.follow_motion = false;
+    roll_back();
+    return true;
+  }
+
+  template <int dim>
+  void
+  LoadStepping<dim>::roll_back()
+  {
+    std::ostringstream text;
+    text << "increments were cut back first before t = " << history.state.t << ": " << report.message();
+    if (history.n_cut_backs++ == 0)
+      report.note(text.str());
+    report.drop_last_solve();
+    go_back();
+  }
+
+  // To the last converged state, or to rest; on a refined mesh its contact states are those that the field
+  // of its tractions tells.
+  template <int dim>
+  void
+  LoadStepping<dim>::go_back()
+  {
+    history.state = history.last_converged;
+    if (history.state.displacement.size() == 0)
+      history.state.displacement = model->discretization().make_relevant_vector();
+    model->move_to(history.state);
+    if (history.last_converged.displacement.size() > 0 && history.last_converged.contact.empty())
+      restore_contact();
+  }
+
+  // What is written and reported is the last increment that converged; the message says how the next one
+  // failed.
+  template <int dim>
+  void
+  LoadStepping<dim>::return_to_last_converged()
+  {
+    const double failed_time = history.state.t;
+    report.drop_last_solve();
+    const bool is_transferred = history.last_converged.contact.empty();
+    go_back();
+    const double t = history.state.t;
+    set_time(t);
+    if (is_transferred)
+      iterate(report.observer());
+    model->update_loads(history.state);
+    evaluation.collect_fields(*model, history.state);
+    evaluation.recovery->recover(history.state.displacement);
+    std::ostringstream text;
+    text << "the increment from t = " << t << " to " << failed_time
+         << " failed (results are those of t = " << t << "): " << report.message();
+    report.fail(text.str());
+  }
+
+  template <int dim>
+  bool
+  LoadStepping<dim>::may_refine() const
+  {
+    return model->mesh->n_refinements < parameters.refinement.cycles;
+  }
+
+  template <int dim>
+  bool
+  LoadStepping<dim>::wants_refinement() const
+  {
+    const auto  &error  = evaluation.error;
+    const double target = parameters.refinement.target_error;
+    // What facets do refinement does not mend.
+    const double mendable =
+        std::sqrt(std::max(0., std::pow(error.decisive(), 2) - std::pow(error.facets, 2)));
+    return may_refine() && !(target > 0 && mendable <= target);
+  }
+
+  // On the way: evenly over the load program.
+  template <int dim>
+  bool
+  LoadStepping<dim>::refine_now(const LoadProgram &program) const
+  {
+    if (refinement == Refinement::in_last_increment)
+      return program.is_last() && wants_refinement();
+    const double part = parameters.refinement.cycles * program.next() / scene.end_time;
+    return refinement == Refinement::on_the_way && model->mesh->n_refinements < std::ceil(part - 1e-9) &&
+           wants_refinement();
+  }
+
+  template <int dim>
+  bool
+  LoadStepping<dim>::replay_refined()
+  {
+    if (refinement != Refinement::between_replays || !wants_refinement() || !refine())
+      return false;
+    report.replay();
+    return true;
+  }
+
+  // The last converged state goes along to the refined mesh: the next increment starts from it there.
+  template <int dim>
+  bool
+  LoadStepping<dim>::may_transfer() const
+  {
+    return may_refine() && (refinement == Refinement::on_the_way ||
+                            (refinement == Refinement::in_last_increment && model->finite_strain()));
+  }
+
+  template <int dim>
+  bool
+  LoadStepping<dim>::refine()
+  {
+    TimerOutput::Scope scope(timer, "mesh");
+    if (!model->mark_cells(parameters.refinement, evaluation.error))
+      {
+        report.say("no further refinement: the limit of 'Maximum DoFs' is reached");
+        return false;
+      }
+    store_contact();
+    if (neglected != nullptr && parameters.refinement.history == "transfer")
+      neglected->measure_gaps(model->discretization(), model->supports, model->interfaces);
+    if (!may_transfer()) // there is none, or the history starts anew on the refined mesh
+      history.last_converged = SolutionState<dim>();
+    model->refine(history.fields());
+    evaluation.recovery.reset();
+    history.last_converged.contact.clear(); // of the nodes before, see go_back()
+    model->move_to(history.state);
+    restore_contact();
+    return true;
+  }
+
+  // After a refinement on the way: the state that the increment starts from is not in equilibrium on the new
+  // mesh. It is solved again there, without a change of the load; what that changes is reported.
+  template <int dim>
+  bool
+  LoadStepping<dim>::rebalance(const LoadProgram &program)
+  {
+    auto        &state           = history.state;
+    const double t               = state.t;
+    const auto   traction_at_end = state.traction;
+    const auto   peaks_at_end    = state.peaks;
+    set_time(program.time());
+    state.displacement = state.committed;
+    model->move_to(state);
+    state.traction = history.last_converged.traction;
+    state.peaks    = history.last_converged.peaks;
+    restore_contact();
+    report.say("equilibrium of the transferred state at t = " + std::to_string(state.t));
+    const auto result = iterate(report.observer());
+    if (!result.converged)
+      {
+        evaluation.collect_fields(*model, state);
+        report.fail("after refinement at t = " + std::to_string(state.t) + ": " +
+                    Diagnosis::sentence(*result.failure));
+        return false;
+      }
+    history.transfer_residual = std::max(history.transfer_residual, result.start_residual);
+    history.work.rebase(answer());
+    state.committed        = state.displacement;
+    state.committed_t      = state.t;
+    history.last_converged = state;
+    state.traction         = traction_at_end;
+    state.peaks            = peaks_at_end;
+    set_time(t);
+    restore_contact();
+    return true;
+  }
+
+  // The load program, which has converged on this mesh, once more with half as many increments; where they
+  // are few, with twice as many.
+  template <int dim>
+  void
+  LoadStepping<dim>::measure_increments()
+  {
+    TimerOutput::Scope scope(timer, "error of the increments");
+    LoadProgram        plan(scene, is_incremental());
+    while (!plan.finished())
+      plan.accept(1);
+    const bool few = plan.number() - 1 < 4 * plan.n_landings();
+
+    LoadProgram   program(scene, is_incremental(), few ? 0.5 : 2);
+    LoadPath<dim> repeat(parameters, model->at_rest(program.next()), timer);
+    repeat.history.path.swap(history.path); // first guesses for both
+    const bool success = repeat.run(program);
+    repeat.history.path.swap(history.path);
+    if (success && repeat.history.record.n_increments != history.record.n_increments)
+      report.set_error_of_increments(error_of_increments(history.record, repeat.history.record));
+    measured = true;
+  }
+
+  template class LoadStepping<2>;
+  template class LoadStepping<3>;
+} // namespace Amontons

@@ -1,0 +1,166 @@
+#include <amontons/base/points.h>
+#include <amontons/finite_strain_model.h>
+#include <amontons/small_strain_model.h>
+
+namespace Amontons
+{
+  template <int dim>
+  BodyMesh<dim>::BodyMesh(const Scene &scene, const unsigned int degree) : geometry(MPI_COMM_WORLD)
+  {
+    make_geometry(scene, geometry);
+    discretization = std::make_unique<Discretization<dim>>(scene, geometry, degree);
+    discretization->distribute_dofs();
+    first_is_slave = choose_slaves(*discretization);
+  }
+
+  template <int dim>
+  Model<dim>::Model(const std::shared_ptr<BodyMesh<dim>> &mesh,
+                    const bool                            finite_strain,
+                    const double                          t,
+                    TimerOutput                          &timer)
+      : mesh(mesh), elasticity(*mesh->discretization, finite_strain), timer(timer), t(t)
+  {
+    resume();
+    find_surfaces();
+  }
+
+  // Given rotations are finite, and surfaces may come from afar, as in this model.
+  template <int dim>
+  void
+  Model<dim>::resume()
+  {
+    mesh->discretization->finite_strain = finite_strain();
+  }
+
+  template <int dim>
+  void
+  Model<dim>::find_surfaces()
+  {
+    interfaces = make_interfaces(discretization(), mesh->first_is_slave);
+    for (auto &interface : interfaces)
+      {
+        interface.t          = t;
+        interface.collocated = mesh->collocated;
+        for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
+          if (surface != nullptr)
+            mesh->discretization->add_relevant(surface->dofs());
+      }
+    supports = discretization().make_supports(t);
+  }
+
+  template <int dim>
+  void
+  Model<dim>::couple_at_rest()
+  {
+    integrate_couplings(discretization(), supports, interfaces);
+  }
+
+  // All that depends on the mesh, but for the couplings.
+  template <int dim>
+  void
+  Model<dim>::rebuild()
+  {
+    TimerOutput::Scope scope(timer, "contact surfaces");
+    mesh->discretization->distribute_dofs();
+    elasticity.clear();
+    find_surfaces();
+  }
+
+  template <int dim>
+  void
+  Model<dim>::set_time(const double now)
+  {
+    if (t == now)
+      return;
+    t        = now;
+    supports = discretization().make_supports(t);
+  }
+
+  // Points of faces where bodies lie on each other: pressure does not act there. Small strain: from the
+  // start.
+  template <int dim>
+  std::vector<CoveredPoint<dim>>
+  Model<dim>::covered_points() const
+  {
+    const unsigned int             rank = Utilities::MPI::this_mpi_process(mesh->geometry.communicator);
+    std::vector<CoveredPoint<dim>> covered;
+    const auto                     add = [&](const ContactSurface<dim> &surface,
+                         const unsigned int         face,
+                         const Point<dim - 1>      &xi,
+                         const double               weight) {
+      if (surface.faces[face].rank != rank)
+        return;
+      const auto [cell, f] = surface.owned[surface.faces[face].owned_index];
+      covered.push_back({cell, f, on_unit_cell<dim>(f, xi), weight});
+    };
+    for (const auto &interface : interfaces)
+      for (const auto &p : interface.coupling.points)
+        if (std::abs(gap_to_cover(interface, p)) <= 1e-6 * interface.slave->faces[p.slave_face].size)
+          {
+            add(*interface.slave, p.slave_face, p.xi_slave, p.weight);
+            if (interface.master.surface != nullptr)
+              add(*interface.master.surface, p.master_face, p.xi_master, p.weight);
+          }
+    return covered;
+  }
+
+  template <int dim>
+  void
+  Model<dim>::refine_where_bodies_are_close(const unsigned int times)
+  {
+    TimerOutput::Scope scope(timer, "mesh");
+    for (unsigned int i = 0; i < times && mark_close_cells(discretization(), interfaces, 0.1) > 0; ++i)
+      {
+        mesh->geometry.triangulation.execute_coarsening_and_refinement();
+        rebuild();
+        couple_at_rest();
+      }
+  }
+
+  // Two aims: the stress everywhere, on which contact forces and sizes depend, and the pressure itself.
+  template <int dim>
+  bool
+  Model<dim>::mark_cells(const RefinementParameters &parameters, const ErrorEstimate<dim> &error)
+  {
+    const auto mark = [&](const Vector<float> &indicators) {
+      return Amontons::mark_cells(discretization(), mesh->geometry, parameters, indicators);
+    };
+    const bool bulk = mark(error.cell_indicators);
+    if (bulk && parameters.strategy == "adaptive")
+      mark(error.contact_indicators);
+    return bulk;
+  }
+
+  template <int dim>
+  void
+  Model<dim>::refine(const std::vector<LA::Vector *> &fields)
+  {
+    refine_and_transfer(*mesh->discretization, mesh->geometry, fields, [&]() {
+      rebuild();
+      couple_refined();
+    });
+    ++mesh->n_refinements;
+  }
+
+  template <int dim>
+  std::unique_ptr<Model<dim>>
+  make_model(const std::shared_ptr<BodyMesh<dim>> &mesh,
+             const bool                            finite_strain,
+             const double                          t,
+             TimerOutput                          &timer)
+  {
+    TimerOutput::Scope scope(timer, "contact surfaces");
+    if (finite_strain)
+      return std::make_unique<FiniteStrainModel<dim>>(mesh, t, timer);
+    return std::make_unique<SmallStrainModel<dim>>(mesh, t, timer);
+  }
+
+  template struct BodyMesh<2>;
+  template struct BodyMesh<3>;
+  template class Model<2>;
+  template class Model<3>;
+  template std::unique_ptr<Model<2>>
+  make_model(const std::shared_ptr<BodyMesh<2>> &, const bool, const double, TimerOutput &);
+  template std::unique_ptr<Model<3>>
+  make_model(const std::shared_ptr<BodyMesh<3>> &, const bool, const double, TimerOutput &);
+} // namespace Amontons

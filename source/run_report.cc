@@ -1,0 +1,445 @@
+#include <amontons/output/contact_csv.h>
+#include <amontons/output/files.h>
+#include <amontons/output/history.h>
+#include <amontons/output/probes.h>
+#include <amontons/run_report.h>
+
+#include <sstream>
+
+namespace Amontons
+{
+  namespace
+  {
+    // Without those of carriers.
+    template <int dim>
+    unsigned long long
+    n_cells(const Discretization<dim> &discretization)
+    {
+      const auto &geometry = discretization.geometry;
+      return geometry.triangulation.n_global_active_cells() - geometry.carriers.size();
+    }
+  } // namespace
+
+  void
+  OutputParameters::declare(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Output");
+    prm.add_parameter("VTU", vtu, "Write .pvd and .vtu files of the bodies and of the contact surfaces.");
+    prm.add_parameter("Report", report, "Write report.html, a self-contained page with pictures.");
+    prm.leave_subsection();
+  }
+
+  template <int dim>
+  RunReport<dim>::RunReport(const Scene              &scene,
+                            const OutputParameters   &parameters,
+                            const std::string        &folder,
+                            const bool                quiet,
+                            const MakeReference<dim> &make_reference)
+      : scene(scene), parameters(parameters), folder(folder), communicator(MPI_COMM_WORLD),
+        make_reference(make_reference), terminal(communicator, quiet),
+        phases(std::cout, TimerOutput::never, TimerOutput::wall_times), vtu(folder, communicator)
+  {
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::start()
+  {
+    terminal.scene(scene, Utilities::MPI::n_mpi_processes(communicator));
+    if (scene.reference)
+      reference = make_reference(scene);
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::replay()
+  {
+    vtu.restart();
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::restart()
+  {
+    summary.meshes.clear();
+    summary.newton.clear();
+    summary.increments.reset();
+    vtu.restart();
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::say(const std::string &text)
+  {
+    terminal.note(text);
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::note(const std::string &text)
+  {
+    summary.notes.push_back(text);
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::announce(const std::string &text)
+  {
+    note(text);
+    say(text);
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::progress(const LoadProgram &program)
+  {
+    if (!program.finished())
+      terminal.progress("load increments", program.time() / scene.end_time);
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::fail(const std::string &message)
+  {
+    summary.message = message;
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::begin_solve(const LoadProgram         &program,
+                              const unsigned int         mesh,
+                              const Discretization<dim> &discretization)
+  {
+    terminal.mesh(
+        program.number(), program.next(), mesh, n_cells(discretization), discretization.dof_handler.n_dofs());
+  }
+
+  template <int dim>
+  std::function<void(const NewtonReport::Iteration &)>
+  RunReport<dim>::observer()
+  {
+    return [this, iteration = 0u](const NewtonReport::Iteration &step) mutable {
+      IterationLine line;
+      line.iteration         = ++iteration;
+      line.residual          = step.residual;
+      line.n_open            = step.n_open;
+      line.n_stick           = step.n_stick;
+      line.n_slip            = step.n_slip;
+      line.changes           = step.n_changes;
+      line.krylov_iterations = step.krylov;
+      terminal.iteration(line);
+    };
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::add_estimate(const ErrorEstimate<dim> &error)
+  {
+    terminal.estimate({error.bulk, error.contact});
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::end_solve(const Answer<dim> &answer, const Solve &solve)
+  {
+    const auto         &error  = solve.evaluation.error;
+    const NewtonSummary newton = summarise(solve, answer.discretization);
+    summary.newton.push_back(newton);
+
+    MeshSummary mesh;
+    mesh.increment         = newton.increment;
+    mesh.mesh              = newton.mesh;
+    mesh.t                 = answer.state.t;
+    mesh.cells             = newton.cells;
+    mesh.dofs              = newton.dofs;
+    mesh.iterations        = newton.iterations;
+    mesh.krylov_iterations = newton.krylov_iterations;
+    mesh.residual          = newton.residual;
+    mesh.seconds           = wall.wall_time();
+    mesh.pairs             = summarize_pairs(answer);
+    mesh.error_estimate    = {error.bulk, error.contact, error.facets};
+    mesh.energy            = stored_energy(answer);
+    if (!scene.probes.empty())
+      mesh.probes = evaluate_probes(
+          answer.discretization, *solve.evaluation.recovery, answer.state.displacement, summary.notes);
+    if (reference && !answer.interfaces.empty() && solve.program.is_last())
+      mesh.reference = reference->compare(answer);
+    if (is_incremental(answer)) // known when the increment is committed
+      mesh.external_work = mesh.contact_work = mesh.dissipation = unknown;
+    summary.meshes.push_back(mesh);
+    summary.one_linear_solve_seconds = solve.newton.one_linear_solve_seconds;
+    summary.finest_mesh_seconds      = solve.seconds;
+    add_notes(solve.newton, answer.interfaces);
+    summary.message = solve.newton.failure ? Diagnosis::sentence(*solve.newton.failure) : "";
+  }
+
+  template <int dim>
+  bool
+  RunReport<dim>::is_incremental(const Answer<dim> &answer) const
+  {
+    return scene.has_friction() || answer.elasticity.finite_strain();
+  }
+
+  template <int dim>
+  NewtonSummary
+  RunReport<dim>::summarise(const Solve &solve, const Discretization<dim> &discretization) const
+  {
+    NewtonSummary newton;
+    newton.increment  = solve.program.number();
+    newton.mesh       = solve.mesh;
+    newton.cells      = n_cells(discretization);
+    newton.dofs       = discretization.dof_handler.n_dofs();
+    newton.iterations = solve.newton.iterations.size();
+    for (const auto &iteration : solve.newton.iterations)
+      {
+        newton.active_set_changes.push_back(iteration.n_changes);
+        newton.krylov_iterations += iteration.krylov;
+        newton.residuals.push_back(iteration.residual);
+        newton.residual = iteration.residual;
+      }
+    return newton;
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::add_notes(const NewtonReport &newton, const std::vector<ContactInterface<dim>> &interfaces)
+  {
+    auto      &notes = summary.notes;
+    const auto add   = [&](const std::string &text) {
+      if (!text.empty() && std::find(notes.begin(), notes.end(), text) == notes.end())
+        notes.push_back(text);
+    };
+    add(newton.note);
+    if (newton.safeguarded)
+      add("the active set repeated itself; single nodes were changed for a while (Murty's rule)");
+    if (newton.frozen)
+      add("the states of friction repeated themselves; its bounds were held for a while (Tresca)");
+    for (const auto &interface : interfaces)
+      {
+        const auto &slave = *interface.slave;
+        if (slave.sharpest_edge > 60)
+          {
+            std::ostringstream text;
+            text << "pair '" << interface.pair->name << "': the slave surface has an edge of "
+                 << std::lround(slave.sharpest_edge) << " degrees near (" << slave.sharpest_at
+                 << "), where its normal is a mean of both sides: results there are not to be trusted; a "
+                    "pair for each side is exact";
+            add(text.str());
+          }
+        if (interface.n_without_multiplier > 0)
+          add("pair '" + interface.pair->name +
+              "': slave nodes that supports hold carry no multiplier; their neighbours take their share");
+      }
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::commit(const Answer<dim>     &answer,
+                         const WorkDone<dim>   &work,
+                         const Evaluation<dim> &evaluation)
+  {
+    if (is_incremental(answer))
+      {
+        auto &mesh         = summary.meshes.back();
+        mesh.external_work = work.external_work;
+        mesh.contact_work  = work.contact_work;
+        mesh.dissipation   = work.dissipation;
+        if (mesh.reference)
+          reference->compare_dissipation(answer, work.dissipation, *mesh.reference);
+      }
+    if (!parameters.vtu)
+      return;
+    TimerOutput::Scope scope(phases, "output");
+    vtu.write_bodies(BodyFields<dim>{answer.discretization,
+                                     answer.state.displacement,
+                                     *evaluation.recovery,
+                                     evaluation.error.cell_indicators},
+                     answer.state.t);
+    vtu.write_contact(answer.interfaces, answer.fields, answer.state.t);
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::drop_last_solve()
+  {
+    summary.meshes.pop_back();
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::add_snap(const std::vector<Diagnosis::Snap> &snaps)
+  {
+    auto      &notes  = summary.notes;
+    const auto before = std::vector<Diagnosis::Snap>(snaps.begin(), snaps.end() - 1);
+    for (const bool far : {true, false})
+      {
+        notes.erase(std::remove(notes.begin(), notes.end(), Diagnosis::snapped(before, far)), notes.end());
+        if (const std::string text = Diagnosis::snapped(snaps, far); !text.empty())
+          note(text);
+      }
+  }
+
+  template <int dim>
+  const RunSummary &
+  RunReport<dim>::finish(const Answer<dim> &answer, const Ending &ending)
+  {
+    summary.converged = ending.converged;
+    summary.scene     = scene.file;
+    summary.title     = scene.title;
+    summary.kind      = scene.kind;
+    summary.ranks     = Utilities::MPI::n_mpi_processes(communicator);
+    if (!summary.meshes.empty())
+      add_answer(answer, ending);
+    note_untouched_pairs();
+    note_facets(answer.interfaces, ending.evaluation.error);
+    note_limits(answer, ending);
+    for (const auto &[name, seconds] : phases.get_summary_data(TimerOutput::total_wall_time))
+      summary.timing[name] = seconds;
+    summary.wall_seconds = wall.wall_time();
+    write_files(answer, ending.evaluation.recovery.get());
+    terminal.answer(summary);
+    return summary;
+  }
+
+  // That of the last mesh, with the checks of its physics.
+  template <int dim>
+  void
+  RunReport<dim>::add_answer(const Answer<dim> &answer, const Ending &ending)
+  {
+    const MeshSummary &last = summary.meshes.back();
+    summary.dofs            = last.dofs;
+    summary.cells           = last.cells;
+    summary.pairs           = last.pairs;
+    summary.energy          = last.energy;
+    summary.error_estimate  = last.error_estimate;
+    summary.probes          = last.probes;
+    summary.reference       = last.reference;
+    summary.reactions       = compute_reactions(answer);
+    summary.checks          = check_physics(answer);
+    summary.checks.insert(ending.neglected.begin(), ending.neglected.end());
+    if (ending.kinematic_error)
+      summary.error_estimate.kinematics = *ending.kinematic_error;
+    if (summary.increments)
+      summary.error_estimate.increments = summary.increments->largest();
+    if (is_incremental(answer))
+      add_energy_checks(ending.history, answer.elasticity.finite_strain());
+  }
+
+  // The balance of W, the stored energy and the contact work, and dissipation >= 0, relative to the work.
+  template <int dim>
+  void
+  RunReport<dim>::add_energy_checks(const LoadHistory<dim> &history, const bool finite_strain)
+  {
+    const auto  &work     = history.work;
+    const double negative = work.largest_work > 0 ? -work.smallest_dissipation / work.largest_work : 0;
+    summary.checks["energy_balance"]       = work.energy_error;
+    summary.checks["negative_dissipation"] = negative;
+    std::ostringstream text;
+    text.precision(3);
+    if (work.energy_error > 1e-6 && !finite_strain)
+      text << "the energy balance is violated by " << work.energy_error << " of the work";
+    if (negative > 1e-9)
+      text << (text.str().empty() ? "" : "; ") << "an increment had a negative dissipation, " << negative
+           << " of the work";
+    if (text.str() != "")
+      note("warning: " + text.str());
+    if (history.transfer_residual > 0)
+      {
+        summary.checks["transfer_residual"] = history.transfer_residual;
+        std::ostringstream transfer;
+        transfer.precision(3);
+        transfer << "states transferred to refined meshes were up to " << history.transfer_residual
+                 << " of the forces out of equilibrium; solving them again changed the stored energy by "
+                 << work.transferred_energy << " in all";
+        note(transfer.str());
+      }
+  }
+
+  // Nothing that touches at the end may have touched before.
+  template <int dim>
+  void
+  RunReport<dim>::note_untouched_pairs()
+  {
+    for (unsigned int i = 0; i < summary.pairs.size(); ++i)
+      {
+        PairSummary &pair = summary.pairs[i];
+        pair.touched      = std::any_of(summary.meshes.begin(), summary.meshes.end(), [&](const auto &mesh) {
+          return mesh.pairs[i].touched;
+        });
+        if (!pair.touched && summary.converged)
+          note("warning: pair '" + pair.name + "' touched nothing in the whole run; " +
+               without_contact(pair));
+      }
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::note_facets(const std::vector<ContactInterface<dim>> &interfaces,
+                              const ErrorEstimate<dim>                 &error)
+  {
+    for (unsigned int i = 0; i < error.facets_of.size(); ++i)
+      if (const FacetError &facets = error.facets_of[i]; facets.pressure > noteworthy_facets)
+        {
+          std::ostringstream text;
+          text.precision(2);
+          text << "warning: pair '" << interfaces[i].pair->name
+               << "' touches on facets, flat faces that stand for a curve: kinks of up to "
+               << facets.angle * 180 / numbers::PI << " degrees between lengths of " << facets.size
+               << " make an error of about " << facets.gap << " in the gap, of which the load closes "
+               << facets.closed_gap << ", and of " << 100 * facets.pressure
+               << " % in the pressure. Refinement does not mend it: declare 'Curved boundaries', give a mesh "
+                  "of second "
+                  "order (gmsh: Mesh.ElementOrder = 2), or a finer one";
+          note(text.str());
+        }
+  }
+
+  // What the answer is not, or not the whole of.
+  template <int dim>
+  void
+  RunReport<dim>::note_limits(const Answer<dim> &answer, const Ending &ending)
+  {
+    const auto  &error  = ending.evaluation.error;
+    const double target = ending.target_error;
+    if (target > 0 && !(error.decisive() <= target))
+      note(error.facets > target ? "the target error cannot be reached: facets alone make a larger one"
+                                 : "the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'");
+    if (scene.kind == Kind::axisymmetric)
+      note("axisymmetric: forces are for the full turn");
+    if (std::any_of(answer.fields.begin(), answer.fields.end(), [](const auto &fields) {
+          return fields.symmetry_factor > 1;
+        }))
+      note("symmetry planes cut the contact: forces are those of the meshed part");
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::write_files(const Answer<dim> &answer, const StressRecovery<dim> *recovery) const
+  {
+    MeshPicture picture;
+    if (parameters.report && recovery != nullptr)
+      picture = gather_mesh_picture(answer.discretization, *recovery, answer.state.displacement);
+    if (Utilities::MPI::this_mpi_process(communicator) != 0)
+      return;
+    const auto table = contact_table(answer.interfaces, answer.fields, answer.state.t);
+    if (parameters.report)
+      {
+        std::vector<std::pair<std::string, MeshPicture>> pressure_maps;
+        for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
+          pressure_maps.emplace_back(answer.interfaces[i].pair->name,
+                                     make_pressure_picture(answer.interfaces[i], answer.fields[i]));
+        const auto tractions = reference ? reference->tractions() : ReferenceTractions();
+        write_report(folder + "/report.html",
+                     summary,
+                     pressure_curves(table, summary.pairs, dim, tractions),
+                     picture,
+                     pressure_maps);
+      }
+    write_contact_csv(folder + "/contact.csv", table);
+    write_history(folder + "/history.csv", summary.meshes, scene.kind);
+    write_summary(summary, folder + "/summary.json");
+  }
+
+  template class RunReport<2>;
+  template class RunReport<3>;
+} // namespace Amontons

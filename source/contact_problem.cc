@@ -1,6 +1,7 @@
 #include <amontons/contact/surface_search.h>
 #include <amontons/contact_problem.h>
 #include <amontons/output/files.h>
+#include <amontons/output/physics_checks.h>
 
 #include <sstream>
 
@@ -44,6 +45,7 @@ namespace Amontons
       success = choose_kinematics(success);
     if (success && scene.has_friction())
       add_error_of_increments();
+    success = success && obeys_laws();
     return report.finish(steps->answer(), ending(success));
     //! [run]
   }
@@ -68,6 +70,21 @@ namespace Amontons
                                                 make_model(mesh, finite_strain, t, report.timer()),
                                                 report,
                                                 finite_strain ? nullptr : &small_strain.neglected);
+  }
+
+  // Rounding may leave nothing of forces that are small beside stiffness times motion.
+  template <int dim>
+  bool
+  ContactProblem<dim>::obeys_laws()
+  {
+    const double      allowed = std::max(1e-3, 10 * parameters.newton.tolerance);
+    const std::string broken  = broken_laws(check_physics(steps->answer()), allowed);
+    if (!broken.empty())
+      report.fail(
+          "the answer breaks laws that the iteration could not see broken: " + broken + " (allowed are " +
+          std::to_string(allowed) +
+          "); bodies that move by far more than their size leave nothing but rounding of their strain");
+    return broken.empty();
   }
 
   template <int dim>

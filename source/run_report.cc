@@ -1,6 +1,7 @@
 #include <amontons/output/contact_csv.h>
 #include <amontons/output/files.h>
 #include <amontons/output/history.h>
+#include <amontons/output/physics_checks.h>
 #include <amontons/output/probes.h>
 #include <amontons/run_report.h>
 

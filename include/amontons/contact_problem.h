@@ -38,6 +38,8 @@ namespace Amontons
     measure_increments_elsewhere();
     std::optional<IncrementErrors>
     run_to_measure_increments(const bool finite_strain);
+    bool
+    obeys_laws();
     typename RunReport<dim>::Ending
     ending(const bool success) const;
 

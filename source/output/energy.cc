@@ -1,6 +1,7 @@
 #include <amontons/algebra/eliminated_system.h>
 #include <amontons/base/points.h>
 #include <amontons/output/energy.h>
+#include <amontons/output/nodal_forces.h>
 
 #include <utility>
 

@@ -2,7 +2,8 @@
 #include "contact/contact_scene.h"
 
 #include <amontons/contact/surface_fields.h>
-#include <amontons/output/quantities.h>
+#include <amontons/output/nodal_forces.h>
+#include <amontons/output/physics_checks.h>
 
 // Two unit blocks of two columns each, one on the other; the lower one is held at its bottom. Nothing moves.
 struct TwoBlocks

@@ -20,11 +20,6 @@ namespace Amontons
     const SolutionState<dim>                 &state;
   };
 
-  // Contact force on every DoF of slave and master: -+ weight area Lambda with Lambda = p normal + shear.
-  template <int dim>
-  std::map<types::global_dof_index, double>
-  contact_forces(const Answer<dim> &answer);
-
   template <int dim>
   std::vector<PairSummary>
   summarize_pairs(const Answer<dim> &answer);
@@ -40,14 +35,4 @@ namespace Amontons
   template <int dim>
   std::vector<ReactionSummary>
   compute_reactions(const Answer<dim> &answer);
-
-  // force_balance: norm of loads + reactions + contact forces - internal forces where no support acts,
-  // relative to that of all of them; moment_balance: their moment on a body about the origin, relative to
-  // contact forces times its size; complementarity: max |p g| relative to p_max times the mean face size;
-  // penetration: max(-g) relative to the face size; tension: max(-p) relative to p_max; coulomb_cone: how far
-  // shears exceed their bound, relative to the largest bound; slip_direction: the largest angle between shear
-  // and slip of a node (that of the multiplier, not of the projected traction).
-  template <int dim>
-  std::map<std::string, double>
-  check_physics(const Answer<dim> &answer);
 } // namespace Amontons

@@ -1,0 +1,22 @@
+/// Whether an answer obeys the laws.
+#pragma once
+
+#include <amontons/output/quantities.h>
+
+namespace Amontons
+{
+  /// force_balance: norm of loads + reactions + contact forces - internal forces where no support acts,
+  /// relative to that of all of them; moment_balance: their moment on a body about the origin, relative to
+  /// the sum of all forces on it times its size (both: at least what a strain of 1e-12 takes);
+  /// complementarity: max |p g| relative to p_max times the mean face size; penetration: max(-g) relative to
+  /// the face size; tension: max(-p) relative to p_max; coulomb_cone: how far shears exceed their bound,
+  /// relative to the largest bound; slip_direction: the largest angle between shear and slip of a node (that
+  /// of the multiplier, not of the projected traction). Collective.
+  template <int dim>
+  std::map<std::string, double>
+  check_physics(const Answer<dim> &answer);
+
+  /// Those laws that no answer may break by more than the tolerance, and by how much; empty: none is.
+  std::string
+  broken_laws(const std::map<std::string, double> &checks, const double tolerance);
+} // namespace Amontons

@@ -1,0 +1,196 @@
+#include <amontons/algebra/eliminated_system.h>
+#include <amontons/base/points.h>
+#include <amontons/friction/shear_law.h>
+#include <amontons/output/nodal_forces.h>
+#include <amontons/output/physics_checks.h>
+
+#include <sstream>
+
+namespace Amontons
+{
+  namespace
+  {
+    // How far shears exceed the bound of friction, relative to the largest bound.
+    template <int dim>
+    double
+    cone_excess(const Answer<dim> &answer, const unsigned int i)
+    {
+      const auto &interface = answer.interfaces[i];
+      double      excess = 0, largest = 0;
+      for (unsigned int n = 0; interface.pair->has_friction() && n < interface.slave->nodes.size(); ++n)
+        if (const auto &node = answer.state.contact[i][n]; node.state != ContactState::open)
+          {
+            const auto   X     = as_3d(interface.slave->nodes[n].X);
+            const double bound = shear_bound(*interface.pair, X, answer.state.t, node.pressure).value;
+            excess             = std::max(excess, node.shear.norm() - bound);
+            largest            = std::max(largest, bound);
+          }
+      return largest > 0 ? excess / largest : 0.;
+    }
+
+    // |q/|q| - v/|v|| of the nodes that slip; slips that are nothing beside the others have no direction.
+    template <int dim>
+    double
+    slip_misalignment(const Answer<dim> &answer, const unsigned int i)
+    {
+      const auto &interface = answer.interfaces[i];
+      double      largest = 0, misalignment = 0;
+      if (!interface.pair->has_friction())
+        return 0;
+      for (const auto &node : answer.state.contact[i])
+        if (node.state == ContactState::slip)
+          largest = std::max(largest, node.slip.norm());
+      const double least = std::max(1e-3 * largest, 1e-9 * interface.slave->mean_size);
+      for (const auto &node : answer.state.contact[i])
+        if (node.state == ContactState::slip && node.slip.norm() > least && node.shear.norm() > 0)
+          misalignment =
+              std::max(misalignment, (node.shear / node.shear.norm() - node.slip / node.slip.norm()).norm());
+      return misalignment;
+    }
+
+    using Checks = std::map<std::string, double>;
+
+    template <int dim>
+    void
+    check_contact(const Answer<dim> &answer, Checks &checks)
+    {
+      double penetration = 0, tension = 0, complementarity = 0, cone = 0, misalignment = 0;
+      bool   any_friction = false;
+      for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
+        {
+          const auto &interface = answer.interfaces[i];
+          if (interface.pair->tied)
+            continue;
+          any_friction      = any_friction || interface.pair->has_friction();
+          cone              = std::max(cone, cone_excess(answer, i));
+          misalignment      = std::max(misalignment, slip_misalignment(answer, i));
+          const double h    = interface.slave->mean_size;
+          double       peak = 0;
+          for (const auto &node : answer.state.contact[i])
+            peak = std::max(peak, node.pressure);
+          for (const auto &node : answer.state.contact[i])
+            {
+              penetration = std::max(penetration, -node.gap / h);
+              if (peak > 0)
+                {
+                  tension = std::max(tension, -node.pressure / peak);
+                  complementarity =
+                      std::max(complementarity, std::abs(node.pressure * node.gap) / (peak * h));
+                }
+            }
+        }
+      checks["penetration"]     = penetration;
+      checks["tension"]         = tension;
+      checks["complementarity"] = complementarity;
+      if (any_friction)
+        {
+          checks["coulomb_cone"]   = cone;
+          checks["slip_direction"] = misalignment;
+        }
+    }
+
+    // What is no force: what a strain of 1e-12 takes, E L^(dim - 1) of each body.
+    template <int dim>
+    std::vector<double>
+    forces_of_rounding(const Discretization<dim> &discretization)
+    {
+      std::vector<double> result;
+      for (unsigned int b = 0; b < discretization.scene.bodies.size(); ++b)
+        {
+          const auto  &body      = discretization.scene.bodies[b];
+          const double size      = discretization.geometry.body_sizes[b];
+          const bool   full_turn = discretization.scene.kind == Kind::axisymmetric;
+          result.push_back(
+              body.rigid ? 0. : 1e-12 * body.material.young * std::pow(size, full_turn ? 2 : dim - 1));
+        }
+      return result;
+    }
+
+    // By body: the supports' forces are what is missing for equilibrium on constrained DoFs; elsewhere
+    // nothing may be missing.
+    template <int dim>
+    void
+    check_balance(const Answer<dim> &answer, Checks &checks)
+    {
+      const auto         &discretization = answer.discretization;
+      const MPI_Comm      communicator   = discretization.geometry.communicator;
+      const IndexSet     &owned          = discretization.locally_owned;
+      const auto          places         = locate_dofs(answer);
+      const auto          forces         = support_forces(answer, places);
+      const auto          no_force       = forces_of_rounding(discretization);
+      const unsigned int  n_moments = dim == 2 ? 1 : 3, n_bodies = no_force.size();
+      LA::Vector          missing = discretization.make_owned_vector();
+      std::vector<double> moments(n_bodies * n_moments, 0.), levers(n_bodies, 0.), sums(2, 0.);
+      const auto          add = [&](const unsigned int body, const double force) {
+        sums[1] += force * force;
+        if (body != no_body)
+          levers[body] += std::abs(force) * discretization.geometry.body_sizes[body];
+      };
+      unsigned int i = 0;
+      for (const auto dof : owned)
+        missing(dof) = forces[i++];
+      missing.compress(VectorOperation::insert);
+      const LA::Vector condensed = condense(missing, answer.supports, discretization.make_owned_vector());
+      i                          = 0;
+      for (const auto dof : owned)
+        {
+          const Place<dim> &place = places[i];
+          const double      force = forces[i++], value = condensed(dof);
+          if (place.body == no_body)
+            continue;
+          add(place.body, answer.loads(dof));
+          add(place.body, answer.supports.is_constrained(dof) ? force : value);
+          if (answer.supports.is_constrained(dof))
+            continue;
+          sums[0] += value * value;
+          const auto moment = moment_of(place.X, place.component, value);
+          for (unsigned int k = 0; k < n_moments; ++k)
+            moments[place.body * n_moments + k] += moment[k];
+        }
+      for (const auto &[dof, force] : contact_forces(answer))
+        if (owned.is_element(dof))
+          add(places[owned.index_within_set(dof)].body, force);
+      Utilities::MPI::sum(moments, communicator, moments);
+      Utilities::MPI::sum(levers, communicator, levers);
+      Utilities::MPI::sum(sums, communicator, sums);
+      double &moment_balance = checks["moment_balance"] = 0;
+      for (unsigned int b = 0; b < n_bodies; ++b)
+        {
+          const double lever = std::max(levers[b], no_force[b] * discretization.geometry.body_sizes[b]);
+          for (unsigned int k = 0; k < n_moments && lever > 0; ++k)
+            moment_balance = std::max(moment_balance, std::abs(moments[b * n_moments + k]) / lever);
+        }
+      const double scale = std::max(std::sqrt(sums[1]), *std::max_element(no_force.begin(), no_force.end()));
+      checks["force_balance"] = scale > 0 ? std::sqrt(sums[0]) / scale : 0;
+    }
+  } // namespace
+
+  template <int dim>
+  std::map<std::string, double>
+  check_physics(const Answer<dim> &answer)
+  {
+    Checks checks;
+    check_contact(answer, checks);
+    check_balance(answer, checks);
+    return checks;
+  }
+
+  std::string
+  broken_laws(const std::map<std::string, double> &checks, const double tolerance)
+  {
+    std::ostringstream text;
+    text.precision(2);
+    for (const auto &[name, law] : {std::make_pair("force_balance", "equilibrium of forces"),
+                                    std::make_pair("moment_balance", "equilibrium of moments"),
+                                    std::make_pair("tension", "no tension in the contact"),
+                                    std::make_pair("coulomb_cone", "the bound of friction")})
+      if (const auto check = checks.find(name); check != checks.end() && !(check->second <= tolerance))
+        text << (text.str().empty() ? "" : "; ") << law << " by " << check->second;
+    return text.str();
+  }
+
+  template std::map<std::string, double>
+  check_physics(const Answer<2> &);
+  template std::map<std::string, double>
+  check_physics(const Answer<3> &);
+} // namespace Amontons

@@ -77,8 +77,12 @@ namespace Amontons
   bool
   ContactProblem<dim>::obeys_laws()
   {
-    const double      allowed = std::max(1e-3, 10 * parameters.newton.tolerance);
-    const std::string broken  = broken_laws(check_physics(steps->answer()), allowed);
+    const double allowed = std::max(1e-3, 10 * parameters.newton.tolerance);
+    auto         checks  = check_physics(steps->answer());
+    if (parameters.newton.method == "penalty") // bodies overlap
+      for (const char *const name : {"penetration", "complementarity"})
+        checks.erase(name);
+    const std::string broken = broken_laws(checks, allowed);
     if (!broken.empty())
       report.fail(
           "the answer breaks laws that the iteration could not see broken: " + broken + " (allowed are " +

@@ -89,7 +89,7 @@ namespace Amontons
         }
     }
 
-    // What is no force: what a strain of 1e-12 takes, E L^(dim - 1) of each body.
+    // What is no force: what a strain of 1e-9 takes, E L^(dim - 1) of each body.
     template <int dim>
     std::vector<double>
     forces_of_rounding(const Discretization<dim> &discretization)
@@ -100,8 +100,8 @@ namespace Amontons
           const auto  &body      = discretization.scene.bodies[b];
           const double size      = discretization.geometry.body_sizes[b];
           const bool   full_turn = discretization.scene.kind == Kind::axisymmetric;
-          result.push_back(
-              body.rigid ? 0. : 1e-12 * body.material.young * std::pow(size, full_turn ? 2 : dim - 1));
+          result.push_back(body.rigid ? 0.
+                                      : 1e-9 * body.material.young * std::pow(size, full_turn ? 2 : dim - 1));
         }
       return result;
     }
@@ -183,6 +183,8 @@ namespace Amontons
     for (const auto &[name, law] : {std::make_pair("force_balance", "equilibrium of forces"),
                                     std::make_pair("moment_balance", "equilibrium of moments"),
                                     std::make_pair("tension", "no tension in the contact"),
+                                    std::make_pair("penetration", "no overlap in the contact"),
+                                    std::make_pair("complementarity", "no pressure across a gap"),
                                     std::make_pair("coulomb_cone", "the bound of friction")})
       if (const auto check = checks.find(name); check != checks.end() && !(check->second <= tolerance))
         text << (text.str().empty() ? "" : "; ") << law << " by " << check->second;

@@ -7,7 +7,7 @@ namespace Amontons
 {
   /// force_balance: norm of loads + reactions + contact forces - internal forces where no support acts,
   /// relative to that of all of them; moment_balance: their moment on a body about the origin, relative to
-  /// the sum of all forces on it times its size (both: at least what a strain of 1e-12 takes);
+  /// the sum of all forces on it times its size (both: at least what a strain of 1e-9 takes);
   /// complementarity: max |p g| relative to p_max times the mean face size; penetration: max(-g) relative to
   /// the face size; tension: max(-p) relative to p_max; coulomb_cone: how far shears exceed their bound,
   /// relative to the largest bound; slip_direction: the largest angle between shear and slip of a node (that

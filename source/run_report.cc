@@ -165,20 +165,14 @@ namespace Amontons
           answer.discretization, *solve.evaluation.recovery, answer.state.displacement, summary.notes);
     if (reference && !answer.interfaces.empty() && solve.program.is_last())
       mesh.reference = reference->compare(answer);
-    if (is_incremental(answer)) // known when the increment is committed
+    // Where the load is applied in increments; known when this one is committed.
+    if (scene.has_friction() || answer.elasticity.finite_strain())
       mesh.external_work = mesh.contact_work = mesh.dissipation = unknown;
     summary.meshes.push_back(mesh);
     summary.one_linear_solve_seconds = solve.newton.one_linear_solve_seconds;
     summary.finest_mesh_seconds      = solve.seconds;
     add_notes(solve.newton, answer.interfaces);
     summary.message = solve.newton.failure ? Diagnosis::sentence(*solve.newton.failure) : "";
-  }
-
-  template <int dim>
-  bool
-  RunReport<dim>::is_incremental(const Answer<dim> &answer) const
-  {
-    return scene.has_friction() || answer.elasticity.finite_strain();
   }
 
   template <int dim>
@@ -239,9 +233,8 @@ namespace Amontons
                          const WorkDone<dim>   &work,
                          const Evaluation<dim> &evaluation)
   {
-    if (is_incremental(answer))
+    if (auto &mesh = summary.meshes.back(); mesh.external_work)
       {
-        auto &mesh         = summary.meshes.back();
         mesh.external_work = work.external_work;
         mesh.contact_work  = work.contact_work;
         mesh.dissipation   = work.dissipation;
@@ -322,7 +315,7 @@ namespace Amontons
       summary.error_estimate.kinematics = *ending.kinematic_error;
     if (summary.increments)
       summary.error_estimate.increments = summary.increments->largest();
-    if (is_incremental(answer))
+    if (last.external_work)
       add_energy_checks(ending.history, answer.elasticity.finite_strain());
   }
 

@@ -9,8 +9,8 @@ import pathlib
 import re
 import sys
 
-BOUNDS = {"largest file": 880, "functions over 80 code lines": 4, "functions over 40 code lines": 44, "data members of the largest class": 43}
-MODES = re.compile(r"\b(finite_strain|has_history|incremental|is_repeat|only_increments|measured_increments|follow_motion|automatic)\b")
+BOUNDS = {"largest file": 560, "functions over 80 code lines": 4, "functions over 40 code lines": 42, "data members of the largest class": 22}
+MODES = re.compile(r"\b(finite_strain|has_history|is_incremental|follow_motion|automatic|until_measured|measured)\b")
 
 
 def code_of(text):

@@ -134,8 +134,6 @@ namespace Amontons
     finish(const Answer<dim> &answer, const Ending &ending);
 
   private:
-    bool
-    is_incremental(const Answer<dim> &answer) const;
     NewtonSummary
     summarise(const Solve &solve, const Discretization<dim> &discretization) const;
     void

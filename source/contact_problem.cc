@@ -17,7 +17,7 @@ namespace Amontons
         report(this->scene, parameters.output, folder, quiet, make_reference),
         small_strain(this->scene, parameters)
   {
-    const Where entry{scene.file, 0, "Contact solver/Method"};
+    const SourceLocation entry{scene.file, 0, "Contact solver/Method"};
     if (parameters.newton.method == "node-to-segment" && scene.kinematics != Kinematics::small_strain)
       throw InputError(
           entry, "node-to-segment where surfaces move", "it with 'Kinematics = small strain' only");

@@ -18,7 +18,7 @@ namespace Amontons
           const auto  &node  = contact[row.node];
           const auto   X     = as_3d(interface.slave->nodes[row.node].X);
           const double bound = shear_bound(*interface.pair, X, t, node.pressure).value;
-          unused.push_back(node.state == ContactState::stick ? std::max(0., bound - node.shear.norm()) : 0);
+          unused.push_back(node.state == ContactStatus::stick ? std::max(0., bound - node.shear.norm()) : 0);
         }
       return unused;
     }

@@ -19,7 +19,7 @@ namespace Amontons
       : Model<dim>(other.mesh, true, state.t, timer)
   {
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      interfaces[i].reach = other.interfaces[i].reach;
+      interfaces[i].search_distance = other.interfaces[i].search_distance;
     move_to(state);
   }
 

@@ -100,8 +100,8 @@ namespace Amontons
       history.work.add(answer());
     ++history.record.n_increments;
     history.record.largest_work = history.work.largest_work;
-    if (program.has_landed())
-      history.record.landings.push_back(
+    if (program.is_at_breakpoint())
+      history.record.breakpoints.push_back(
           {record_pairs(model->interfaces, evaluation.fields, history.state), history.work.dissipation});
   }
 
@@ -116,8 +116,8 @@ namespace Amontons
     history.last_converged          = history.state;
     for (unsigned int i = 0; program.at_corner() && i < model->interfaces.size(); ++i)
       for (auto &node : history.state.contact[i])
-        if (model->interfaces[i].pair->has_friction() && node.state == ContactState::slip)
-          node.state = ContactState::stick;
+        if (model->interfaces[i].pair->has_friction() && node.state == ContactStatus::slip)
+          node.state = ContactStatus::stick;
   }
 
   // As a field, which outlives the mesh; and the states that it tells on the present one.

@@ -351,7 +351,7 @@ namespace Amontons
     LoadProgram        plan(scene, is_incremental());
     while (!plan.finished())
       plan.accept(1);
-    const bool few = plan.number() - 1 < 4 * plan.n_landings();
+    const bool few = plan.number() - 1 < 4 * plan.n_breakpoints();
 
     LoadProgram   program(scene, is_incremental(), few ? 0.5 : 2);
     LoadPath<dim> repeat(parameters, model->at_rest(program.next()), timer);

@@ -101,7 +101,7 @@ namespace
         file, overrides, parameters.groups(), {make_displacement_field, displacement_field_corners});
     const std::string folder = output.empty() ? default_output(file) : output;
     const RunSummary  summary =
-        scene.kind == Kind::three_dimensional
+        scene.kind == ProblemType::three_dimensional
              ? ContactProblem<3>(scene, parameters, folder, quiet, make_reference<3>).run()
              : ContactProblem<2>(scene, parameters, folder, quiet, make_reference<2>).run();
     keep_output_folder();

@@ -398,7 +398,7 @@ namespace Amontons
     if (target > 0 && !(error.decisive() <= target))
       note(error.facets > target ? "the target error cannot be reached: facets alone make a larger one"
                                  : "the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'");
-    if (scene.kind == Kind::axisymmetric)
+    if (scene.kind == ProblemType::axisymmetric)
       note("axisymmetric: forces are for the full turn");
     if (std::any_of(answer.fields.begin(), answer.fields.end(), [](const auto &fields) {
           return fields.symmetry_factor > 1;

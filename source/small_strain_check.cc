@@ -59,7 +59,7 @@ namespace Amontons
     bool
     holds_all_rotations(const Discretization<dim> &discretization)
     {
-      if (discretization.scene.kind != Kind::axisymmetric)
+      if (discretization.scene.kind != ProblemType::axisymmetric)
         for (const auto &carrier : discretization.geometry.carriers)
           for (unsigned int k = dim == 2 ? 2 : 0; k < 3; ++k)
             if (!carrier.motion.rotation[k])

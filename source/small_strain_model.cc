@@ -9,9 +9,9 @@ namespace Amontons
                                           const double                          t,
                                           TimerOutput                          &timer,
                                           const std::vector<double>            &known)
-      : Model<dim>(mesh, false, t, timer), reaches(known)
+      : Model<dim>(mesh, false, t, timer), search_distances(known)
   {
-    reaches.resize(interfaces.size(), 0.);
+    search_distances.resize(interfaces.size(), 0.);
     couple_at_rest();
   }
 
@@ -19,7 +19,7 @@ namespace Amontons
   std::unique_ptr<Model<dim>>
   SmallStrainModel<dim>::at_rest(const double t) const
   {
-    return std::make_unique<SmallStrainModel<dim>>(this->mesh, t, timer, reaches);
+    return std::make_unique<SmallStrainModel<dim>>(this->mesh, t, timer, search_distances);
   }
 
   template <int dim>
@@ -27,7 +27,7 @@ namespace Amontons
   SmallStrainModel<dim>::couple_at_rest()
   {
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      interfaces[i].reach = reaches[i];
+      interfaces[i].search_distance = search_distances[i];
     Model<dim>::couple_at_rest();
   }
 
@@ -82,15 +82,15 @@ namespace Amontons
         for (const auto &row : interfaces[i].coupling.rows)
           {
             const auto &node   = state.contact[i][row.node];
-            const bool  closed = node.state != ContactState::open;
+            const bool  closed = node.state != ContactStatus::open;
             any_closed         = any_closed || closed;
             needed             = std::max(needed, closed ? std::abs(row.gap) : row.gap - node.gap);
           }
         if (!any_closed)
           continue;
-        const bool short_here = reaches[i] > 0 && needed > 0.75 * reaches[i];
-        if (short_here || reaches[i] == 0 || (may_shrink && 4 * needed < reaches[i]))
-          reaches[i] = 2 * needed + 1e-3 * interfaces[i].slave->mean_size;
+        const bool short_here = search_distances[i] > 0 && needed > 0.75 * search_distances[i];
+        if (short_here || search_distances[i] == 0 || (may_shrink && 4 * needed < search_distances[i]))
+          search_distances[i] = 2 * needed + 1e-3 * interfaces[i].slave->mean_size;
         too_short = too_short || short_here;
       }
     if (!too_short)

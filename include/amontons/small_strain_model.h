@@ -16,7 +16,7 @@ namespace Amontons
     SmallStrainModel(const std::shared_ptr<BodyMesh<dim>> &mesh,
                      const double                          t,
                      TimerOutput                          &timer,
-                     const std::vector<double>            &reaches = {});
+                     const std::vector<double>            &search_distances = {});
 
     std::unique_ptr<Model<dim>>
     at_rest(const double t) const override;
@@ -53,6 +53,6 @@ namespace Amontons
     double
     gap_to_cover(const ContactInterface<dim> &interface, const OverlapPoint<dim> &point) const override;
 
-    std::vector<double> reaches; // by pair, of the next coupling; 0: not known yet
+    std::vector<double> search_distances; // by pair, of the next coupling; 0: not known yet
   };
 } // namespace Amontons

@@ -374,7 +374,7 @@ namespace Amontons
 
       const Discretization<dim>          &discretization;
       const StressRecovery<dim>          &recovery;
-      const Kind                          kind;
+      const ProblemType                   kind;
       const QGauss<dim>                   gauss;
       const TensorProductPolynomials<dim> gauss_polynomials; // Lagrange polynomials of the Gauss points
       const QGauss<dim - 1>               on_face;

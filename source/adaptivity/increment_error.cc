@@ -40,7 +40,7 @@ namespace Amontons
     largest_force(const LoadRecord &record, const unsigned int pair)
     {
       double force = 0;
-      for (const auto &landing : record.landings)
+      for (const auto &landing : record.breakpoints)
         force = std::max(force, landing.pairs[pair].normal_force.norm());
       return force;
     }
@@ -60,7 +60,7 @@ namespace Amontons
     errors.repeated_with = repeat.n_increments;
     const double factor  = 1 / std::abs(double(run.n_increments) / repeat.n_increments - 1);
 
-    const unsigned int  n_pairs = run.landings.empty() ? 0 : run.landings[0].pairs.size();
+    const unsigned int  n_pairs = run.breakpoints.empty() ? 0 : run.breakpoints[0].pairs.size();
     std::vector<double> forces(1, 0.);
     for (unsigned int i = 0; i < n_pairs; ++i)
       forces.push_back(largest_force(run, i));
@@ -72,9 +72,9 @@ namespace Amontons
         // Changes and what they count against, each the largest of the program.
         double pressure = 0, pressure_scale = 0, shear = 0, shear_scale = 0, stick = 0, size = 0;
         double normal = 0, normal_scale = 0, tangential = 0, tangential_scale = 0;
-        for (unsigned int l = 0; l < run.landings.size(); ++l)
+        for (unsigned int l = 0; l < run.breakpoints.size(); ++l)
           {
-            const auto  &a = run.landings[l].pairs[i], &b = repeat.landings[l].pairs[i];
+            const auto  &a = run.breakpoints[l].pairs[i], &b = repeat.breakpoints[l].pairs[i];
             const Norms  sums  = norms(a, b);
             const double force = a.normal_force.norm();
             pressure           = std::max(pressure, sums.pressure_change);
@@ -97,11 +97,11 @@ namespace Amontons
         errors.tangential_force =
             std::max(errors.tangential_force, factor * relative(tangential, tangential_scale));
       }
-    for (unsigned int l = 0; l < run.landings.size(); ++l)
-      errors.dissipation =
-          std::max(errors.dissipation,
-                   factor * relative(std::abs(repeat.landings[l].dissipation - run.landings[l].dissipation),
-                                     run.largest_work));
+    for (unsigned int l = 0; l < run.breakpoints.size(); ++l)
+      errors.dissipation = std::max(
+          errors.dissipation,
+          factor * relative(std::abs(repeat.breakpoints[l].dissipation - run.breakpoints[l].dissipation),
+                            run.largest_work));
     return errors;
   }
 } // namespace Amontons

@@ -44,7 +44,7 @@ namespace Amontons
       if (interfaces[i].pair->has_friction())
         most = std::max<unsigned int>(
             most, std::count_if(state.contact[i].begin(), state.contact[i].end(), [](const auto &node) {
-              return node.state != ContactState::open;
+              return node.state != ContactStatus::open;
             }));
     return most >= (dim == 2 ? 10 : 20);
   }

@@ -111,7 +111,7 @@ namespace Amontons
         for (const auto &row : interfaces[i].coupling.rows)
           {
             const auto &node   = state.contact[i][row.node];
-            const bool  closed = node.state != ContactState::open;
+            const bool  closed = node.state != ContactStatus::open;
             place.nodes.back().push_back({row.node, closed, row.area, node.pressure, row.gap, node.gap});
           }
       }
@@ -131,11 +131,11 @@ namespace Amontons
     std::vector<ContactInterface<dim>> result(interfaces.size());
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
-        result[i].pair    = interfaces[i].pair;
-        result[i].slave   = std::make_unique<ContactSurface<dim>>(*interfaces[i].slave);
-        result[i].master  = interfaces[i].master;
-        result[i].carried = interfaces[i].carried;
-        result[i].reach   = interfaces[i].reach + place.motion;
+        result[i].pair            = interfaces[i].pair;
+        result[i].slave           = std::make_unique<ContactSurface<dim>>(*interfaces[i].slave);
+        result[i].master          = interfaces[i].master;
+        result[i].carried         = interfaces[i].carried;
+        result[i].search_distance = interfaces[i].search_distance + place.motion;
         if (interfaces[i].master_surface)
           {
             result[i].master_surface = std::make_unique<ContactSurface<dim>>(*interfaces[i].master_surface);

@@ -72,10 +72,10 @@ namespace Amontons
             const bool           slips = !pair.has_friction() || shear.norm() > 1;
             auto                &known = contact[row.node];
             known.has_multiplier       = true;
-            known.state                = pair.tied   ? ContactState::stick
-                                         : edge <= 0 ? ContactState::open
-                                         : slips     ? ContactState::slip
-                                                     : ContactState::stick;
+            known.state                = pair.tied   ? ContactStatus::stick
+                                         : edge <= 0 ? ContactStatus::open
+                                         : slips     ? ContactStatus::slip
+                                                     : ContactStatus::stick;
             known.pressure             = state.peaks[i] * std::sqrt(std::max(0., edge));
             known.trial                = shear;
           }

@@ -8,7 +8,7 @@ namespace Amontons
   std::vector<std::vector<double>>
   rigid_body_modes(const Discretization<dim> &discretization)
   {
-    const bool                       axisymmetric = discretization.scene.kind == Kind::axisymmetric;
+    const bool                       axisymmetric = discretization.scene.kind == ProblemType::axisymmetric;
     const unsigned int               n_modes      = axisymmetric ? 2 : dim * (dim + 1) / 2;
     const auto                      &owned        = discretization.locally_owned;
     std::vector<std::vector<double>> modes(n_modes, std::vector<double>(owned.n_elements(), 0.));

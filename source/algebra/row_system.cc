@@ -121,7 +121,7 @@ namespace Amontons
   RowSystem::link(const Constraints              &supports,
                   const ContactConstraints       &test,
                   const std::vector<LocalMatrix> &further,
-                  const std::vector<WrittenRow>  &rows)
+                  const std::vector<ContactRow>  &rows)
   {
     bool is_new = false;
     for (const auto &pivot : test.pivots())
@@ -225,7 +225,7 @@ namespace Amontons
                       const ContactConstraints       &test,
                       const std::vector<LocalMatrix> &further,
                       const LA::Vector               *diagonal,
-                      const std::vector<WrittenRow>  &rows,
+                      const std::vector<ContactRow>  &rows,
                       const bool                      with_eliminated_form)
   {
     constraints = &test;
@@ -366,7 +366,7 @@ namespace Amontons
   }
 
   void
-  RowSystem::write_rows(const std::vector<WrittenRow> &rows, const Constraints &supports)
+  RowSystem::write_rows(const std::vector<ContactRow> &rows, const Constraints &supports)
   {
     written.clear();
     for (const auto &row : rows)

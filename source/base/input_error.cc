@@ -8,7 +8,7 @@ namespace Amontons
   namespace
   {
     std::string
-    message(const Where &where, const std::string &found, const std::string &allowed)
+    message(const SourceLocation &where, const std::string &found, const std::string &allowed)
     {
       std::string text = where.file;
       if (where.line > 0)
@@ -46,7 +46,7 @@ namespace Amontons
     }
   } // namespace
 
-  InputError::InputError(const Where &where, const std::string &found, const std::string &allowed)
+  InputError::InputError(const SourceLocation &where, const std::string &found, const std::string &allowed)
       : std::runtime_error(message(where, found, allowed))
   {
   }

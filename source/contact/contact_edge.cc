@@ -69,7 +69,7 @@ namespace Amontons
     std::vector<double> result(slave.nodes.size());
     double              largest = 0;
     const auto          presses = [&](const unsigned int i) {
-      return fields.state[i] != ContactState::open && fields.pressure[i] > 0;
+      return fields.state[i] != ContactStatus::open && fields.pressure[i] > 0;
     };
     for (unsigned int i = 0; i < result.size(); ++i)
       if (presses(i))

@@ -163,7 +163,7 @@ namespace Amontons
     // whether it must be integrated again.
     template <int dim>
     std::vector<bool>
-    settle_shared_nodes(const std::vector<ContactInterface<dim>> &interfaces,
+    resolve_crosspoints(const std::vector<ContactInterface<dim>> &interfaces,
                         std::vector<std::vector<bool>>           &carries)
     {
       struct Claim
@@ -231,7 +231,7 @@ namespace Amontons
                   stays,
                   interface);
       }
-    const auto again = settle_shared_nodes(interfaces, carries);
+    const auto again = resolve_crosspoints(interfaces, carries);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         if (again[i])

@@ -366,7 +366,7 @@ namespace Amontons
       if (condition.type == ConditionData::Type::symmetry)
         for (const auto &name : condition.boundaries)
           planes.insert(discretization.geometry.boundary(name, discretization.scene).id);
-    const bool axisymmetric = discretization.scene.kind == Kind::axisymmetric;
+    const bool axisymmetric = discretization.scene.kind == ProblemType::axisymmetric;
     if (planes.empty() && !axisymmetric)
       return;
 

@@ -32,7 +32,7 @@ namespace Amontons
     //   d(gap) = (H/area . dP + normal . dH - 2 gap darea)/area.
     template <int dim>
     void
-    add_face(const CouplingRow<dim>     &row,
+    add_face(const MortarRow<dim>       &row,
              const FaceDerivatives<dim> &face,
              const unsigned int          i,
              RowGradient<dim>           &gradient)

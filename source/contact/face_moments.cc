@@ -1,5 +1,5 @@
 #include <amontons/contact/face_moments.h>
-#include <amontons/contact/varied_points.h>
+#include <amontons/contact/ad_numbers.h>
 
 namespace Amontons
 {
@@ -14,7 +14,11 @@ namespace Amontons
 
       // row += a da + b db
       void
-      add(const unsigned int row, const double a, const Varied<n> &da, const double b, const Varied<n> &db)
+      add(const unsigned int row,
+          const double       a,
+          const ADNumber<n> &da,
+          const double       b,
+          const ADNumber<n> &db)
       {
         double *const       to = &numbers[row * n];
         const double *const x = da.dx(), *const y = db.dx();
@@ -44,13 +48,13 @@ namespace Amontons
 
       // Each term is the product of w L_k with a second factor.
       void
-      add(const CoveredBasis<dim - 1> &basis, const VariedPoint<dim, n> &p)
+      add(const CoveredBasis<dim - 1> &basis, const PointAD<dim, n> &p)
       {
-        const Point<dim - 1>       xi     = value_of(p.xi);
-        const auto                 L      = basis.values(xi);
-        const auto                 slopes = basis.gradients(xi);
-        const double               w      = p.weight.val();
-        Components<dim, Varied<n>> gn     = scaled(p.gap, p.normal);
+        const Point<dim - 1>         xi     = value_of(p.xi);
+        const auto                   L      = basis.values(xi);
+        const auto                   slopes = basis.gradients(xi);
+        const double                 w      = p.weight.val();
+        Components<dim, ADNumber<n>> gn     = scaled(p.gap, p.normal);
         for (unsigned int k = 0; k < L.size(); ++k)
           {
             dL[k] = slopes[k][0] * p.xi[0];
@@ -86,7 +90,7 @@ namespace Amontons
       Rows<n>                     dG, dN, dP, dH;
 
     private:
-      std::vector<Varied<n>> dL, dwL;
+      std::vector<ADNumber<n>> dL, dwL;
     };
 
     // Adds the part above one master face, whose nodes have the places `master` among those of the moments.
@@ -198,13 +202,13 @@ namespace Amontons
       moments.dP.reinit(moments.n * dim, moments.n_variables);
       moments.dH.reinit(moments.n * dim, moments.n_variables);
 
-      const Clipper<dim, Varied<n>> clipper({*interface.slave, points[0].slave_face, 0, n_slave / 2});
-      unsigned int                  next = 0;
+      const Clipper<dim, ADNumber<n>> clipper({*interface.slave, points[0].slave_face, 0, n_slave / 2});
+      unsigned int                    next = 0;
       for (const auto &group : by_master_face(points))
         {
           const auto        &master = places[next++];
           MomentSums<dim, n> part(moments.n, master.size());
-          vary_points<dim, n>(discretization, interface, clipper, group, [&](const VariedPoint<dim, n> &p) {
+          vary_points<dim, n>(discretization, interface, clipper, group, [&](const PointAD<dim, n> &p) {
             part.add(basis, p);
           });
           add_part(part, master, n_slave, moments);

@@ -67,10 +67,10 @@ namespace Amontons
                 const unsigned int               slave_face,
                 const ContactSurface<2>         &master,
                 const std::vector<unsigned int> &master_faces,
-                const double                     reach,
+                const double                     search_distance,
                 std::vector<OverlapPoint<2>>    &points)
   {
-    append_overlaps<2>(slave, slave_face, master, master_faces, reach, points);
+    append_overlaps<2>(slave, slave_face, master, master_faces, search_distance, points);
   }
 
   void
@@ -78,7 +78,7 @@ namespace Amontons
                    const unsigned int            slave_face,
                    const ObstacleData           &obstacle,
                    const AffineMap<2>           &motion,
-                   const double                  reach,
+                   const double                  search_distance,
                    std::vector<OverlapPoint<2>> &points)
   {
     const auto opposite = [&](const double xi) {
@@ -117,7 +117,8 @@ namespace Amontons
       if (ends[i + 1] - ends[i] > 1e-12)
         integrate_segment<double>(
             {slave, slave_face}, ends[i], ends[i + 1], [&](const unsigned int n, const auto &slave_point) {
-              append_piece<2>(n, slave_face, slave_point, project_to(obstacle, motion), reach, points);
+              append_piece<2>(
+                  n, slave_face, slave_point, project_to(obstacle, motion), search_distance, points);
             });
   }
 } // namespace Amontons

@@ -129,10 +129,10 @@ namespace Amontons
                 const unsigned int               slave_face,
                 const ContactSurface<3>         &master,
                 const std::vector<unsigned int> &master_faces,
-                const double                     reach,
+                const double                     search_distance,
                 std::vector<OverlapPoint<3>>    &points)
   {
-    append_overlaps<3>(slave, slave_face, master, master_faces, reach, points);
+    append_overlaps<3>(slave, slave_face, master, master_faces, search_distance, points);
   }
 
   void
@@ -140,12 +140,12 @@ namespace Amontons
                    const unsigned int            slave_face,
                    const ObstacleData           &obstacle,
                    const AffineMap<3>           &motion,
-                   const double                  reach,
+                   const double                  search_distance,
                    std::vector<OverlapPoint<3>> &points)
   {
-    const VariedFace<3, double> face{slave, slave_face};
-    const auto                  append = [&](const unsigned int n, const auto &slave_point) {
-      append_piece<3>(n, slave_face, slave_point, project_to(obstacle, motion), reach, points);
+    const FaceAD<3, double> face{slave, slave_face};
+    const auto              append = [&](const unsigned int n, const auto &slave_point) {
+      append_piece<3>(n, slave_face, slave_point, project_to(obstacle, motion), search_distance, points);
     };
     const auto is_opposite = [&](const Point<2> &xi) {
       return project_to_obstacle(

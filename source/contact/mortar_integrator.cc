@@ -247,13 +247,13 @@ namespace Amontons
     // jump is multiplied with, so that a uniform interference is met by the uniform displacement),
     // int psi_i B_j (slave),  int psi_i N_q (master). closest: the smallest gap of all points.
     template <int dim>
-    CouplingRow<dim>
+    MortarRow<dim>
     make_row(const ContactSurface<dim> &slave,
              const unsigned int         node,
              const RowSums<dim>        &sums,
              const double               closest)
     {
-      CouplingRow<dim> row;
+      MortarRow<dim> row;
       row.node       = node;
       row.area       = sums.area;
       row.normal     = sums.normal / sums.area;
@@ -360,7 +360,7 @@ namespace Amontons
     const MPI_Comm             communicator = discretization.geometry.communicator;
     const FacesWithPoints<dim> points_of(slave.faces.size(), points, communicator);
     Coupling<dim>              coupling;
-    const bool                 axisymmetric = discretization.scene.kind == Kind::axisymmetric;
+    const bool                 axisymmetric = discretization.scene.kind == ProblemType::axisymmetric;
     const auto                 coverage     = covered_shares(slave, points_of, axisymmetric, communicator);
     auto                       carries      = carries_multiplier;
     for (unsigned int i = 0; i < carries.size(); ++i)

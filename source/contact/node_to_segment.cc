@@ -121,8 +121,8 @@ namespace Amontons
           faces[node].insert(p.master_face);
           own[node] = p.slave_face;
         }
-    const auto                    areas = nodal_areas(interface);
-    std::vector<CouplingRow<dim>> rows;
+    const auto                  areas = nodal_areas(interface);
+    std::vector<MortarRow<dim>> rows;
     for (auto &row : interface.coupling.rows)
       {
         const auto &node  = slave.nodes[row.node];

@@ -16,12 +16,12 @@ namespace Amontons
     // What the lines along the normals meet within `reach`.
     template <int dim>
     BoundingBox<dim>
-    swept_box(const ContactSurface<dim> &slave, const unsigned int face, const double reach)
+    swept_box(const ContactSurface<dim> &slave, const unsigned int face, const double search_distance)
     {
       std::vector<Point<dim>> points;
       for (const unsigned int node : slave.faces[face].nodes)
         for (const double sign : {-1., 1.})
-          points.push_back(slave.nodes[node].x + sign * reach * slave.nodes[node].normal);
+          points.push_back(slave.nodes[node].x + sign * search_distance * slave.nodes[node].normal);
       BoundingBox<dim> box(points);
       box.extend(0.1 * slave.faces[face].size); // curvature between the nodes
       return box;
@@ -148,7 +148,7 @@ namespace Amontons
   find_overlaps(const PairData            &pair,
                 const ContactSurface<dim> &slave,
                 const MasterSide<dim>     &master,
-                const double               reach,
+                const double               search_distance,
                 const bool                 axisymmetric,
                 const MPI_Comm             communicator,
                 const bool                 moved,
@@ -167,15 +167,15 @@ namespace Amontons
         return points;
       if (master.surface == nullptr)
         {
-          overlap_obstacle(slave, s, *master.obstacle, master.motion, reach, points);
+          overlap_obstacle(slave, s, *master.obstacle, master.motion, search_distance, points);
           return points;
         }
       candidates.clear();
-      const auto box = swept_box(slave, s, reach);
+      const auto box = swept_box(slave, s, search_distance);
       for (auto it = tree.qbegin(boost::geometry::index::intersects(box)); it != tree.qend(); ++it)
         candidates.push_back(it->second);
       std::sort(candidates.begin(), candidates.end());
-      overlap_faces(slave, s, *master.surface, candidates, reach, points);
+      overlap_faces(slave, s, *master.surface, candidates, search_distance, points);
       return points;
     };
     std::vector<OverlapPoint<dim>> points;

@@ -164,7 +164,7 @@ namespace Amontons
 
       // A plane cuts the contact if it is as near as an end of half a contact is (1.6 spreads for half of a
       // Hertz pressure).
-      const bool       axisymmetric = discretization.scene.kind == Kind::axisymmetric;
+      const bool       axisymmetric = discretization.scene.kind == ProblemType::axisymmetric;
       auto            &planes       = fields.symmetry_planes;
       const Point<dim> force_centre = centre;
       for (unsigned int i = 0; i < interface.slave->nodes.size(); ++i)
@@ -205,7 +205,7 @@ namespace Amontons
       centre /= total;
       for (const auto &normal : fields.symmetry_planes)
         centre -= (normal * (centre - fields.centre)) * normal;
-      if (discretization.scene.kind == Kind::axisymmetric)
+      if (discretization.scene.kind == ProblemType::axisymmetric)
         centre[0] = 0;
       return centre;
     }
@@ -227,7 +227,7 @@ namespace Amontons
           force += f;
           second_moment += f * (r * r - (r * p.normal) * (r * p.normal));
         }
-      const double factor = dim == 2 && discretization.scene.kind != Kind::axisymmetric ? 4 : 2.5;
+      const double factor = dim == 2 && discretization.scene.kind != ProblemType::axisymmetric ? 4 : 2.5;
       return force > 0 ? std::sqrt(std::max(0., factor * second_moment / force)) : 0;
     }
 
@@ -426,7 +426,7 @@ namespace Amontons
               {
                 gap += weight * fields.gap[parent];
                 fields.slip[i] += weight * fields.slip[parent];
-                if (fields.state[parent] != ContactState::open && std::abs(weight) > largest)
+                if (fields.state[parent] != ContactStatus::open && std::abs(weight) > largest)
                   {
                     largest         = std::abs(weight);
                     fields.state[i] = fields.state[parent];
@@ -468,7 +468,7 @@ namespace Amontons
     fields.traction.resize(n);
     fields.slip.resize(n);
     fields.force.resize(n);
-    fields.state.assign(n, ContactState::open);
+    fields.state.assign(n, ContactStatus::open);
     for (const auto &node : slave.nodes)
       {
         fields.normal.push_back(node.normal);
@@ -499,14 +499,14 @@ namespace Amontons
       }
     add_slips(discretization, interface, displacement, fields);
     fill_hanging_nodes(slave, fields);
-    if (discretization.scene.kind == Kind::axisymmetric) // nodal traces: no row on the axis
+    if (discretization.scene.kind == ProblemType::axisymmetric) // nodal traces: no row on the axis
       for (const auto &[node, others] : interface.coupling.slivers)
         if (is_on_axis(slave, node))
           fields.state[node] = fields.state[others[0]];
     // Resultants need the projection that keeps all moments; what is shown and compared is >= 0 where the
     // multipliers are: the same for tied surfaces and for those that stick.
     fields.pressure = control_to_nodal(slave, project(interface, pressures));
-    if (discretization.scene.kind == Kind::axisymmetric) // radial forces cancel over the full turn
+    if (discretization.scene.kind == ProblemType::axisymmetric) // radial forces cancel over the full turn
       fields.normal_force[0] = fields.tangential_force[0] = 0;
     add_resultants(discretization, interface, fields);
     fields.pressure      = control_to_nodal(slave, project(interface, pressures, true));
@@ -517,7 +517,7 @@ namespace Amontons
         fields.stick_centre = stick_centre(discretization, interface, fields, unused);
         fields.stick_size   = size_of(discretization, interface, fields.stick_centre, unused);
       }
-    fields.is_covered = covered_nodes(interface, discretization.scene.kind == Kind::axisymmetric);
+    fields.is_covered = covered_nodes(interface, discretization.scene.kind == ProblemType::axisymmetric);
     if (interface.pair->has_friction())
       fields.bound = control_to_nodal(slave, project(interface, bounds, true));
     if (interface.pair->tied || interface.pair->has_friction())

@@ -56,7 +56,7 @@ namespace Amontons
 
     template <int dim>
     std::vector<OverlapPoint<dim>>
-    overlaps_within(const double                 reach,
+    overlaps_within(const double                 search_distance,
                     const Discretization<dim>   &discretization,
                     const ContactInterface<dim> &interface,
                     const bool                   moved)
@@ -64,8 +64,8 @@ namespace Amontons
       return find_overlaps(*interface.pair,
                            *interface.slave,
                            interface.master,
-                           reach,
-                           discretization.scene.kind == Kind::axisymmetric,
+                           search_distance,
+                           discretization.scene.kind == ProblemType::axisymmetric,
                            discretization.geometry.communicator,
                            moved,
                            interface.wanted_faces);
@@ -86,8 +86,8 @@ namespace Amontons
           closest = std::min(closest, p.gap);
       if (closest == std::numeric_limits<double>::max())
         return {};
-      interface.reach = depth_of_search(interface) + 2 * closest;
-      return overlaps_within(interface.reach, discretization, interface, false);
+      interface.search_distance = depth_of_search(interface) + 2 * closest;
+      return overlaps_within(interface.search_distance, discretization, interface, false);
     }
 
     template <int dim>
@@ -301,10 +301,10 @@ namespace Amontons
   find_partners(const Discretization<dim> &discretization, ContactInterface<dim> &interface, const bool moved)
   {
     const PairData &pair = *interface.pair;
-    if (interface.reach == 0)
-      interface.reach =
+    if (interface.search_distance == 0)
+      interface.search_distance =
           depth_of_search(interface) + 2 * closest_distance(interface, discretization.geometry.communicator);
-    auto points = overlaps_within(interface.reach, discretization, interface, moved);
+    auto points = overlaps_within(interface.search_distance, discretization, interface, moved);
     if (!moved)
       {
         if (points.empty())

@@ -1,4 +1,4 @@
-#include <amontons/contact/varied_face.h>
+#include <amontons/contact/face_ad.h>
 
 namespace Amontons
 {

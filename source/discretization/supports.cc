@@ -122,7 +122,7 @@ namespace Amontons
     for (const auto &condition : scene.conditions)
       if (condition.type == ConditionData::Type::platen)
         constrain_platen(constraints, condition);
-    if (scene.kind == Kind::axisymmetric) // u_r = 0 on the axis
+    if (scene.kind == ProblemType::axisymmetric) // u_r = 0 on the axis
       {
         const auto                          &base = fe.base_element(0);
         std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
@@ -173,7 +173,7 @@ namespace Amontons
       constraints.add_entries(dof, terms);
       constraints.set_inhomogeneity(dof, value);
     };
-    const bool axisymmetric = scene.kind == Kind::axisymmetric;
+    const bool axisymmetric = scene.kind == ProblemType::axisymmetric;
 
     for (unsigned int m = 0; m < carrier_dofs.size(); ++m)
       {

@@ -30,7 +30,7 @@ namespace Amontons
                                               const bool                 finite_strain)
       : discretization(discretization), is_finite(finite_strain),
         n_values(discretization.fe.n_dofs_per_cell() * (discretization.fe.n_dofs_per_cell() + 1) / 2),
-        n_dilatations(!finite_strain || discretization.scene.kind == Kind::plane_stress
+        n_dilatations(!finite_strain || discretization.scene.kind == ProblemType::plane_stress
                           ? 0
                           : PressureProjection<dim>::n_coefficients(discretization.fe.degree))
   {
@@ -385,7 +385,7 @@ namespace Amontons
       const LA::Vector                                     &u) const
   {
     const auto                          &fe   = discretization.fe;
-    const Kind                           kind = discretization.scene.kind;
+    const ProblemType                    kind = discretization.scene.kind;
     const auto                          &law  = materials[cell->material_id()];
     const double                         bulk = std::min(law.lambda, 2 * law.mu);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
@@ -405,8 +405,8 @@ namespace Amontons
               H[c] += local[fe.component_to_system_index(c, j)] * gradient;
             radial += local[first] * values.shape_value(first, q);
           }
-        const Point<dim>    &X    = values.quadrature_point(q);
-        const double         hoop = kind == Kind::axisymmetric ? radial / X[0] : 0, out = 0.5 * hoop * hoop;
+        const Point<dim> &X = values.quadrature_point(q);
+        const double hoop = kind == ProblemType::axisymmetric ? radial / X[0] : 0, out = 0.5 * hoop * hoop;
         const Tensor<2, dim> e  = 0.5 * transpose(H) * H;
         const double         tr = trace(e) + out;
         energy += (2 * law.mu * (e.norm_square() + out * out) + bulk * tr * tr) * values.JxW(q) *

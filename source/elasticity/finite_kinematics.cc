@@ -6,7 +6,7 @@
 namespace Amontons
 {
   template <int dim>
-  FiniteKinematics<dim>::FiniteKinematics(const FiniteElement<dim> &fe, const Kind kind)
+  FiniteKinematics<dim>::FiniteKinematics(const FiniteElement<dim> &fe, const ProblemType kind)
       : kind(kind), n_nodes(fe.n_dofs_per_cell() / dim)
   {
     for (unsigned int c = 0; c < dim; ++c)
@@ -25,7 +25,7 @@ namespace Amontons
     weights.resize(n_q);
     volume_changes.resize(n_q);
     spatial_gradients.reinit(n_q * dim, n_nodes, true);
-    if (kind == Kind::axisymmetric)
+    if (kind == ProblemType::axisymmetric)
       hoops.resize(n_q * n_nodes);
 
     for (unsigned int q = 0; q < n_q; ++q)
@@ -44,7 +44,7 @@ namespace Amontons
       return std::min(smallest, 0.);
     for (unsigned int q = 0; q < n_q; ++q)
       push_forward(values, q);
-    if (kind == Kind::plane_stress)
+    if (kind == ProblemType::plane_stress)
       dilatations = volume_changes;
     else
       set_dilatations(values, theta);
@@ -80,7 +80,7 @@ namespace Amontons
           for (unsigned int d = 0; d < dim; ++d)
             H[c][d] += u[index(c, m)] * gradient[d];
       }
-    if (kind == Kind::axisymmetric)
+    if (kind == ProblemType::axisymmetric)
       for (unsigned int m = 0; m < n_nodes; ++m)
         {
           const unsigned int i = index(0, m);
@@ -106,7 +106,7 @@ namespace Amontons
               sum += inverse[e][d] * gradient[e];
             spatial_gradients(q * dim + d, m) = sum;
           }
-        if (kind == Kind::axisymmetric)
+        if (kind == ProblemType::axisymmetric)
           hoops[q * n_nodes + m] = values.shape_value(i, q) / values.quadrature_point(q)[0] * inverse[2][2];
       }
   }

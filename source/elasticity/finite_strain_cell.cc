@@ -34,8 +34,8 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  FiniteStrainCell<dim>::FiniteStrainCell(const FiniteElement<dim> &fe, const Kind kind)
-      : kinematics(fe, kind), projects(kind != Kind::plane_stress)
+  FiniteStrainCell<dim>::FiniteStrainCell(const FiniteElement<dim> &fe, const ProblemType kind)
+      : kinematics(fe, kind), projects(kind != ProblemType::plane_stress)
   {
   }
 
@@ -148,7 +148,7 @@ namespace Amontons
     fill_material_stresses();
     strains.Tmmult(K, material_stresses);
     add_geometric(K);
-    if (kinematics.kind == Kind::axisymmetric)
+    if (kinematics.kind == ProblemType::axisymmetric)
       add_hoop(K);
   }
 

@@ -74,7 +74,7 @@ namespace Amontons
   }
 
   template <int dim>
-  StrainOperator<dim>::StrainOperator(const FiniteElement<dim> &fe, const Kind kind)
+  StrainOperator<dim>::StrainOperator(const FiniteElement<dim> &fe, const ProblemType kind)
       : kind(kind), n_dofs(fe.n_dofs_per_cell())
   {
     for (unsigned int i = 0; i < n_dofs; ++i)
@@ -102,7 +102,7 @@ namespace Amontons
             if (dim == 2)
               {
                 b[3] = g[1 - c];
-                if (kind == Kind::axisymmetric && c == 0)
+                if (kind == ProblemType::axisymmetric && c == 0)
                   b[2] = values.shape_value(i, q) / r;
               }
             else
@@ -126,7 +126,7 @@ namespace Amontons
               }
           }
       }
-    if (kind != Kind::plane_stress)
+    if (kind != ProblemType::plane_stress)
       project_dilatation(values);
   }
 

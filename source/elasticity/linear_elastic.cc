@@ -3,8 +3,8 @@
 namespace Amontons
 {
   template <int dim>
-  LinearElastic<dim>::LinearElastic(const MaterialData &material, const Kind kind)
-      : plane_stress(kind == Kind::plane_stress), poisson(material.poisson)
+  LinearElastic<dim>::LinearElastic(const MaterialData &material, const ProblemType kind)
+      : plane_stress(kind == ProblemType::plane_stress), poisson(material.poisson)
   {
     const double E = material.young, nu = material.poisson;
     mu     = E / (2 * (1 + nu));

@@ -172,7 +172,7 @@ namespace Amontons
               loads(u[k][c]) += force;
               loads(u[0][c]) -= force;
             };
-            if (kind == Kind::axisymmetric)
+            if (kind == ProblemType::axisymmetric)
               continue;
             add_couple(1, 1, motion.moment[2].value(motion.reference, t) / s);
             if (dim == 3)
@@ -220,7 +220,7 @@ namespace Amontons
       }
 
       const Discretization<dim>            &discretization;
-      const Kind                            kind;
+      const ProblemType                     kind;
       const double                          t;
       const std::vector<CoveredPoint<dim>> &covered;
       const LA::Vector                     *u; // of finite strain

@@ -60,13 +60,13 @@ namespace Amontons
         const auto          &normal   = face.normals[q];
         Tensor<1, dim>       change =
             measure<dim>(kind, face.positions[q]) * (gradient[c] * normal - normal[c] * gradient);
-        if (kind == Kind::axisymmetric && c == 0)
+        if (kind == ProblemType::axisymmetric && c == 0)
           change += 2 * numbers::PI * values.shape_value(j, q) * normal;
         return change;
       }
 
       const FiniteElement<dim> &fe;
-      const Kind                kind;
+      const ProblemType         kind;
       const double              t;
       const LA::Vector         &u;
       FEFaceValues<dim>         values;

@@ -154,7 +154,7 @@ namespace Amontons
 
     // Whatever OpenCASCADE has to say ends in one message.
     TopoDS_Shape
-    read_shape(const TrueGeometry &geometry, const Where &where)
+    read_shape(const TrueGeometry &geometry, const SourceLocation &where)
     {
       Message::DefaultMessenger()->ChangePrinters().Clear();
       const std::string ending  = file_ending(geometry.file);

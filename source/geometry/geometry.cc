@@ -16,7 +16,7 @@ namespace Amontons
   {
     template <int dim>
     CoarseMesh<dim>
-    make_body(const BodyData &body, const Kind kind, MPI_Comm communicator)
+    make_body(const BodyData &body, const ProblemType kind, MPI_Comm communicator)
     {
       CoarseMesh<dim> mesh = body.shape == "file" ? read_grid<dim>(body, communicator) : make_grid<dim>(body);
       check_cell_count<dim>(body, mesh.cells.size());
@@ -236,7 +236,7 @@ namespace Amontons
             {static_cast<types::material_id>(geometry.n_bodies + geometry.carriers.size()),
              motion,
              largest > 0 ? largest : 1.});
-        if (scene.kind == Kind::axisymmetric)
+        if (scene.kind == ProblemType::axisymmetric)
           geometry.carriers.back().motion.reference[0] = 0;
         add_carrier(geometry.carriers.back(), assembly);
       }

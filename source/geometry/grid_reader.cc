@@ -15,7 +15,7 @@ namespace Amontons
   namespace
   {
     void
-    check_cell_kinds(const FileMesh &mesh, const unsigned int dim, const Where &where)
+    check_cell_kinds(const FileMesh &mesh, const unsigned int dim, const SourceLocation &where)
     {
       const std::string wanted = dim == 2 ? "quadrilaterals" : "hexahedra";
       const std::string how =
@@ -55,7 +55,7 @@ namespace Amontons
 
     template <int dim>
     void
-    add_cells(const FileMesh &file, const Where &where, CoarseMesh<dim> &mesh)
+    add_cells(const FileMesh &file, const SourceLocation &where, CoarseMesh<dim> &mesh)
     {
       double smallest = 0, largest = 0;
       for (const auto &p : file.nodes)
@@ -175,11 +175,12 @@ namespace Amontons
   read_grid(const BodyData &body, MPI_Comm communicator)
   {
     // lines of what gmsh made of a .geo file are not lines of that file
-    const Where    where{body.mesh_file + (file_ending(body.mesh_file) == ".geo" ? " (meshed by gmsh)" : ""),
-                      0,
-                      body.where.entry};
-    MeshText       text(read_mesh_text(body, dim, communicator), where);
-    const FileMesh file =
+    const SourceLocation where{body.mesh_file +
+                                   (file_ending(body.mesh_file) == ".geo" ? " (meshed by gmsh)" : ""),
+                               0,
+                               body.where.entry};
+    MeshText             text(read_mesh_text(body, dim, communicator), where);
+    const FileMesh       file =
         file_ending(body.mesh_file) == ".inp" ? parse_abaqus(text, dim) : parse_gmsh(text, dim);
     check_cell_kinds(file, dim, where);
 

@@ -18,7 +18,7 @@ namespace Amontons
     }
   } // namespace
 
-  MeshText::MeshText(std::string text, const Where &where) : text(std::move(text)), where(where)
+  MeshText::MeshText(std::string text, const SourceLocation &where) : text(std::move(text)), where(where)
   {
     this->where.line = 0;
   }

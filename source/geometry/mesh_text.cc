@@ -48,7 +48,7 @@ namespace Amontons
     // The mesh that gmsh writes with the given options. gmsh runs without the environment of mpirun, since an
     // MPI program started by an MPI program would take itself for one of its ranks.
     std::string
-    run_gmsh(const std::string &file, const std::string &options, const Where &where)
+    run_gmsh(const std::string &file, const std::string &options, const SourceLocation &where)
     {
       std::string folder = (std::filesystem::temp_directory_path() / "amontons-XXXXXX").string();
       if (mkdtemp(folder.data()) == nullptr)

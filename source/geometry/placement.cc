@@ -49,7 +49,7 @@ namespace Amontons
 
   template <int dim>
   void
-  place(const BodyData &body, const Kind kind, CoarseMesh<dim> &mesh)
+  place(const BodyData &body, const ProblemType kind, CoarseMesh<dim> &mesh)
   {
     check_placement<dim>(body);
     const auto move = [&](Point<dim> &p) {
@@ -70,7 +70,7 @@ namespace Amontons
     const auto   box  = BoundingBox<dim>(mesh.vertices).get_boundary_points();
     const double size = box.first.distance(box.second);
     for (auto &p : mesh.vertices)
-      if (kind == Kind::axisymmetric && p[0] < 1e-12 * size)
+      if (kind == ProblemType::axisymmetric && p[0] < 1e-12 * size)
         {
           if (p[0] < -1e-12 * size)
             throw InputError(body.where,
@@ -86,7 +86,7 @@ namespace Amontons
   }
 
   template void
-  place<2>(const BodyData &, const Kind, CoarseMesh<2> &);
+  place<2>(const BodyData &, const ProblemType, CoarseMesh<2> &);
   template void
-  place<3>(const BodyData &, const Kind, CoarseMesh<3> &);
+  place<3>(const BodyData &, const ProblemType, CoarseMesh<3> &);
 } // namespace Amontons

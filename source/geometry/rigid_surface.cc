@@ -169,12 +169,12 @@ namespace Amontons
                       const Point<dim>     &x,
                       const Tensor<1, dim> &n)
   {
-    const Tensor<2, dim> back = invert(motion.A);
-    auto                 foot = project_to_obstacle(obstacle, motion.origin_of(x), back * n);
-    if (!foot)
+    const Tensor<2, dim> back       = invert(motion.A);
+    auto                 projection = project_to_obstacle(obstacle, motion.origin_of(x), back * n);
+    if (!projection)
       return {};
-    const Tensor<1, dim> normal = transpose(back) * foot->normal;
-    return SurfacePoint<dim>{motion(foot->x), normal / normal.norm()};
+    const Tensor<1, dim> normal = transpose(back) * projection->normal;
+    return SurfacePoint<dim>{motion(projection->x), normal / normal.norm()};
   }
 
 #define INSTANTIATE(dim)                                                                                     \

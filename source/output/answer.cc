@@ -71,9 +71,9 @@ namespace Amontons
     using Lines = std::vector<std::pair<std::string, std::string>>;
 
     void
-    add_pair(Lines &lines, const PairSummary &pair, const Kind kind)
+    add_pair(Lines &lines, const PairSummary &pair, const ProblemType kind)
     {
-      const std::string full_turn = kind == Kind::axisymmetric ? ", full turn" : "";
+      const std::string full_turn = kind == ProblemType::axisymmetric ? ", full turn" : "";
       lines.emplace_back("pair " + pair.name, "");
       if (!pair.touched)
         lines.emplace_back("  contact", "NONE in the whole run: " + without_contact(pair));
@@ -84,12 +84,12 @@ namespace Amontons
         lines.emplace_back("  tangential force", vector_text(pair.tangential_force) + full_turn);
       lines.emplace_back("  peak pressure", short_number(pair.peak_pressure));
       if (pair.n_open > 0)
-        lines.emplace_back(kind == Kind::three_dimensional || kind == Kind::axisymmetric
+        lines.emplace_back(kind == ProblemType::three_dimensional || kind == ProblemType::axisymmetric
                                ? "  contact radius"
                                : "  contact half-width",
                            short_number(pair.contact_size) + "   (Hertz-equivalent)");
       if (pair.stick_size && pair.n_open > 0 && pair.n_slip > 0 && pair.n_stick > 0)
-        lines.emplace_back(kind == Kind::three_dimensional || kind == Kind::axisymmetric
+        lines.emplace_back(kind == ProblemType::three_dimensional || kind == ProblemType::axisymmetric
                                ? "  stick radius"
                                : "  stick half-width",
                            short_number(*pair.stick_size) + "   (Hertz-equivalent, of bound less shear)");

@@ -166,9 +166,9 @@ namespace Amontons
   }
 
   std::string
-  state_name(const ContactState state)
+  state_name(const ContactStatus state)
   {
-    return state == ContactState::open ? "open" : state == ContactState::slip ? "slip" : "stick";
+    return state == ContactStatus::open ? "open" : state == ContactStatus::slip ? "slip" : "stick";
   }
 
   void

@@ -33,7 +33,7 @@ namespace Amontons
     }
 
     void
-    add_probe(Row &row, const ProbeSummary &probe, const Kind kind)
+    add_probe(Row &row, const ProbeSummary &probe, const ProblemType kind)
     {
       for (std::size_t i = 0; i < probe.points.size(); ++i)
         {
@@ -47,7 +47,7 @@ namespace Amontons
     }
 
     Row
-    make_row(const MeshSummary &mesh, const Kind kind)
+    make_row(const MeshSummary &mesh, const ProblemType kind)
     {
       Row row = {{"increment", mesh.increment},
                  {"t", mesh.t},
@@ -76,7 +76,7 @@ namespace Amontons
   } // namespace
 
   void
-  write_history(const std::string &file, const std::vector<MeshSummary> &meshes, const Kind kind)
+  write_history(const std::string &file, const std::vector<MeshSummary> &meshes, const ProblemType kind)
   {
     // The header is that of the row with most columns; what a row does not have is nan there.
     std::vector<std::map<std::string, double>> rows;

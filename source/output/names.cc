@@ -3,15 +3,15 @@
 namespace Amontons
 {
   std::string
-  kind_name(const Kind kind)
+  kind_name(const ProblemType kind)
   {
     switch (kind)
       {
-        case Kind::plane_strain:
+        case ProblemType::plane_strain:
           return "plane strain";
-        case Kind::plane_stress:
+        case ProblemType::plane_stress:
           return "plane stress";
-        case Kind::axisymmetric:
+        case ProblemType::axisymmetric:
           return "axisymmetric";
         default:
           return "3D";
@@ -19,21 +19,21 @@ namespace Amontons
   }
 
   std::vector<std::string>
-  stress_names(const Kind kind)
+  stress_names(const ProblemType kind)
   {
-    if (kind == Kind::axisymmetric)
+    if (kind == ProblemType::axisymmetric)
       return {"rr", "zz", "tt", "rz"};
-    if (kind == Kind::three_dimensional)
+    if (kind == ProblemType::three_dimensional)
       return {"xx", "yy", "zz", "xy", "xz", "yz"};
     return {"xx", "yy", "zz", "xy"};
   }
 
   std::vector<std::string>
-  axis_names(const Kind kind)
+  axis_names(const ProblemType kind)
   {
-    if (kind == Kind::axisymmetric)
+    if (kind == ProblemType::axisymmetric)
       return {"r", "z"};
-    if (kind == Kind::three_dimensional)
+    if (kind == ProblemType::three_dimensional)
       return {"x", "y", "z"};
     return {"x", "y"};
   }

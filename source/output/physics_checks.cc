@@ -18,7 +18,7 @@ namespace Amontons
       const auto &interface = answer.interfaces[i];
       double      excess = 0, largest = 0;
       for (unsigned int n = 0; interface.pair->has_friction() && n < interface.slave->nodes.size(); ++n)
-        if (const auto &node = answer.state.contact[i][n]; node.state != ContactState::open)
+        if (const auto &node = answer.state.contact[i][n]; node.state != ContactStatus::open)
           {
             const auto   X     = as_3d(interface.slave->nodes[n].X);
             const double bound = shear_bound(*interface.pair, X, answer.state.t, node.pressure).value;
@@ -38,11 +38,11 @@ namespace Amontons
       if (!interface.pair->has_friction())
         return 0;
       for (const auto &node : answer.state.contact[i])
-        if (node.state == ContactState::slip)
+        if (node.state == ContactStatus::slip)
           largest = std::max(largest, node.slip.norm());
       const double least = std::max(1e-3 * largest, 1e-9 * interface.slave->mean_size);
       for (const auto &node : answer.state.contact[i])
-        if (node.state == ContactState::slip && node.slip.norm() > least && node.shear.norm() > 0)
+        if (node.state == ContactStatus::slip && node.slip.norm() > least && node.shear.norm() > 0)
           misalignment =
               std::max(misalignment, (node.shear / node.shear.norm() - node.slip / node.slip.norm()).norm());
       return misalignment;
@@ -99,7 +99,7 @@ namespace Amontons
         {
           const auto  &body      = discretization.scene.bodies[b];
           const double size      = discretization.geometry.body_sizes[b];
-          const bool   full_turn = discretization.scene.kind == Kind::axisymmetric;
+          const bool   full_turn = discretization.scene.kind == ProblemType::axisymmetric;
           result.push_back(body.rigid ? 0.
                                       : 1e-9 * body.material.young * std::pow(size, full_turn ? 2 : dim - 1));
         }

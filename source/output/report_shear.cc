@@ -10,11 +10,12 @@ namespace Amontons
   {
     struct StateStyle
     {
-      ContactState state;
-      const char  *colour;
+      ContactStatus state;
+      const char   *colour;
     };
-    const std::array<StateStyle, 3> styles = {
-        {{ContactState::open, "#aab2b9"}, {ContactState::slip, "#d9541e"}, {ContactState::stick, "#2a9d5c"}}};
+    const std::array<StateStyle, 3> styles = {{{ContactStatus::open, "#aab2b9"},
+                                               {ContactStatus::slip, "#d9541e"},
+                                               {ContactStatus::stick, "#2a9d5c"}}};
 
     bool
     is_shown(const PressureCurve &curve, const std::size_t i)
@@ -86,7 +87,7 @@ namespace Amontons
       const double scale = largest > 0 ? std::max(extent(curve, 0), extent(curve, 1)) / 12 / largest : 0;
       Curve        lines{"shear on the slave", {}, {}, true, false, "#5b6470", 1};
       for (std::size_t i = 0; i < curve.s.size(); ++i)
-        if (is_shown(curve, i) && curve.states[i] != ContactState::open)
+        if (is_shown(curve, i) && curve.states[i] != ContactStatus::open)
           {
             lines.x.insert(lines.x.end(),
                            {curve.places[i][0], curve.places[i][0] + scale * curve.tractions[i][0], NAN});

@@ -145,7 +145,7 @@ namespace Amontons
     }
 
     Json
-    list(const std::vector<ProbeSummary> &probes, const Kind kind)
+    list(const std::vector<ProbeSummary> &probes, const ProblemType kind)
     {
       Json json = Json::array();
       for (const ProbeSummary &probe : probes)
@@ -231,10 +231,10 @@ namespace Amontons
       }
     result.centre               = components<dim>(fields.centre);
     result.n_without_multiplier = interface.n_without_multiplier;
-    for (const CouplingRow<dim> &row : interface.coupling.rows)
-      ++(fields.state[row.node] == ContactState::open   ? result.n_open
-         : fields.state[row.node] == ContactState::slip ? result.n_slip
-                                                        : result.n_stick);
+    for (const MortarRow<dim> &row : interface.coupling.rows)
+      ++(fields.state[row.node] == ContactStatus::open   ? result.n_open
+         : fields.state[row.node] == ContactStatus::slip ? result.n_slip
+                                                         : result.n_stick);
     for (const double gap : fields.gap) // NaN is smaller than nothing
       if (!(gap >= result.smallest_gap) && !std::isnan(gap))
         result.smallest_gap = gap;

@@ -82,7 +82,7 @@ namespace Amontons
           if (!(grading[i] > 0))
             section.fail("Grading", "found '" + section.text("Grading") + "'", "positive numbers");
         }
-      if (section.kind() == Kind::axisymmetric && body.rotation_angle == 0 &&
+      if (section.kind() == ProblemType::axisymmetric && body.rotation_angle == 0 &&
           body.lower[0] + body.shift[0] < 0)
         section.fail("Lower corner",
                      "found '" + section.text("Lower corner") + "', a negative radius",

@@ -20,7 +20,7 @@ namespace Amontons
     std::string               text;
     bool                      of_pressure;
     double                    t;
-    Where                     where;
+    SourceLocation            where;
 
     void
     parse(const double time)
@@ -57,7 +57,7 @@ namespace Amontons
     void
     refuse_other_variables(const std::string              &text,
                            const std::vector<std::string> &variables,
-                           const Where                    &where)
+                           const SourceLocation           &where)
     {
       for (const std::string name : {"x", "y", "z", "r", "t", "p", "rand", "rand_seed"})
         if (has_identifier(text, name) &&
@@ -93,7 +93,7 @@ namespace Amontons
     };
 
     std::vector<TablePoint>
-    table_points(const std::string &arguments, const Where &where)
+    table_points(const std::string &arguments, const SourceLocation &where)
     {
       std::vector<TablePoint> points;
       for (const std::string &argument : split(arguments, ','))
@@ -136,7 +136,7 @@ namespace Amontons
 
     // The text without tables; adds their times to `times`.
     std::string
-    expand_tables(std::string text, const Where &where, std::vector<double> &times)
+    expand_tables(std::string text, const SourceLocation &where, std::vector<double> &times)
     {
       while (has_identifier(text, "table"))
         {
@@ -181,7 +181,7 @@ namespace Amontons
   }
 
   Expression::Expression(const std::string              &text,
-                         const Where                    &where,
+                         const SourceLocation           &where,
                          const std::vector<std::string> &variables)
       : source(trim(text))
   {

@@ -67,7 +67,7 @@ namespace Amontons
     read_degrees_of_freedom(
         section, "Rotation", "Moment", rotation_indices(section), motion.rotation, motion.moment);
 
-    if (section.kind() == Kind::axisymmetric)
+    if (section.kind() == ProblemType::axisymmetric)
       {
         const std::string entry = section.is_given("Displacement") ? "Displacement" : "Force";
         if (!motion.displacement[0] || !motion.displacement[0]->is_zero())

@@ -6,7 +6,7 @@ namespace Amontons
   namespace
   {
     std::string
-    first_place(const Where &where)
+    first_place(const SourceLocation &where)
     {
       return where.line > 0 ? " (first in line " + std::to_string(where.line) + ")" : "";
     }

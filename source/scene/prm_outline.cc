@@ -80,7 +80,7 @@ namespace Amontons
       void
       scan_line(const Line &line, const std::string &keyword, const std::string &rest)
       {
-        const Where here = {file, line.number, section()};
+        const SourceLocation here = {file, line.number, section()};
         if (keyword == "subsection")
           enter(with_single_blanks(rest), here);
         else if (keyword == "end" && rest.empty())
@@ -108,7 +108,7 @@ namespace Amontons
       }
 
       void
-      enter(const std::string &name, const Where &here)
+      enter(const std::string &name, const SourceLocation &here)
       {
         if (name.empty() || name.find('/') != std::string::npos)
           throw InputError(here, "found a section named '" + name + "'", "a name without '/'");
@@ -118,7 +118,7 @@ namespace Amontons
       }
 
       void
-      set(const std::string &assignment, const Where &here)
+      set(const std::string &assignment, const SourceLocation &here)
       {
         const auto        equals = assignment.find('=');
         const std::string name   = with_single_blanks(assignment.substr(0, equals));
@@ -133,10 +133,10 @@ namespace Amontons
   } // namespace
 
   void
-  read_prm(const std::string &file, Outline &outline, const Where &included_from)
+  read_prm(const std::string &file, Outline &outline, const SourceLocation &included_from)
   {
-    const Where   place = included_from.file.empty() ? Where{file, 0, ""} : included_from;
-    std::ifstream stream(file);
+    const SourceLocation place = included_from.file.empty() ? SourceLocation{file, 0, ""} : included_from;
+    std::ifstream        stream(file);
     if (!stream || std::filesystem::is_directory(file))
       throw InputError(place, "the file '" + file + "' cannot be opened", "a readable .prm or .json file");
     thread_local int depth = 0;

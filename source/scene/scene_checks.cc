@@ -26,7 +26,7 @@ namespace Amontons
     }
 
     const BodyData &
-    find_body(const Scene &scene, const std::string &name, const Where &where)
+    find_body(const Scene &scene, const std::string &name, const SourceLocation &where)
     {
       for (const BodyData &body : scene.bodies)
         if (body.name == name)

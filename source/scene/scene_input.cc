@@ -66,10 +66,10 @@ namespace Amontons
       }
 
     const std::string name = prm.get("Kind");
-    kind                   = name == "plane strain"   ? Kind::plane_strain
-                             : name == "plane stress" ? Kind::plane_stress
-                             : name == "axisymmetric" ? Kind::axisymmetric
-                                                      : Kind::three_dimensional;
+    kind                   = name == "plane strain"   ? ProblemType::plane_strain
+                             : name == "plane stress" ? ProblemType::plane_stress
+                             : name == "axisymmetric" ? ProblemType::axisymmetric
+                                                      : ProblemType::three_dimensional;
   }
 
   // The groups come first: a section that a group declares is never taken for a named one.
@@ -135,7 +135,7 @@ namespace Amontons
   }
 
   void
-  SceneInput::check_section(const std::string &path, const Where &where) const
+  SceneInput::check_section(const std::string &path, const SourceLocation &where) const
   {
     if (path.empty() ||
         std::find(declared_sections.begin(), declared_sections.end(), path) != declared_sections.end())

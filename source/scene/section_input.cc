@@ -8,24 +8,24 @@ namespace Amontons
   {
   }
 
-  Where
+  SourceLocation
   SectionInput::where() const
   {
     const OutlineSection *const section = input->outline.find_section(path);
-    return section != nullptr ? section->where : Where{input->file, 0, path};
+    return section != nullptr ? section->where : SourceLocation{input->file, 0, path};
   }
 
-  Where
+  SourceLocation
   SectionInput::where(const std::string &entry) const
   {
     if (const OutlineEntry *const found = input->outline.find_entry(path, entry))
       return found->where;
-    Where place = where();
-    place.entry = path_of(path, entry);
+    SourceLocation place = where();
+    place.entry          = path_of(path, entry);
     return place;
   }
 
-  Kind
+  ProblemType
   SectionInput::kind() const
   {
     return input->kind;
@@ -150,7 +150,7 @@ namespace Amontons
     std::vector<std::string> variables;
     if (of != Of::time)
       {
-        if (kind() == Kind::axisymmetric)
+        if (kind() == ProblemType::axisymmetric)
           variables.push_back("r");
         variables.insert(variables.end(), {"x", "y"});
         if (dim() == 3)

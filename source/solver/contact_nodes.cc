@@ -12,7 +12,7 @@ namespace Amontons
     ContactEquation
     equation_along(const Tensor<1, dim>   &direction,
                    const double            value,
-                   const CouplingRow<dim> &row,
+                   const MortarRow<dim>   &row,
                    const SurfaceNode<dim> &node)
     {
       ContactEquation result;
@@ -33,7 +33,7 @@ namespace Amontons
 
   template <int dim>
   std::string
-  places_of(const std::vector<CandidateNode<dim>> &nodes, const std::vector<unsigned int> &which)
+  places_of(const std::vector<SlaveNode<dim>> &nodes, const std::vector<unsigned int> &which)
   {
     std::ostringstream text;
     text.precision(4);
@@ -60,7 +60,7 @@ namespace Amontons
 
   template <int dim>
   std::vector<const ContactEquation *>
-  CandidateNode<dim>::holding() const
+  SlaveNode<dim>::holding() const
   {
     if (!tied && !frictional)
       return {&closing};
@@ -72,7 +72,7 @@ namespace Amontons
 
   template <int dim>
   Tensor<1, dim>
-  CandidateNode<dim>::jump(const LA::Vector &u) const
+  SlaveNode<dim>::jump(const LA::Vector &u) const
   {
     Tensor<1, dim> result;
     for (unsigned int k = 0; k < dim; ++k)
@@ -82,14 +82,14 @@ namespace Amontons
 
   template <int dim>
   Tensor<1, dim>
-  CandidateNode<dim>::tangential(const Tensor<1, dim> &vector) const
+  SlaveNode<dim>::tangential(const Tensor<1, dim> &vector) const
   {
     return vector - (vector * normal) / normal.norm_square() * normal;
   }
 
   template <int dim>
   Tensor<1, dim>
-  CandidateNode<dim>::tangent() const
+  SlaveNode<dim>::tangent() const
   {
     Tensor<1, dim> result;
     if constexpr (dim == 2)
@@ -98,7 +98,7 @@ namespace Amontons
   }
 
   template <int dim>
-  CandidateNode<dim>
+  SlaveNode<dim>
   make_contact_node(const Discretization<dim>                &discretization,
                     const std::vector<ContactInterface<dim>> &interfaces,
                     const unsigned int                        interface,
@@ -106,12 +106,12 @@ namespace Amontons
                     const double                              scaling,
                     const bool                                with_components)
   {
-    const auto        &slave        = *interfaces[interface].slave;
-    const auto        &pair         = *interfaces[interface].pair;
-    const double       modulus      = contact_modulus(discretization.scene.bodies[slave.body].material);
-    const auto        &row          = interfaces[interface].coupling.rows[row_number];
-    const auto        &surface_node = slave.nodes[row.node];
-    CandidateNode<dim> node;
+    const auto    &slave        = *interfaces[interface].slave;
+    const auto    &pair         = *interfaces[interface].pair;
+    const double   modulus      = contact_modulus(discretization.scene.bodies[slave.body].material);
+    const auto    &row          = interfaces[interface].coupling.rows[row_number];
+    const auto    &surface_node = slave.nodes[row.node];
+    SlaveNode<dim> node;
     node.interface  = interface;
     node.node       = row.node;
     node.row        = row_number;
@@ -135,12 +135,12 @@ namespace Amontons
   }
 
   template <int dim>
-  std::vector<CandidateNode<dim>>
+  std::vector<SlaveNode<dim>>
   collect_contact_nodes(const Discretization<dim>                &discretization,
                         const std::vector<ContactInterface<dim>> &interfaces,
                         const double                              scaling)
   {
-    std::vector<CandidateNode<dim>> nodes;
+    std::vector<SlaveNode<dim>> nodes;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       for (unsigned int r = 0; r < interfaces[i].coupling.rows.size(); ++r)
         nodes.push_back(make_contact_node(discretization, interfaces, i, r, scaling));
@@ -149,14 +149,14 @@ namespace Amontons
 
   template <int dim>
   std::vector<ContactEquation>
-  equations_of(const CandidateNode<dim> &node,
-               const ContactState        state,
-               const SlipLaw<dim>       &law,
-               const Tensor<1, dim>     &origin)
+  equations_of(const SlaveNode<dim> &node,
+               const ContactStatus   state,
+               const SlipLaw<dim>   &law,
+               const Tensor<1, dim> &origin)
   {
-    if (state == ContactState::open)
+    if (state == ContactStatus::open)
       return {};
-    if (state == ContactState::stick)
+    if (state == ContactStatus::stick)
       {
         std::vector<ContactEquation> equations(node.components.begin(), node.components.end());
         if (!node.tied)
@@ -183,7 +183,7 @@ namespace Amontons
 
   template <int dim>
   ContactEquation
-  all_components(const CandidateNode<dim> &node)
+  all_components(const SlaveNode<dim> &node)
   {
     ContactEquation result;
     for (const auto &component : node.components)
@@ -197,7 +197,7 @@ namespace Amontons
 
   template <int dim>
   LocalMatrix
-  slip_stiffness(const CandidateNode<dim> &node, const SlipLaw<dim> &law)
+  slip_stiffness(const SlaveNode<dim> &node, const SlipLaw<dim> &law)
   {
     LocalMatrix                                  further;
     std::vector<std::pair<unsigned int, double>> terms; // component and weight of each DoF
@@ -223,13 +223,13 @@ namespace Amontons
 
   template <int dim>
   std::vector<LinearEquation>
-  resistance_of(const CandidateNode<dim> &node, const ContactState state, const SlipLaw<dim> &law)
+  resistance_of(const SlaveNode<dim> &node, const ContactStatus state, const SlipLaw<dim> &law)
   {
     std::vector<LinearEquation> all;
     for (const auto &e : equations_of(node, state, law, Tensor<1, dim>()))
       all.push_back(e.equation);
     if constexpr (dim == 3)
-      if (node.frictional && state == ContactState::slip && law.stiffness > 0)
+      if (node.frictional && state == ContactStatus::slip && law.stiffness > 0)
         {
           const auto across = cross_product_3d(node.normal, law.direction);
           all.emplace_back();
@@ -242,7 +242,7 @@ namespace Amontons
 
   template <int dim>
   std::vector<bool>
-  first_guess_of_closed_nodes(const std::vector<CandidateNode<dim>>    &nodes,
+  first_guess_of_closed_nodes(const std::vector<SlaveNode<dim>>        &nodes,
                               const std::vector<ContactInterface<dim>> &interfaces,
                               const FloatingBodies<dim>                &floating,
                               const std::vector<double>                &gaps)
@@ -263,14 +263,14 @@ namespace Amontons
     return closed;
   }
 
-  template CandidateNode<2>
+  template SlaveNode<2>
   make_contact_node(const Discretization<2> &,
                     const std::vector<ContactInterface<2>> &,
                     const unsigned int,
                     const unsigned int,
                     const double,
                     const bool);
-  template CandidateNode<3>
+  template SlaveNode<3>
   make_contact_node(const Discretization<3> &,
                     const std::vector<ContactInterface<3>> &,
                     const unsigned int,
@@ -278,38 +278,38 @@ namespace Amontons
                     const double,
                     const bool);
   template std::string
-  places_of(const std::vector<CandidateNode<2>> &, const std::vector<unsigned int> &);
+  places_of(const std::vector<SlaveNode<2>> &, const std::vector<unsigned int> &);
   template std::string
-  places_of(const std::vector<CandidateNode<3>> &, const std::vector<unsigned int> &);
-  template struct CandidateNode<2>;
-  template struct CandidateNode<3>;
-  template std::vector<CandidateNode<2>>
+  places_of(const std::vector<SlaveNode<3>> &, const std::vector<unsigned int> &);
+  template struct SlaveNode<2>;
+  template struct SlaveNode<3>;
+  template std::vector<SlaveNode<2>>
   collect_contact_nodes(const Discretization<2> &, const std::vector<ContactInterface<2>> &, const double);
-  template std::vector<CandidateNode<3>>
+  template std::vector<SlaveNode<3>>
   collect_contact_nodes(const Discretization<3> &, const std::vector<ContactInterface<3>> &, const double);
   template std::vector<ContactEquation>
-  equations_of(const CandidateNode<2> &, const ContactState, const SlipLaw<2> &, const Tensor<1, 2> &);
+  equations_of(const SlaveNode<2> &, const ContactStatus, const SlipLaw<2> &, const Tensor<1, 2> &);
   template std::vector<ContactEquation>
-  equations_of(const CandidateNode<3> &, const ContactState, const SlipLaw<3> &, const Tensor<1, 3> &);
+  equations_of(const SlaveNode<3> &, const ContactStatus, const SlipLaw<3> &, const Tensor<1, 3> &);
   template ContactEquation
-  all_components(const CandidateNode<2> &);
+  all_components(const SlaveNode<2> &);
   template ContactEquation
-  all_components(const CandidateNode<3> &);
+  all_components(const SlaveNode<3> &);
   template LocalMatrix
-  slip_stiffness(const CandidateNode<2> &, const SlipLaw<2> &);
+  slip_stiffness(const SlaveNode<2> &, const SlipLaw<2> &);
   template LocalMatrix
-  slip_stiffness(const CandidateNode<3> &, const SlipLaw<3> &);
+  slip_stiffness(const SlaveNode<3> &, const SlipLaw<3> &);
   template std::vector<LinearEquation>
-  resistance_of(const CandidateNode<2> &, const ContactState, const SlipLaw<2> &);
+  resistance_of(const SlaveNode<2> &, const ContactStatus, const SlipLaw<2> &);
   template std::vector<LinearEquation>
-  resistance_of(const CandidateNode<3> &, const ContactState, const SlipLaw<3> &);
+  resistance_of(const SlaveNode<3> &, const ContactStatus, const SlipLaw<3> &);
   template std::vector<bool>
-  first_guess_of_closed_nodes(const std::vector<CandidateNode<2>> &,
+  first_guess_of_closed_nodes(const std::vector<SlaveNode<2>> &,
                               const std::vector<ContactInterface<2>> &,
                               const FloatingBodies<2> &,
                               const std::vector<double> &);
   template std::vector<bool>
-  first_guess_of_closed_nodes(const std::vector<CandidateNode<3>> &,
+  first_guess_of_closed_nodes(const std::vector<SlaveNode<3>> &,
                               const std::vector<ContactInterface<3>> &,
                               const FloatingBodies<3> &,
                               const std::vector<double> &);

@@ -17,7 +17,7 @@ namespace Amontons
         {
           const auto b      = cell->material_id();
           double     volume = cell->measure();
-          if (discretization.scene.kind == Kind::axisymmetric)
+          if (discretization.scene.kind == ProblemType::axisymmetric)
             volume *= 2 * numbers::PI * std::abs(cell->center()[0]);
           const double value =
               discretization.scene.bodies[b].material.young * volume / (sizes[b] * sizes[b]) / n_nodes;

@@ -1,5 +1,5 @@
 #include <amontons/algebra/rigid_body_modes.h>
-#include <amontons/solver/contact_responses.h>
+#include <amontons/solver/contact_compliance.h>
 #include <amontons/solver/eliminated_step.h>
 
 namespace Amontons
@@ -70,12 +70,12 @@ namespace Amontons
     const auto              &nodes = problem.contact.nodes();
     std::vector<LocalMatrix> matrices;
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (now.states[k] != ContactState::open &&
+      if (now.states[k] != ContactStatus::open &&
           problem.discretization.locally_owned.is_element(nodes[k].holding()[0]->candidates[0]))
         {
           if (!problem.by_equations(k))
             matrices.push_back(problem.penalty->stiffness(k, now.states));
-          else if (nodes[k].frictional && now.states[k] == ContactState::slip && now.laws[k].stiffness > 0)
+          else if (nodes[k].frictional && now.states[k] == ContactStatus::slip && now.laws[k].stiffness > 0)
             matrices.push_back(slip_stiffness(nodes[k], now.laws[k]));
         }
     return matrices;
@@ -156,29 +156,30 @@ namespace Amontons
   // from now on.
   template <int dim>
   unsigned int
-  EliminatedStep<dim>::look_ahead(Iterate<dim>                    &now,
-                                  const std::vector<ContactState> &before,
-                                  const double                     rounding)
+  EliminatedStep<dim>::look_ahead(Iterate<dim>                     &now,
+                                  const std::vector<ContactStatus> &before,
+                                  const double                      rounding)
   {
     if (!looks_ahead(now))
       return 0;
     TimerOutput::Scope      scope(problem.timer, "condensed contact");
     const BaseSolution<dim> base{
         problem.contact.nodes(), before, now.laws, now.answers, movable_nodes(), now.u};
-    const ContactResponses<dim> responses(problem.discretization,
-                                          problem.mechanics.bodies(),
-                                          problem.supports,
-                                          *now.constraints,
-                                          now.first_equation,
-                                          base,
-                                          system.matrix(),
-                                          solver);
-    CondensedContact<dim>       condensed(
+    const ContactCompliance<dim> responses(problem.discretization,
+                                           problem.mechanics.bodies(),
+                                           problem.supports,
+                                           *now.constraints,
+                                           now.first_equation,
+                                           base,
+                                           system.matrix(),
+                                           solver);
+    ActiveSetLookahead<dim>      condensed(
         base,
         [&](const unsigned int k, const NodeInput input) { return responses.respond(k, input); },
         most_responses(problem.discretization.dof_handler.n_dofs()));
     bool goes_on = true;
-    for (unsigned int n = 0; n < problem.parameters.max_iterations && goes_on && now.states.unheld().empty();
+    for (unsigned int n = 0;
+         n < problem.parameters.max_iterations && goes_on && now.states.free_rigid_modes().empty();
          ++n)
       {
         const auto next = condensed.answers(now.states);

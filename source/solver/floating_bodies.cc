@@ -17,7 +17,7 @@ namespace Amontons
     const Scene       &scene    = discretization.scene;
     const unsigned int n_bodies = scene.bodies.size(),
                        n_owners = n_bodies + discretization.carrier_dofs.size();
-    modes_per_body              = scene.kind == Kind::axisymmetric ? 1 : dim * (dim + 1) / 2;
+    modes_per_body              = scene.kind == ProblemType::axisymmetric ? 1 : dim * (dim + 1) / 2;
     n_modes                     = modes_per_body * n_owners;
     centres.resize(n_owners);
     sizes.assign(n_owners, 1.);
@@ -202,16 +202,16 @@ namespace Amontons
     // Curved surfaces of finite elements resist a rotation about their centre a little, where the true ones
     // do not.
     const auto                       nearly = null_space(with_equations(all_equations), 1e-7);
-    std::vector<std::vector<double>> unheld;
+    std::vector<std::vector<double>> free_rigid_modes;
     for (unsigned int k = 0; nearly.m() > 0 && k < nearly.n(); ++k)
       {
         std::vector<double> q(n_modes);
         for (unsigned int i = 0; i < n_modes; ++i)
           q[i] = nearly(i, k);
         if (!is_driven(q))
-          unheld.push_back(q);
+          free_rigid_modes.push_back(q);
       }
-    const unsigned int n = unheld.size();
+    const unsigned int n = free_rigid_modes.size();
     if (n == 0)
       return;
     FullMatrix<double> values(surface_dofs.size(), n);
@@ -221,7 +221,7 @@ namespace Amontons
         add_modes_of(surface_dofs[i], 1, e);
         for (unsigned int k = 0; k < n; ++k)
           for (unsigned int m = 0; m < n_modes; ++m)
-            values(i, k) += e[m] * unheld[k][m];
+            values(i, k) += e[m] * free_rigid_modes[k][m];
       }
     for (unsigned int step = 0; step < n; ++step)
       {
@@ -252,7 +252,7 @@ namespace Amontons
 
   template <int dim>
   std::vector<std::vector<double>>
-  FloatingBodies<dim>::unheld_motions(const std::vector<const LinearEquation *> &equations) const
+  FloatingBodies<dim>::free_rigid_modes(const std::vector<const LinearEquation *> &equations) const
   {
     std::vector<std::vector<double>> motions;
     if (!any())
@@ -324,7 +324,7 @@ namespace Amontons
   }
 
   template <int dim>
-  Where
+  SourceLocation
   FloatingBodies<dim>::place_of(const std::vector<double> &q) const
   {
     unsigned int largest = 0;
@@ -384,15 +384,15 @@ namespace Amontons
   {
     if (!any())
       return "";
-    const auto unheld = null_space(with_equations(all_equations), 1e-12);
-    if (unheld.m() == 0)
+    const auto free_rigid_modes = null_space(with_equations(all_equations), 1e-12);
+    if (free_rigid_modes.m() == 0)
       return "";
     std::string note;
-    for (unsigned int k = 0; k < unheld.n(); ++k)
+    for (unsigned int k = 0; k < free_rigid_modes.n(); ++k)
       {
         std::vector<double> q(n_modes);
         for (unsigned int i = 0; i < n_modes; ++i)
-          q[i] = unheld(i, k);
+          q[i] = free_rigid_modes(i, k);
         if (is_driven(q))
           throw InputError(
               place_of(q),

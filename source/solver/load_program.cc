@@ -12,24 +12,24 @@ namespace Amontons
   } // namespace
 
   LoadProgram::LoadProgram(const Scene &scene, const bool has_history, const double coarser)
-      : landings(scene.output_times), constant_size(scene.end_time / std::max(1u, scene.n_increments)),
+      : breakpoints(scene.output_times), constant_size(scene.end_time / std::max(1u, scene.n_increments)),
         coarser(coarser), smallest(scene.minimum_increment * scene.end_time)
   {
-    landings.push_back(scene.end_time);
+    breakpoints.push_back(scene.end_time);
     if (has_history)
       {
         corners = scene.corner_times;
-        landings.insert(landings.end(), corners.begin(), corners.end());
+        breakpoints.insert(breakpoints.end(), corners.begin(), corners.end());
         if (scene.n_increments == 0)
           constant_size = 0;
       }
-    std::sort(landings.begin(), landings.end());
+    std::sort(breakpoints.begin(), breakpoints.end());
     const double same = 1e-12 * scene.end_time;
-    landings.erase(std::unique(landings.begin(),
-                               landings.end(),
-                               [&](const double a, const double b) { return std::abs(a - b) <= same; }),
-                   landings.end());
-    landings.back() = scene.end_time;
+    breakpoints.erase(std::unique(breakpoints.begin(),
+                                  breakpoints.end(),
+                                  [&](const double a, const double b) { return std::abs(a - b) <= same; }),
+                      breakpoints.end());
+    breakpoints.back() = scene.end_time;
   }
 
   double
@@ -37,31 +37,31 @@ namespace Amontons
   {
     if (constant_size > 0)
       return coarser * constant_size;
-    const auto   end   = std::upper_bound(landings.begin(), landings.end(), t);
-    const double begin = end == landings.begin() ? 0. : *(end - 1);
+    const auto   end   = std::upper_bound(breakpoints.begin(), breakpoints.end(), t);
+    const double begin = end == breakpoints.begin() ? 0. : *(end - 1);
     return coarser * (*end - begin) / 10;
   }
 
   double
   LoadProgram::next() const
   {
-    const auto   end  = std::upper_bound(landings.begin(), landings.end(), t);
+    const auto   end  = std::upper_bound(breakpoints.begin(), breakpoints.end(), t);
     const double size = std::max(smallest, factor * longest());
     const double n    = std::ceil((*end - t) / size * (1 - 1e-9));
     return n <= 1 ? *end : t + (*end - t) / n;
   }
 
   bool
-  LoadProgram::has_landed() const
+  LoadProgram::is_at_breakpoint() const
   {
-    return std::find(landings.begin(), landings.end(), t) != landings.end();
+    return std::find(breakpoints.begin(), breakpoints.end(), t) != breakpoints.end();
   }
 
   bool
   LoadProgram::at_corner() const
   {
     return t == 0 || std::any_of(corners.begin(), corners.end(), [&](const double corner) {
-             return std::abs(corner - t) <= 1e-12 * landings.back();
+             return std::abs(corner - t) <= 1e-12 * breakpoints.back();
            });
   }
 

@@ -6,7 +6,7 @@ namespace Amontons
   {
     template <int dim>
     std::array<Gradient, dim>
-    weights_of(const CandidateNode<dim> &node)
+    weights_of(const SlaveNode<dim> &node)
     {
       std::array<Gradient, dim> weights;
       for (unsigned int c = 0; c < dim; ++c)
@@ -60,7 +60,7 @@ namespace Amontons
         for (unsigned int n = 0; n < interfaces[i].slave->nodes.size(); ++n)
           {
             node_of[i].push_back(all.size());
-            CandidateNode<dim> node{};
+            SlaveNode<dim> node{};
             node.interface  = i;
             node.node       = n;
             node.row        = numbers::invalid_unsigned_int;
@@ -89,7 +89,7 @@ namespace Amontons
     std::vector<bool> closed(all.size(), false);
     for (unsigned int k = 0; k < all.size(); ++k)
       if (const auto *known = state.contact_of(all[k].interface, all[k].node))
-        closed[k] = known->state != ContactState::open;
+        closed[k] = known->state != ContactStatus::open;
     return closed;
   }
 
@@ -161,7 +161,7 @@ namespace Amontons
     for (unsigned int k = 0; k < all.size(); ++k)
       {
         const auto *known = state.contact_of(all[k].interface, all[k].node);
-        if (!old_partners[k] || known == nullptr || known->state != ContactState::open)
+        if (!old_partners[k] || known == nullptr || known->state != ContactStatus::open)
           continue;
         const auto   way = distance(k, *old_partners[k]), n = slave_normal(k, *old_partners[k]);
         const double gap = way * n, approach = old_partners[k]->gap - gap;
@@ -284,14 +284,14 @@ namespace Amontons
 
   template <int dim>
   double
-  MovingContact<dim>::violation(const unsigned int k, const ContactState state, const LA::Vector &u) const
+  MovingContact<dim>::violation(const unsigned int k, const ContactStatus state, const LA::Vector &u) const
   {
-    if (state == ContactState::open || !is_opposite(k))
+    if (state == ContactStatus::open || !is_opposite(k))
       return 0;
     if (all[k].tied)
       return all[k].jump(u).norm();
     const double length = all[k].normal.norm();
-    if (state == ContactState::slip)
+    if (state == ContactStatus::slip)
       return std::abs(all[k].gap) / length;
     auto E = slip(k, u) - all[k].gap / length * (all[k].normal / length);
     for (unsigned int c = 0; c < dim; ++c)
@@ -302,7 +302,9 @@ namespace Amontons
 
   template <int dim>
   std::vector<ContactEquation>
-  MovingContact<dim>::equations(const unsigned int k, const ContactState state, const SlipLaw<dim> &law) const
+  MovingContact<dim>::equations(const unsigned int  k,
+                                const ContactStatus state,
+                                const SlipLaw<dim> &law) const
   {
     auto result = equations_of(all[k], state, law, Tensor<1, dim>());
     for (auto &equation : result)
@@ -319,7 +321,7 @@ namespace Amontons
       for (const auto &face : interfaces[i].slave->faces)
         {
           const auto is_closed = [&](const unsigned int node) {
-            return states[node_of[i][node]] != ContactState::open;
+            return states[node_of[i][node]] != ContactStatus::open;
           };
           if (std::any_of(face.unknowns.begin(), face.unknowns.end(), is_closed))
             for (const unsigned int node : face.unknowns)
@@ -343,7 +345,7 @@ namespace Amontons
         for (unsigned int r = 0; r < rows.size(); ++r)
           {
             const unsigned int k = node_of[i][rows[r].node];
-            wanted.push_back(states[k] != ContactState::open);
+            wanted.push_back(states[k] != ContactStatus::open);
             if (wanted.back())
               differentiated[k] = r;
           }
@@ -356,7 +358,7 @@ namespace Amontons
   MovingContact<dim>::is_differentiated(const NodeStates<dim> &states) const
   {
     for (unsigned int k = 0; k < all.size(); ++k)
-      if (!all[k].tied && states[k] != ContactState::open &&
+      if (!all[k].tied && states[k] != ContactStatus::open &&
           (k >= differentiated.size() || differentiated[k] == numbers::invalid_unsigned_int))
         return false;
     return true;
@@ -405,13 +407,13 @@ namespace Amontons
 
   template <int dim>
   Tensor<1, dim>
-  MovingContact<dim>::row_values(const unsigned int k, const ContactState state, const LA::Vector &u) const
+  MovingContact<dim>::row_values(const unsigned int k, const ContactStatus state, const LA::Vector &u) const
   {
-    const CandidateNode<dim> &node = all[k];
+    const SlaveNode<dim> &node = all[k];
     if (node.tied)
       return -node.jump(u);
     Tensor<1, dim> values;
-    if (state == ContactState::slip)
+    if (state == ContactStatus::slip)
       values[0] = node.gap;
     else
       values = node.gap / node.normal.norm_square() * node.normal - slip(k, u);
@@ -419,19 +421,19 @@ namespace Amontons
   }
 
   template <int dim>
-  std::vector<WrittenRow>
-  MovingContact<dim>::written_rows(const unsigned int                                         k,
-                                   const ContactState                                         state,
+  std::vector<ContactRow>
+  MovingContact<dim>::contact_rows(const unsigned int                                         k,
+                                   const ContactStatus                                        state,
                                    const std::vector<std::optional<types::global_dof_index>> &pivots,
                                    const LA::Vector                                          &u) const
   {
-    const CandidateNode<dim> &node   = all[k];
-    const auto                values = row_values(k, state, u);
-    Rows                      left;
+    const SlaveNode<dim> &node   = all[k];
+    const auto            values = row_values(k, state, u);
+    Rows                  left;
     if (node.tied)
       for (unsigned int c = 0; c < dim; ++c)
         left[c] = node.components[c].equation.coefficients;
-    else if (state == ContactState::slip)
+    else if (state == ContactStatus::slip)
       add(left[0], -1, gradient(k).gap);
     else
       {
@@ -440,7 +442,7 @@ namespace Amontons
           add(left[c], -node.normal[c] / node.normal.norm_square(), gradient(k).gap);
       }
     // Components whose test functions the supports own have no row: the others stand for them.
-    std::vector<WrittenRow> rows;
+    std::vector<ContactRow> rows;
     for (unsigned int c = 0; c < pivots.size(); ++c)
       if (pivots[c])
         rows.push_back({*pivots[c], {left[c], values[c]}});
@@ -457,9 +459,9 @@ namespace Amontons
                                        const NodalContact<dim> &answer,
                                        const LA::Vector        &u) const
   {
-    const CandidateNode<dim> &node = all[k];
-    const Tensor<1, dim>      n    = node.normal / node.normal.norm();
-    Rows                      dt;
+    const SlaveNode<dim> &node = all[k];
+    const Tensor<1, dim>  n    = node.normal / node.normal.norm();
+    Rows                  dt;
     for (unsigned int c = 0; c < dim; ++c)
       add(dt[c], answer.pressure, gradient(k).normal[c]);
     if (node.frictional)
@@ -530,14 +532,14 @@ namespace Amontons
           continue;
         std::vector<Tensor<1, dim>> tractions(derivatives[i]->rows().size());
         for (const unsigned int k : node_of[i])
-          if (states[k] != ContactState::open && differentiated[k] < tractions.size())
+          if (states[k] != ContactStatus::open && differentiated[k] < tractions.size())
             tractions[differentiated[k]] = answers[k].pressure * all[k].normal + answers[k].shear;
         for (auto &part : derivatives[i]->stiffness(tractions))
           result.push_back(std::move(part));
       }
     for (unsigned int k = 0; k < all.size(); ++k)
       if (!all[k].tied && is_opposite(k) &&
-          (states[k] == ContactState::slip || (by_penalty && states[k] == ContactState::stick)) &&
+          (states[k] == ContactStatus::slip || (by_penalty && states[k] == ContactStatus::stick)) &&
           discretization.locally_owned.is_element(all[k].components[0].candidates[0]))
         result.push_back(turning_traction(k, by_penalty ? SlipLaw<dim>() : states.law(k), answers[k], u));
     return result;

@@ -1,4 +1,4 @@
-#include <amontons/solver/contact_responses.h>
+#include <amontons/solver/contact_compliance.h>
 #include <amontons/solver/diagnosis.h>
 #include <amontons/solver/newton.h>
 
@@ -48,13 +48,13 @@ namespace Amontons
     for (unsigned int k = 0; k < at.answers.size(); ++k) // for the first tangent
       if (const auto *known =
               problem.state.contact_of(problem.contact.nodes()[k].interface, problem.contact.nodes()[k].node);
-          known != nullptr && at.states[k] != ContactState::open)
+          known != nullptr && at.states[k] != ContactStatus::open)
         {
           at.answers[k].pressure = known->pressure;
           at.answers[k].shear    = known->shear;
         }
-    proximal = make_proximal_terms(problem.discretization, problem.mechanics.bodies(), floating);
-    step.prepare(floating.any() ? &proximal.springs : nullptr);
+    stabilisation = stabilise_rigid_modes(problem.discretization, problem.mechanics.bodies(), floating);
+    step.prepare(floating.any() ? &stabilisation.springs : nullptr);
     return true;
   }
 
@@ -86,7 +86,7 @@ namespace Amontons
   Newton<dim>::open_lonely_nodes()
   {
     for (unsigned int k = 0; k < at.answers.size(); ++k)
-      if (at.states[k] != ContactState::open && !problem.contact.is_opposite(k))
+      if (at.states[k] != ContactStatus::open && !problem.contact.is_opposite(k))
         at.states.open(k);
   }
 
@@ -165,11 +165,11 @@ namespace Amontons
         for (unsigned int k = 0; k < at.answers.size(); ++k)
           at.laws.push_back(at.states.law(k));
         update_constraints();
-        at.free_modes = at.states.unheld();
+        at.free_modes = at.states.free_rigid_modes();
       }
     step.linearise(at,
-                   !at.free_modes.empty()     ? &proximal.springs
-                   : !floating.pins().empty() ? &proximal.pins
+                   !at.free_modes.empty()     ? &stabilisation.springs
+                   : !floating.pins().empty() ? &stabilisation.pins
                                               : nullptr,
                    drag);
   }
@@ -227,7 +227,7 @@ namespace Amontons
             problem.contact.move(problem.state.displacement);
             open_lonely_nodes();
             for (unsigned int k = 0; problem.contact.moves() && k < at.answers.size(); ++k)
-              if (at.states[k] == ContactState::slip && problem.contact.nodes()[k].frictional)
+              if (at.states[k] == ContactStatus::slip && problem.contact.nodes()[k].frictional)
                 {
                   at.states.turn(k);
                   at.laws[k] = at.states.law(k);
@@ -272,7 +272,7 @@ namespace Amontons
   {
     const auto &node = problem.contact.nodes()[k];
     const auto &u    = problem.state.displacement;
-    if (at.states[k] == ContactState::open)
+    if (at.states[k] == ContactStatus::open)
       {
         NodalContact<dim> result;
         result.gap = problem.contact.open_gap(k, u);
@@ -300,9 +300,9 @@ namespace Amontons
   {
     for (unsigned int k = 0; k < at.answers.size(); ++k)
       if (problem.contact.is_opposite(k))
-        (at.states[k] == ContactState::open    ? line.n_open
-         : at.states[k] == ContactState::stick ? line.n_stick
-                                               : line.n_slip) += 1;
+        (at.states[k] == ContactStatus::open    ? line.n_open
+         : at.states[k] == ContactStatus::stick ? line.n_stick
+                                                : line.n_slip) += 1;
   }
 
   // Of equilibrium, relative to the forces, and of the closed nodes' equations, relative to the faces. Forces
@@ -412,9 +412,9 @@ namespace Amontons
     auto &failure        = at.report.failure;
     if (!std::isfinite(last.residual))
       failure = Failure{Failure::Kind::not_a_number};
-    else if (rests && at.states.held_too_much() == 0)
+    else if (rests && at.states.n_held_beyond_friction() == 0)
       at.report.converged = true;
-    else if (rests || (is_linear && stays && at.states.held_too_much() > 0))
+    else if (rests || (is_linear && stays && at.states.n_held_beyond_friction() > 0))
       failure = Diagnosis::friction_exceeded(at.states);
     else if (stays && moves_apart())
       {
@@ -460,7 +460,7 @@ namespace Amontons
   {
     at.report.start_residual = at.force_scale > 0 ? at.report.start_residual / at.force_scale : 0;
     for (unsigned int k = 0; k < at.answers.size(); ++k)
-      if (at.states[k] != ContactState::open && !problem.by_equations(k))
+      if (at.states[k] != ContactStatus::open && !problem.by_equations(k))
         at.answers[k].gap = problem.contact.gap(k, problem.state.displacement);
     problem.state.contact = at.states.by_slave_node(at.answers);
     if (at.report.goes_on())

@@ -45,7 +45,7 @@ namespace Amontons
     if (first != nullptr)
       first->assign(contact.nodes().size(), numbers::invalid_unsigned_int);
     for (unsigned int k = 0; k < contact.nodes().size(); ++k)
-      if (states[k] != ContactState::open && problem.by_equations(k))
+      if (states[k] != ContactStatus::open && problem.by_equations(k))
         {
           if (first != nullptr)
             (*first)[k] = equations.size();
@@ -62,9 +62,10 @@ namespace Amontons
     const auto &contact = problem.contact;
     LA::Vector  forces  = problem.discretization.make_owned_vector();
     for (unsigned int k = 0; k < now.laws.size(); ++k)
-      if (now.states[k] != ContactState::open && !problem.by_equations(k))
+      if (now.states[k] != ContactStatus::open && !problem.by_equations(k))
         problem.penalty->add_forces(k, now.states, forces);
-      else if (contact.nodes()[k].frictional && now.states[k] == ContactState::slip && contact.is_opposite(k))
+      else if (contact.nodes()[k].frictional && now.states[k] == ContactStatus::slip &&
+               contact.is_opposite(k))
         add_known_shear_forces(contact.nodes()[k],
                                now.laws[k],
                                contact.slip(k, problem.state.displacement),

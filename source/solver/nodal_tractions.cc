@@ -4,7 +4,7 @@ namespace Amontons
 {
   template <int dim>
   void
-  set_traction_of_stick(const CandidateNode<dim> &node, const double *multipliers, NodalContact<dim> &answer)
+  set_traction_of_stick(const SlaveNode<dim> &node, const double *multipliers, NodalContact<dim> &answer)
   {
     Tensor<1, dim> traction;
     for (unsigned int d = 0; d < dim; ++d)
@@ -15,18 +15,18 @@ namespace Amontons
 
   template <int dim>
   NodalContact<dim>
-  answer_of_closed(const CandidateNode<dim> &node,
-                   const ContactState        state,
-                   const SlipLaw<dim>       &law,
-                   const Tensor<1, dim>     &slip,
-                   const double              gap,
-                   const bool                has_multiplier,
-                   const double             *multipliers)
+  answer_of_closed(const SlaveNode<dim> &node,
+                   const ContactStatus   state,
+                   const SlipLaw<dim>   &law,
+                   const Tensor<1, dim> &slip,
+                   const double          gap,
+                   const bool            has_multiplier,
+                   const double         *multipliers)
   {
     NodalContact<dim> result;
     if (node.frictional)
       result.slip = slip;
-    if (state == ContactState::stick)
+    if (state == ContactStatus::stick)
       {
         set_traction_of_stick(node, multipliers, result);
         return result;
@@ -42,11 +42,11 @@ namespace Amontons
 
   template <int dim>
   void
-  add_known_shear_forces(const CandidateNode<dim> &node,
-                         const SlipLaw<dim>       &law,
-                         const Tensor<1, dim>     &slip,
-                         const IndexSet           &locally_owned,
-                         LA::Vector               &forces)
+  add_known_shear_forces(const SlaveNode<dim> &node,
+                         const SlipLaw<dim>   &law,
+                         const Tensor<1, dim> &slip,
+                         const IndexSet       &locally_owned,
+                         LA::Vector           &forces)
   {
     if (law.constant == 0 && !(law.stiffness > 0))
       return;
@@ -59,7 +59,7 @@ namespace Amontons
 
   template <int dim>
   double
-  rounding_of_pressures(const std::vector<CandidateNode<dim>> &nodes, const double motion)
+  rounding_of_pressures(const std::vector<SlaveNode<dim>> &nodes, const double motion)
   {
     double rounding = 0, c = 0;
     for (const auto &node : nodes)
@@ -72,10 +72,10 @@ namespace Amontons
   }
 
   template void
-  set_traction_of_stick(const CandidateNode<2> &, const double *, NodalContact<2> &);
+  set_traction_of_stick(const SlaveNode<2> &, const double *, NodalContact<2> &);
   template NodalContact<2>
-  answer_of_closed(const CandidateNode<2> &,
-                   const ContactState,
+  answer_of_closed(const SlaveNode<2> &,
+                   const ContactStatus,
                    const SlipLaw<2> &,
                    const Tensor<1, 2> &,
                    const double,
@@ -83,14 +83,14 @@ namespace Amontons
                    const double *);
   template void
   add_known_shear_forces(
-      const CandidateNode<2> &, const SlipLaw<2> &, const Tensor<1, 2> &, const IndexSet &, LA::Vector &);
+      const SlaveNode<2> &, const SlipLaw<2> &, const Tensor<1, 2> &, const IndexSet &, LA::Vector &);
   template double
-  rounding_of_pressures(const std::vector<CandidateNode<2>> &, const double);
+  rounding_of_pressures(const std::vector<SlaveNode<2>> &, const double);
   template void
-  set_traction_of_stick(const CandidateNode<3> &, const double *, NodalContact<3> &);
+  set_traction_of_stick(const SlaveNode<3> &, const double *, NodalContact<3> &);
   template NodalContact<3>
-  answer_of_closed(const CandidateNode<3> &,
-                   const ContactState,
+  answer_of_closed(const SlaveNode<3> &,
+                   const ContactStatus,
                    const SlipLaw<3> &,
                    const Tensor<1, 3> &,
                    const double,
@@ -98,7 +98,7 @@ namespace Amontons
                    const double *);
   template void
   add_known_shear_forces(
-      const CandidateNode<3> &, const SlipLaw<3> &, const Tensor<1, 3> &, const IndexSet &, LA::Vector &);
+      const SlaveNode<3> &, const SlipLaw<3> &, const Tensor<1, 3> &, const IndexSet &, LA::Vector &);
   template double
-  rounding_of_pressures(const std::vector<CandidateNode<3>> &, const double);
+  rounding_of_pressures(const std::vector<SlaveNode<3>> &, const double);
 } // namespace Amontons

@@ -4,14 +4,14 @@
 namespace Amontons
 {
   template <int dim>
-  NodeStates<dim>::NodeStates(const std::vector<CandidateNode<dim>>    &nodes,
+  NodeStates<dim>::NodeStates(const std::vector<SlaveNode<dim>>        &nodes,
                               const std::vector<ContactInterface<dim>> &interfaces,
                               const FloatingBodies<dim>                &floating,
                               const double                              t)
       : nodes(nodes), interfaces(interfaces), floating(floating), t(t),
         any_friction(
             std::any_of(nodes.begin(), nodes.end(), [](const auto &node) { return node.frictional; })),
-        states(nodes.size(), ContactState::open), laws(nodes.size())
+        states(nodes.size(), ContactStatus::open), laws(nodes.size())
   {
   }
 
@@ -24,18 +24,18 @@ namespace Amontons
         const bool  has_row = nodes[k].row != numbers::invalid_unsigned_int;
         const auto *known   = has_row ? state.contact_of(nodes[k].interface, nodes[k].node) : nullptr;
         if (nodes[k].tied)
-          states[k] = ContactState::stick;
+          states[k] = ContactStatus::stick;
         else if (known != nullptr)
           states[k] = known->state;
         else if (closed[k])
-          states[k] = nodes[k].frictional ? ContactState::stick : ContactState::slip;
-        if (known == nullptr || !nodes[k].frictional || states[k] != ContactState::slip)
+          states[k] = nodes[k].frictional ? ContactStatus::stick : ContactStatus::slip;
+        if (known == nullptr || !nodes[k].frictional || states[k] != ContactStatus::slip)
           continue;
 
         const Tensor<1, dim> direction = nodes[k].tangential(known->trial);
         const double         p         = known->pressure;
         if (direction.norm() == 0)
-          states[k] = ContactState::stick;
+          states[k] = ContactStatus::stick;
         else
           {
             const auto limit = bound(k, p);
@@ -70,7 +70,7 @@ namespace Amontons
           p.push_back(answers[k].pressure);
           g.push_back(answers[k].gap);
           c.push_back(nodes[k].c);
-          next.push_back(states[k] != ContactState::open);
+          next.push_back(states[k] != ContactStatus::open);
           largest = std::max(largest, std::abs(answers[k].pressure));
         }
     const double tolerance = std::max(1e-9 * largest, rounding);
@@ -112,27 +112,27 @@ namespace Amontons
       {
         if (nodes[k].tied)
           continue;
-        const ContactState old = states[k];
+        const ContactStatus old = states[k];
         if (!closed[k])
-          states[k] = ContactState::open;
+          states[k] = ContactStatus::open;
         else if (!nodes[k].frictional)
-          states[k] = ContactState::slip;
+          states[k] = ContactStatus::slip;
         else
           {
             const double p     = answers[k].pressure - nodes[k].c * answers[k].gap;
             const auto   limit = bound(k, p);
             if (nodes[k].old_gap > 0)
               {
-                states[k] = ContactState::slip;
+                states[k] = ContactStatus::slip;
                 laws[k]   = linearise_closing(answers[k].slip, p, limit, nodes[k].old_gap);
                 continue;
               }
             const auto   q      = trial(k, answers[k]);
             const double excess = q.norm() - limit.value;
-            const bool   turned = !first && old == ContactState::slip && q * laws[k].direction < 0;
-            const bool   moves = old == ContactState::slip && nodes[k].c * answers[k].slip.norm() > tolerance;
-            const bool   slips = !turned && q.norm() > 0 && excess > (moves ? -tolerance : tolerance);
-            states[k]          = slips ? ContactState::slip : ContactState::stick;
+            const bool   turned = !first && old == ContactStatus::slip && q * laws[k].direction < 0;
+            const bool moves = old == ContactStatus::slip && nodes[k].c * answers[k].slip.norm() > tolerance;
+            const bool slips = !turned && q.norm() > 0 && excess > (moves ? -tolerance : tolerance);
+            states[k]        = slips ? ContactStatus::slip : ContactStatus::stick;
             if (slips)
               laws[k] = linearise_slip(q, p, limit, nodes[k].c);
           }
@@ -142,7 +142,7 @@ namespace Amontons
   // Murty's rule for friction: of all the changes only that of the node with the highest number.
   template <int dim>
   void
-  NodeStates<dim>::keep_last_change(const std::vector<ContactState> &old)
+  NodeStates<dim>::keep_last_change(const std::vector<ContactStatus> &old)
   {
     bool found = false;
     for (unsigned int k = nodes.size(); k-- > 0;)
@@ -156,7 +156,7 @@ namespace Amontons
 
   template <int dim>
   std::vector<std::vector<double>>
-  NodeStates<dim>::unheld(const bool by_sticking) const
+  NodeStates<dim>::free_rigid_modes(const bool by_sticking) const
   {
     if (!floating.any())
       return {};
@@ -167,7 +167,7 @@ namespace Amontons
     std::vector<const LinearEquation *> pointers;
     for (const auto &equation : all)
       pointers.push_back(&equation);
-    return floating.unheld_motions(pointers);
+    return floating.free_rigid_modes(pointers);
   }
 
   template <int dim>
@@ -191,7 +191,7 @@ namespace Amontons
       if (node.tied)
         for (const auto *e : node.holding())
           tied.push_back(&e->equation);
-    const auto          motions = floating.unheld_motions(tied);
+    const auto          motions = floating.free_rigid_modes(tied);
     std::vector<double> load;
     for (const auto &motion : motions)
       load.push_back(floating.relative_work(motion));
@@ -244,7 +244,7 @@ namespace Amontons
     unsigned int              best = nodes.size();
     std::pair<double, double> least;
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (nodes[k].frictional && states[k] == ContactState::slip)
+      if (nodes[k].frictional && states[k] == ContactStatus::slip)
         {
           Tensor<1, dim> m;
           for (unsigned int d = 0; d < dim; ++d)
@@ -272,21 +272,21 @@ namespace Amontons
     if (!any_friction || !floating.any())
       return;
     ++n_updates;
-    const auto sliding = unheld(true);
+    const auto sliding = free_rigid_modes(true);
     if (sliding.empty())
       return;
     ++n_sliding;
     sliding_motions = sliding;
-    auto motions    = unheld();
+    auto motions    = free_rigid_modes();
     motions_held    = motions;
     while (!motions.empty())
       {
         const unsigned int k = least_slip_along(motions[0], answers, tolerance);
         if (k == nodes.size())
           return;
-        states[k] = ContactState::stick;
+        states[k] = ContactStatus::stick;
         held.push_back(k);
-        motions = unheld();
+        motions = free_rigid_modes();
       }
   }
 
@@ -324,7 +324,7 @@ namespace Amontons
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         key += char('0' + int(states[k]));
-        if (dim == 2 && nodes[k].frictional && states[k] == ContactState::slip)
+        if (dim == 2 && nodes[k].frictional && states[k] == ContactStatus::slip)
           for (unsigned int d = 0; d < dim; ++d)
             key += laws[k].direction[d] > 0 ? '+' : '-';
       }
@@ -365,7 +365,7 @@ namespace Amontons
           contact.has_multiplier = true;
           contact.state          = states[k];
           const double limit     = bound(k, contact.pressure).value;
-          if (nodes[k].frictional && states[k] != ContactState::open && limit > 0)
+          if (nodes[k].frictional && states[k] != ContactStatus::open && limit > 0)
             {
               contact.trial = trial(k, contact) / limit;
               contact.trial *= std::min(1., 3 / std::max(contact.trial.norm(), 1e-100));
@@ -380,7 +380,7 @@ namespace Amontons
   {
     double sum = 0;
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (nodes[k].frictional && states[k] == ContactState::slip)
+      if (nodes[k].frictional && states[k] == ContactStatus::slip)
         {
           const double p     = answers[k].pressure;
           const auto   q     = trial(k, answers[k]);

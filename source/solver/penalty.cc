@@ -7,7 +7,7 @@ namespace Amontons
     // Weights of the jump by DoF with their component; frictionless nodes: of its normal part.
     template <int dim, typename Action>
     void
-    for_each_weight(const CandidateNode<dim> &node, const Action &action)
+    for_each_weight(const SlaveNode<dim> &node, const Action &action)
     {
       if (!node.frictional)
         for (const auto &[dof, weight] : node.closing.equation.coefficients)
@@ -39,7 +39,7 @@ namespace Amontons
     if (!contact.nodes()[k].frictional)
       return result;
     const auto q = result.shear = trial(k);
-    if (const double length = q.norm(); states[k] == ContactState::slip && length > 0)
+    if (const double length = q.norm(); states[k] == ContactStatus::slip && length > 0)
       {
         result.shear = states.bound(k, result.pressure).value / length * q;
         result.slip  = (q - result.shear) / eps(k);
@@ -80,7 +80,7 @@ namespace Amontons
       {
         const auto           dv     = contact.slip_gradient(k, state.displacement);
         const auto           q      = trial(k);
-        const bool           slips  = states[k] == ContactState::slip && q.norm() > 0;
+        const bool           slips  = states[k] == ContactStatus::slip && q.norm() > 0;
         const Tensor<1, dim> d      = slips ? q / q.norm() : Tensor<1, dim>();
         const auto           bound  = states.bound(k, -eps(k) * contact.gap(k, state.displacement));
         const double         across = slips ? bound.value / q.norm() * eps(k) : eps(k);

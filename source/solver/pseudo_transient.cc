@@ -129,7 +129,7 @@ namespace Amontons
   {
     const auto &nodes = problem.contact.nodes();
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (nodes[k].frictional && newton.now().states[k] == ContactState::slip)
+      if (nodes[k].frictional && newton.now().states[k] == ContactStatus::slip)
         return {};
     const auto inverse = step.inverse();
     if (!newton.now().free_modes.empty() || !inverse)

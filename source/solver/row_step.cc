@@ -69,7 +69,7 @@ namespace Amontons
     const auto &u = problem.state.displacement;
     further       = contact.stiffness(now.states, now.answers, u, problem.penalty != nullptr);
     for (unsigned int k = 0; k < contact.nodes().size(); ++k)
-      if (now.states[k] != ContactState::open && !problem.by_equations(k) &&
+      if (now.states[k] != ContactStatus::open && !problem.by_equations(k) &&
           problem.discretization.locally_owned.is_element(contact.nodes()[k].holding()[0]->candidates[0]))
         further.push_back(problem.penalty->stiffness(k, now.states));
     for (auto &matrix : problem.mechanics.stiffness_of_loads(u))
@@ -126,7 +126,7 @@ namespace Amontons
   RowStep<dim>::pivots_of(const Iterate<dim> &now, const unsigned int k) const
   {
     const auto first = now.constraints->pivots().begin() + now.first_equation[k];
-    return {first, first + (now.states[k] == ContactState::stick ? dim : 1)};
+    return {first, first + (now.states[k] == ContactStatus::stick ? dim : 1)};
   }
 
   template <int dim>
@@ -135,9 +135,9 @@ namespace Amontons
   {
     rows.clear();
     for (unsigned int k = 0; k < contact.nodes().size(); ++k)
-      if (now.states[k] != ContactState::open && problem.by_equations(k))
+      if (now.states[k] != ContactStatus::open && problem.by_equations(k))
         for (auto &row :
-             contact.written_rows(k, now.states[k], pivots_of(now, k), problem.state.displacement))
+             contact.contact_rows(k, now.states[k], pivots_of(now, k), problem.state.displacement))
           rows.push_back(std::move(row));
   }
 
@@ -148,7 +148,7 @@ namespace Amontons
   {
     auto row = rows.begin();
     for (unsigned int k = 0; k < contact.nodes().size(); ++k)
-      if (now.states[k] != ContactState::open && problem.by_equations(k))
+      if (now.states[k] != ContactStatus::open && problem.by_equations(k))
         {
           const auto pivots = pivots_of(now, k);
           const auto values = contact.row_values(k, now.states[k], problem.state.displacement);

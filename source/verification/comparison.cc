@@ -90,7 +90,7 @@ namespace Amontons
       for (const auto &normal : fields.symmetry_planes)
         force -= (force * normal) * normal;
       const double P            = fields.symmetry_factor * force.norm();
-      const bool   line         = dim == 2 && answer.discretization.scene.kind != Kind::axisymmetric;
+      const bool   line         = dim == 2 && answer.discretization.scene.kind != ProblemType::axisymmetric;
       const double hertz_factor = line ? 4 : 2.5;
       double a = fields.contact_size * std::sqrt(solution.size_factor.value_or(hertz_factor) / hertz_factor),
              b = a;

@@ -47,7 +47,7 @@ namespace Amontons
 
     // NaN for what is there but is no number (null).
     double
-    number(const Tree &summary, const SummaryPath &path, const Where &where)
+    number(const Tree &summary, const SummaryPath &path, const SourceLocation &where)
     {
       const Tree *const child = find(summary, path.path);
       if (child != nullptr)

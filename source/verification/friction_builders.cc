@@ -40,7 +40,7 @@ namespace Amontons
     check_similarity(const ClosedFormArguments &get, const Scene &scene)
     {
       const auto value = [&](const double E, const double nu) {
-        return scene.kind == Kind::plane_stress ? (1 - nu) / E : (1 - 2 * nu) * (1 + nu) / E;
+        return scene.kind == ProblemType::plane_stress ? (1 - nu) / E : (1 - 2 * nu) * (1 + nu) / E;
       };
       const double first  = value(get("E1"), get("nu1")),
                    second = get.is_given("E2") ? value(get("E2"), get("nu2")) : 0;

@@ -14,7 +14,7 @@ namespace Amontons
     lower.force        = full.force;
     lower.size         = full.size;
     lower.centre       = get.centre();
-    lower.plane_stress = scene.kind == Kind::plane_stress;
+    lower.plane_stress = scene.kind == ProblemType::plane_stress;
 
     const auto loading  = read_loading(get, lower);
     lower               = loading.at(scene.end_time);

@@ -8,7 +8,7 @@ namespace Amontons
   ReferenceSolution
   ReferenceBuilders::half_space_box(const ClosedFormArguments &get, const Scene &scene)
   {
-    if (scene.kind != Kind::three_dimensional && scene.kind != Kind::axisymmetric)
+    if (scene.kind != ProblemType::three_dimensional && scene.kind != ProblemType::axisymmetric)
       get.fail("found a plane scene", "Kind = 3D (surface normal to z) or axisymmetric (normal to y)");
     const double   modulus = contact_modulus(get, scene);
     const auto     full    = ClosedForms::hertz_point_of_size(get("a"), get("R"), modulus);

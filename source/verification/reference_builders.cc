@@ -26,7 +26,7 @@ namespace Amontons
   {
     check_pair(get);
     const double E2 = get.is_given("E2") ? get("E2") : ClosedForms::rigid;
-    if (scene.kind == Kind::plane_stress)
+    if (scene.kind == ProblemType::plane_stress)
       return ClosedForms::contact_modulus_plane_stress(get("E1"), E2);
     return ClosedForms::contact_modulus(get("E1"), get("nu1"), E2, get.is_given("nu2") ? get("nu2") : 0);
   }
@@ -64,7 +64,7 @@ namespace Amontons
     confinement(const Arguments &get, const Scene &scene)
     {
       const bool plane_stress =
-          get.is_given("plane_stress") ? get("plane_stress") != 0 : scene.kind == Kind::plane_stress;
+          get.is_given("plane_stress") ? get("plane_stress") != 0 : scene.kind == ProblemType::plane_stress;
       return plane_stress ? Confinement::plane_stress : Confinement::plane_strain;
     }
 
@@ -221,9 +221,9 @@ namespace Amontons
     ReferenceSolution
     two_block_patch(const Arguments &get, const Scene &scene)
     {
-      const Confinement c = get("confined") != 0               ? Confinement::confined
-                            : scene.kind == Kind::plane_strain ? Confinement::plane_strain
-                                                               : Confinement::plane_stress;
+      const Confinement c = get("confined") != 0                      ? Confinement::confined
+                            : scene.kind == ProblemType::plane_strain ? Confinement::plane_strain
+                                                                      : Confinement::plane_stress;
       return uniform_solution(
           get,
           ClosedForms::two_block_patch(

@@ -61,7 +61,7 @@ namespace Amontons
   pressure_error(const ContactInterface<dim> &interface,
                  const SurfaceFields<dim>    &fields,
                  const ReferenceSolution     &reference,
-                 const Kind                   kind)
+                 const ProblemType            kind)
   {
     const auto              &slave = *interface.slave;
     const QIterated<dim - 1> quadrature(QGauss<1>(3), dim == 2 ? 12 : 4);
@@ -192,7 +192,7 @@ namespace Amontons
   pressure_error(const ContactInterface<2> &,
                  const SurfaceFields<2> &,
                  const ReferenceSolution &,
-                 const Kind);
+                 const ProblemType);
   template double
   shear_error(const ContactInterface<2> &, const SurfaceFields<2> &, const ReferenceSolution &);
   template void
@@ -202,7 +202,7 @@ namespace Amontons
   pressure_error(const ContactInterface<3> &,
                  const SurfaceFields<3> &,
                  const ReferenceSolution &,
-                 const Kind);
+                 const ProblemType);
   template double
   shear_error(const ContactInterface<3> &, const SurfaceFields<3> &, const ReferenceSolution &);
   template void

@@ -221,7 +221,7 @@ namespace Amontons
     }
 
     HalfBodyLoading<HalfSpaceField>
-    half_space_field(const ClosedFormArguments &get, const MaterialData &material, const Kind kind)
+    half_space_field(const ClosedFormArguments &get, const MaterialData &material, const ProblemType kind)
     {
       HalfSpaceField field;
       field.material = material;
@@ -260,7 +260,7 @@ namespace Amontons
   }
 
   DisplacementField
-  make_displacement_field(const FieldData &data, const MaterialData &material, const Kind kind)
+  make_displacement_field(const FieldData &data, const MaterialData &material, const ProblemType kind)
   {
     if (data.name == half_space_hertz().name)
       {

@@ -88,19 +88,19 @@ namespace Amontons
         }
     }
 
-    Where
+    SourceLocation
     where_of(const Outline     &outline,
              const std::string &file,
              const std::string &section,
              const std::string &name)
     {
       const OutlineEntry *const entry = outline.find_entry(section, name);
-      return entry != nullptr ? entry->where : Where{file, 0, path_of(section, name)};
+      return entry != nullptr ? entry->where : SourceLocation{file, 0, path_of(section, name)};
     }
 
     // Labels are the last components of the paths, as long as these differ.
     std::vector<SummaryPath>
-    paths(const std::string &text, const Where &where)
+    paths(const std::string &text, const SourceLocation &where)
     {
       std::vector<SummaryPath> result;
       for (const std::string &path : split(text, ','))
@@ -118,7 +118,7 @@ namespace Amontons
 
     // Values are separated by commas, or by | if there is one.
     SweptParameter
-    swept_parameter(const std::string &text, const Where &where)
+    swept_parameter(const std::string &text, const SourceLocation &where)
     {
       const std::string allowed =
           "Section/Name [& Section/Name]: value, value, ... (or values separated by |)";

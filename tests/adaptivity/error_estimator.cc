@@ -12,7 +12,7 @@
 using namespace Amontons;
 
 Scene
-block(const Kind kind)
+block(const ProblemType kind)
 {
   Scene scene;
   scene.kind = kind;
@@ -112,15 +112,15 @@ struct Field : Function<dim>
 
 // Plane strain and axisymmetric: u = (a x, b y), and in plane problems a shear and a quadratic part.
 void
-test_constant_stress(const Kind kind, const unsigned int degree, const bool local)
+test_constant_stress(const ProblemType kind, const unsigned int degree, const bool local)
 {
   const Scene  scene = block(kind);
-  const double shear = kind == Kind::axisymmetric ? 0. : 0.4;
+  const double shear = kind == ProblemType::axisymmetric ? 0. : 0.4;
   Problem<2>   problem(scene, degree, 0, local);
   problem.set(Field<2>([&](const Point<2> &X) {
     return Tensor<1, 2>({0.1 * X[0] + shear * X[1], -0.2 * X[1]});
   }));
-  Voigt<2>          strain = {{0.1, -0.2, kind == Kind::axisymmetric ? 0.1 : 0., shear}};
+  Voigt<2>          strain = {{0.1, -0.2, kind == ProblemType::axisymmetric ? 0.1 : 0., shear}};
   const Voigt<2>    stress = LinearElastic<2>(scene.bodies[0].material, kind).stress(strain);
   const std::string name   = "kind " + std::to_string(int(kind)) + " degree " + std::to_string(degree);
   check::is_close(
@@ -130,7 +130,7 @@ test_constant_stress(const Kind kind, const unsigned int degree, const bool loca
 
 template <int dim>
 void
-test_linear_stress(const Kind kind, const bool local)
+test_linear_stress(const ProblemType kind, const bool local)
 {
   const Scene  scene = block(kind);
   Problem<dim> problem(scene, 2, 0, local);
@@ -158,7 +158,7 @@ test_linear_stress(const Kind kind, const bool local)
 void
 test_smooth_field(const unsigned int degree)
 {
-  const Scene            scene = block(Kind::plane_stress);
+  const Scene            scene = block(ProblemType::plane_stress);
   const LinearElastic<2> law(scene.bodies[0].material, scene.kind);
   const auto             exact = [&](const Point<2> &X) {
     const double x = X[0], y = X[1];
@@ -219,7 +219,7 @@ test_smooth_field(const unsigned int degree)
 void
 test_marking()
 {
-  const Scene          scene = block(Kind::plane_strain);
+  const Scene          scene = block(ProblemType::plane_strain);
   Problem<2>           problem(scene, 2, 1, false);
   Geometry<2>         &geometry = problem.geometry;
   Vector<float>        indicators(geometry.triangulation.n_active_cells());
@@ -287,7 +287,7 @@ test_marking()
 void
 test_transfer()
 {
-  const Scene    scene = block(Kind::plane_strain);
+  const Scene    scene = block(ProblemType::plane_strain);
   Problem<2>     problem(scene, 2, 0, true);
   const Field<2> u([](const Point<2> &X) {
     return Tensor<1, 2>({X[0] * X[0] - X[0] * X[1], 0.5 * X[1] * X[1]});
@@ -319,7 +319,7 @@ test_transfer()
 void
 test_contact_terms()
 {
-  Scene scene = block(Kind::plane_stress);
+  Scene scene = block(ProblemType::plane_stress);
   scene.bodies.push_back(scene.bodies[0]);
   scene.bodies[1].name  = "upper";
   scene.bodies[1].lower = {0, 1, 0};
@@ -379,7 +379,7 @@ test_contact_terms()
 //   eta_F^2 = h_F/E int (a^2 + b^2) x^2,  contact indicator^2 = int a^2 x^2 + int b^2 x^2 / s^2,
 // where s is the largest shear over the peak pressure. Axisymmetric scenes integrate over the full turn.
 void
-test_varying_contact_terms(const Kind kind, const double a, const double b)
+test_varying_contact_terms(const ProblemType kind, const double a, const double b)
 {
   Scene scene = block(kind);
   scene.bodies.push_back(scene.bodies[0]);
@@ -389,7 +389,7 @@ test_varying_contact_terms(const Kind kind, const double a, const double b)
   scene.bodies[1].cells = {{3, 3, 1}};
   Problem<2>   problem(scene, 2, 0, false);
   const double E = scene.bodies[0].material.young, nu = scene.bodies[0].material.poisson, p = 0.2 * E;
-  const bool   axisymmetric = kind == Kind::axisymmetric;
+  const bool   axisymmetric = kind == ProblemType::axisymmetric;
   const double gamma = axisymmetric ? 0 : 0.1, shear = gamma * E / (2 * (1 + nu));
   problem.set(Field<2>([&](const Point<2> &X) {
     return Tensor<1, 2>({0.2 * nu * X[0] + gamma * X[1], -0.2 * X[1]});
@@ -462,20 +462,21 @@ main(int argc, char **argv)
   for (const bool local : {false, true})
     {
       for (const unsigned int degree : {1, 2})
-        for (const Kind kind : {Kind::plane_strain, Kind::plane_stress, Kind::axisymmetric})
+        for (const ProblemType kind :
+             {ProblemType::plane_strain, ProblemType::plane_stress, ProblemType::axisymmetric})
           test_constant_stress(kind, degree, local);
-      test_linear_stress<2>(Kind::plane_strain, local);
-      test_linear_stress<2>(Kind::plane_stress, local);
-      test_linear_stress<3>(Kind::three_dimensional, local);
+      test_linear_stress<2>(ProblemType::plane_strain, local);
+      test_linear_stress<2>(ProblemType::plane_stress, local);
+      test_linear_stress<3>(ProblemType::three_dimensional, local);
     }
   test_smooth_field(1);
   test_smooth_field(2);
   test_marking();
   test_transfer();
   test_contact_terms();
-  for (const Kind kind : {Kind::plane_stress, Kind::axisymmetric})
+  for (const ProblemType kind : {ProblemType::plane_stress, ProblemType::axisymmetric})
     test_varying_contact_terms(kind, 0.05, 0);
-  test_varying_contact_terms(Kind::plane_stress, 0.05, 0.03);
-  test_varying_contact_terms(Kind::plane_stress, 0, 0.03);
+  test_varying_contact_terms(ProblemType::plane_stress, 0.05, 0.03);
+  test_varying_contact_terms(ProblemType::plane_stress, 0, 0.03);
   return check::result();
 }

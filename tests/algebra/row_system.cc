@@ -128,7 +128,7 @@ struct Problem
     const ContactConstraints contact(supports, equations);
     std::vector<LocalMatrix> further = {{dofs_of({2, 3, 6}), dofs_of({4, 9}), random_matrix(6, 4)},
                                         {{10}, dofs_of({1, 7}), random_matrix(1, 4)}};
-    std::vector<WrittenRow>  rows;
+    std::vector<ContactRow>  rows;
     std::vector<bool>        is_written(n, false);
     for (const auto &pivot : contact.pivots())
       {

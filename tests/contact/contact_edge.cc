@@ -25,7 +25,7 @@ check_edge(const Tensor<1, dim> &slope, const double end, const unsigned int deg
   for (const auto &node : slave.nodes)
     {
       const double square = end - slope * node.X;
-      fields.state.push_back(square > 0 ? ContactState::slip : ContactState::open);
+      fields.state.push_back(square > 0 ? ContactStatus::slip : ContactStatus::open);
       fields.pressure.push_back(std::sqrt(std::max(0., square)));
       largest = std::max(largest, square);
     }

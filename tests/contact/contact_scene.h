@@ -60,7 +60,7 @@ struct Problem
           const unsigned int seed          = 1)
       : scene(s), geometry(MPI_COMM_WORLD)
   {
-    scene.kind = dim == 3 ? Kind::three_dimensional : scene.kind;
+    scene.kind = dim == 3 ? ProblemType::three_dimensional : scene.kind;
     make_geometry(scene, geometry);
     std::mt19937 generator(seed);
     for (unsigned int i = 0; i < n_refinements; ++i)

@@ -18,7 +18,7 @@ check_scene(const Scene &scene, const unsigned int degree, const double size, co
   Moved<2>          moved(problem);
   moved.displace_at_random(0.05 * size, generator);
   check_derivatives(moved, size, 0, generator, name);
-  if (scene.kind != Kind::axisymmetric)
+  if (scene.kind != ProblemType::axisymmetric)
     check_rotation(moved, size, name);
 }
 
@@ -54,7 +54,7 @@ check_blocks(const unsigned int degree)
   check_scene(declared, degree, 0.3, "a declared gap");
 
   Scene axisymmetric = two_blocks(0, 1.9, 4);
-  axisymmetric.kind  = Kind::axisymmetric;
+  axisymmetric.kind  = ProblemType::axisymmetric;
   check_scene(axisymmetric, degree, 0.3, "axisymmetric");
 }
 

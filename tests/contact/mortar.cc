@@ -52,14 +52,14 @@ check_blocks(const unsigned int degree)
 
 // Faces [k, k + 1] of a slave above a master: those that are covered whole, in the plane and as rings.
 void
-check_whole_faces(const unsigned int degree, const Kind kind)
+check_whole_faces(const unsigned int degree, const ProblemType kind)
 {
   for (const auto &[a, b, wanted] : {std::make_tuple(0., 4., std::set<double>{0.5, 1.5, 2.5, 3.5}),
                                      std::make_tuple(0.4, 3., std::set<double>{1.5, 2.5}),
                                      std::make_tuple(-1., 2.98, std::set<double>{0.5, 1.5}),
                                      std::make_tuple(0.05, 0.9, std::set<double>{})})
     {
-      if (kind == Kind::axisymmetric && a < 0)
+      if (kind == ProblemType::axisymmetric && a < 0)
         continue;
       Scene scene;
       scene.kind   = kind;
@@ -144,7 +144,7 @@ check_axisymmetric(const unsigned int degree)
 {
   const unsigned int n = 5;
   Scene              scene;
-  scene.kind   = Kind::axisymmetric;
+  scene.kind   = ProblemType::axisymmetric;
   scene.bodies = {block("lower", {0, 0, 0}, {1, 1, 0}, 7), block("upper", {0, 1, 0}, {1, 2, 0}, n)};
   scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
   const Problem<2> problem(scene, degree);
@@ -182,7 +182,7 @@ check_partly_covered_turn(const unsigned int degree)
       scene.bodies = {block("lower", {0, 0, 0}, {end, 1, 0}, 7), block("upper", {0, 1, 0}, {2, 2, 0}, 4)};
       scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
       const Problem<2> plane(scene, degree);
-      scene.kind = Kind::axisymmetric;
+      scene.kind = ProblemType::axisymmetric;
       const Problem<2> turn(scene, degree);
       check_flat(turn, numbers::PI * end * end, 0, "partly covered, axisymmetric");
       check::is_true(turn.coupling().rows.size() == plane.coupling().rows.size(),
@@ -391,8 +391,8 @@ main(int argc, char **argv)
   for (const unsigned int degree : {1, 2})
     {
       check_blocks(degree);
-      check_whole_faces(degree, Kind::plane_strain);
-      check_whole_faces(degree, Kind::axisymmetric);
+      check_whole_faces(degree, ProblemType::plane_strain);
+      check_whole_faces(degree, ProblemType::axisymmetric);
       check_held_node(degree);
       check_circle_over_plane(degree);
       check_disk_over_plane(degree);

@@ -68,7 +68,7 @@ check_axis()
   for (unsigned int n = 2; n < 5; ++n)
     {
       Scene scene                = two_shells("quarter ring", true, n, n);
-      scene.kind                 = Kind::axisymmetric;
+      scene.kind                 = ProblemType::axisymmetric;
       scene.pairs[0].initial_gap = Expression("1e-3*y/sqrt(x^2 + y^2)", {});
       const Problem<2> problem(scene, 2);
       check_weights(problem, "axisymmetric");

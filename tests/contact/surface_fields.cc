@@ -6,12 +6,12 @@
 
 // A slave block above a larger master.
 Scene
-blocks(const int dim, const Kind kind = Kind::plane_strain)
+blocks(const int dim, const ProblemType kind = ProblemType::plane_strain)
 {
   Scene scene;
   scene.kind                          = kind;
   const std::array<unsigned int, 3> n = {{2, dim == 2 ? 1u : 2u, 1}};
-  const double                      a = kind == Kind::axisymmetric ? 0 : -0.5;
+  const double                      a = kind == ProblemType::axisymmetric ? 0 : -0.5;
   if (dim == 2)
     scene.bodies = {block("lower", {a, 0, 0}, {1.5, 1, 0}, {{3, 1, 1}}),
                     block("upper", {0, 1, 0}, {1, 2, 0}, n)};
@@ -34,7 +34,7 @@ fields_of(const Problem<dim> &problem)
     {
       const auto X        = problem.slave().nodes[row.node].X;
       auto      &node     = contact[row.node];
-      node.state          = ContactState::slip;
+      node.state          = ContactStatus::slip;
       node.pressure       = 3;
       node.gap            = 1 + X[0] + (dim == 3 ? 2 * X[1] : 0);
       node.shear[0]       = 0.5;
@@ -76,7 +76,7 @@ check_nodes(const Problem<dim> &problem, const SurfaceFields<dim> &fields, const
       check::is_close(fields.gap[i], 1 + node.X[0] + (dim == 3 ? 2 * node.X[1] : 0), 1e-10, what + ": gap");
       check::is_close((fields.slip[i] - slip).norm(), 0, 1e-10, what + ": slip", 1);
       check::is_close((fields.traction[i] - traction).norm(), 0, 1e-10, what + ": traction", 1);
-      check::is_true(fields.state[i] == ContactState::slip, what + ": state");
+      check::is_true(fields.state[i] == ContactStatus::slip, what + ": state");
       check::is_close(fields.multiplier[i], node.parents.empty() ? 3 : 0, 0, what + ": multiplier");
       check::is_true((fields.area[i] > 0) == node.parents.empty(), what + ": area");
     }
@@ -124,7 +124,7 @@ check_half(const unsigned int degree)
 void
 check_axisymmetric(const unsigned int degree)
 {
-  const Problem<2>  problem(blocks(2, Kind::axisymmetric), degree);
+  const Problem<2>  problem(blocks(2, ProblemType::axisymmetric), degree);
   const auto        fields = fields_of(problem);
   const std::string what   = "axisymmetric, degree " + std::to_string(degree);
   check_nodes(problem, fields, what);

@@ -193,7 +193,7 @@ void
 check_planes_3d(const unsigned int degree)
 {
   Scene scene;
-  scene.kind                     = Kind::three_dimensional;
+  scene.kind                     = ProblemType::three_dimensional;
   scene.bodies                   = {block("it", {0, 0, 0}, {2, 1, 1})};
   scene.bodies[0].rotation_angle = 25;
   scene.bodies[0].rotation_axis  = Tensor<1, 3>({1, 1, 0.5});
@@ -260,7 +260,7 @@ check_displacement(const unsigned int degree)
 // prescribed: by component, displacement and rotation; what is not prescribed is free.
 template <int dim>
 void
-check_platen(const Kind                                      kind,
+check_platen(const ProblemType                               kind,
              const unsigned int                              degree,
              const std::array<std::optional<Expression>, 3> &displacement,
              const std::array<std::optional<Expression>, 3> &rotation)
@@ -307,7 +307,7 @@ check_platen(const Kind                                      kind,
 
 template <int dim>
 void
-check_platens(const Kind kind, const unsigned int degree)
+check_platens(const ProblemType kind, const unsigned int degree)
 {
   const std::optional<Expression> free, zero = Expression(0.), some = Expression("0.3*t", {}),
                                         more = Expression("0.1 - t", {});
@@ -408,7 +408,7 @@ check_finite_rotations(const unsigned int degree, const std::array<Tensor<1, 3>,
                                                   Tensor<1, 3>({-1, 0.5, dim == 2 ? 0. : 2.}),
                                                   Tensor<1, 3>()}};
   Scene                             scene;
-  scene.kind          = dim == 2 ? Kind::plane_strain : Kind::three_dimensional;
+  scene.kind          = dim == 2 ? ProblemType::plane_strain : ProblemType::three_dimensional;
   scene.kinematics    = Kinematics::finite_strain;
   const double height = dim == 2 ? 0 : 1;
   scene.bodies        = {block("it", {0, 0, 0}, {2, 1, height}), block("rigid", {0, 2, 0}, {2, 3, height})};
@@ -448,7 +448,7 @@ void
 check_axisymmetric(const unsigned int degree)
 {
   Scene scene;
-  scene.kind   = Kind::axisymmetric;
+  scene.kind   = ProblemType::axisymmetric;
   scene.bodies = {block("it", {0, 0, 0}, {2, 1, 0})};
   MotionData motion;
   motion.name                = "platen";
@@ -487,8 +487,8 @@ main(int argc, char **argv)
         check_planes(degree, angle);
       check_planes_3d(degree);
       check_displacement(degree);
-      check_platens<2>(Kind::plane_strain, degree);
-      check_platens<3>(Kind::three_dimensional, degree);
+      check_platens<2>(ProblemType::plane_strain, degree);
+      check_platens<3>(ProblemType::three_dimensional, degree);
       check_rigid_body(degree);
       check_axisymmetric(degree);
       const auto vector = [](const double x, const double y, const double z) {

@@ -12,7 +12,7 @@ namespace Amontons
 {
   struct Case
   {
-    Kind         kind;
+    ProblemType  kind;
     unsigned int degree;
     double       poisson;
     Law          law;

@@ -22,7 +22,7 @@ template <int dim>
 using Field = std::function<Tensor<1, dim>(const Point<dim> &)>;
 
 Scene
-block(const Kind kind, const double poisson)
+block(const ProblemType kind, const double poisson)
 {
   Scene scene;
   scene.kind = kind;
@@ -172,7 +172,7 @@ struct Problem
 };
 
 std::string
-name_of(const Kind kind, const unsigned int degree)
+name_of(const ProblemType kind, const unsigned int degree)
 {
   static const std::vector<std::string> names = {"plane strain", "plane stress", "axisymmetric", "3D"};
   return names[static_cast<unsigned int>(kind)] + ", degree " + std::to_string(degree);
@@ -181,11 +181,11 @@ name_of(const Kind kind, const unsigned int degree)
 // Stress by hand from the strain of kind: 2 mu e + lambda tr e, with the strain energy density.
 template <int dim>
 double
-energy_density(const Kind kind, const MaterialData &m, Voigt<dim> e)
+energy_density(const ProblemType kind, const MaterialData &m, Voigt<dim> e)
 {
   const double mu     = m.young / 2 / (1 + m.poisson),
                lambda = m.young * m.poisson / (1 + m.poisson) / (1 - 2 * m.poisson);
-  if (kind == Kind::plane_stress)
+  if (kind == ProblemType::plane_stress)
     e[2] = -m.poisson / (1 - m.poisson) * (e[0] + e[1]);
   const double trace = e[0] + e[1] + e[2];
   double       w     = 0.5 * lambda * trace * trace;
@@ -196,7 +196,7 @@ energy_density(const Kind kind, const MaterialData &m, Voigt<dim> e)
 
 template <int dim>
 void
-check_patch(const Kind kind, const unsigned int degree, const double poisson)
+check_patch(const ProblemType kind, const unsigned int degree, const double poisson)
 {
   const std::string  what  = name_of(kind, degree);
   const Scene        scene = block(kind, poisson);
@@ -205,7 +205,7 @@ check_patch(const Kind kind, const unsigned int degree, const double poisson)
   Tensor<2, dim> G;
   for (unsigned int i = 0; i < dim; ++i)
     for (unsigned int j = 0; j < dim; ++j)
-      if (kind != Kind::axisymmetric || i == j)
+      if (kind != ProblemType::axisymmetric || i == j)
         G[i][j] = 0.1 * std::sin(1. + 2 * i + 5 * j);
   Voigt<dim> strain;
   strain.fill(0);
@@ -217,7 +217,7 @@ check_patch(const Kind kind, const unsigned int degree, const double poisson)
       strain[4]                = G[0][dim - 1] + G[dim - 1][0];
       strain[n_voigt<dim> - 1] = G[1][dim - 1] + G[dim - 1][1];
     }
-  if (kind == Kind::axisymmetric)
+  if (kind == ProblemType::axisymmetric)
     strain[2] = G[0][0];
 
   const auto u       = problem.interpolate([&](const Point<dim> &X) { return G * X; });
@@ -231,7 +231,7 @@ check_patch(const Kind kind, const unsigned int degree, const double poisson)
   for (const auto &[dof, c] : problem.components)
     if (problem.is_inside(problem.points.at(dof)))
       check::is_close(force(dof), 0, 1e-11, what + ": inner force of a constant strain", largest);
-  const double volume = kind == Kind::axisymmetric ? numbers::PI * (9 - 1) : 2;
+  const double volume = kind == ProblemType::axisymmetric ? numbers::PI * (9 - 1) : 2;
   check::is_close(energy,
                   volume * energy_density<dim>(kind, scene.bodies[0].material, strain),
                   1e-11,
@@ -254,18 +254,18 @@ check_patch(const Kind kind, const unsigned int degree, const double poisson)
 
 template <int dim>
 void
-check_rigid_motions(const Kind kind, const unsigned int degree)
+check_rigid_motions(const ProblemType kind, const unsigned int degree)
 {
   const Problem<dim>      problem(block(kind, 0.4), degree, 0.25);
   std::vector<Field<dim>> motions;
   for (unsigned int d = 0; d < dim; ++d)
-    if (kind != Kind::axisymmetric || d == 1)
+    if (kind != ProblemType::axisymmetric || d == 1)
       motions.push_back([d](const Point<dim> &) {
         Tensor<1, dim> v;
         v[d] = 1;
         return v;
       });
-  for (unsigned int a = 0; a < dim && kind != Kind::axisymmetric; ++a)
+  for (unsigned int a = 0; a < dim && kind != ProblemType::axisymmetric; ++a)
     for (unsigned int b = a + 1; b < dim; ++b)
       motions.push_back([a, b](const Point<dim> &X) {
         Tensor<1, dim> v;
@@ -378,17 +378,17 @@ check_cook(const unsigned int degree, const unsigned int n, const double toleran
 // n directions that it has, so that the density is 2 mu n a^4/4 + min(lambda, 2 mu) (n a^2/2)^2.
 template <int dim>
 void
-check_quadratic_strain(const Kind kind, const unsigned int degree)
+check_quadratic_strain(const ProblemType kind, const unsigned int degree)
 {
   const double       a = 0.1, poisson = 0.3;
   const Problem<dim> problem(block(kind, poisson), degree, 0.);
   const LA::Vector   u = problem.interpolate([a](const Point<dim> &X) { return a * X; });
 
   const double mu = 7. / 2 / (1 + poisson), lambda = 7 * poisson / (1 + poisson) / (1 - 2 * poisson);
-  const double n = kind == Kind::plane_strain ? 2 : 3;
+  const double n = kind == ProblemType::plane_strain ? 2 : 3;
   const double density =
       2 * mu * n * std::pow(a, 4) / 4 + std::min(lambda, 2 * mu) * std::pow(n * a * a / 2, 2);
-  const double volume = kind == Kind::axisymmetric ? numbers::PI * (9 - 1) : 2;
+  const double volume = kind == ProblemType::axisymmetric ? numbers::PI * (9 - 1) : 2;
 
   const QGauss<dim> gauss(degree + 1);
   FEValues<dim>     values(problem.discretization->mapping,
@@ -411,17 +411,18 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const unsigned int degree : {1, 2})
     {
-      for (const Kind kind : {Kind::plane_strain, Kind::plane_stress, Kind::axisymmetric})
+      for (const ProblemType kind :
+           {ProblemType::plane_strain, ProblemType::plane_stress, ProblemType::axisymmetric})
         {
           check_patch<2>(kind, degree, 0.3);
-          check_patch<2>(kind, degree, kind == Kind::plane_stress ? 0.49 : 0.499);
+          check_patch<2>(kind, degree, kind == ProblemType::plane_stress ? 0.49 : 0.499);
           check_rigid_motions<2>(kind, degree);
-          if (kind != Kind::plane_stress)
+          if (kind != ProblemType::plane_stress)
             check_quadratic_strain<2>(kind, degree);
         }
-      check_quadratic_strain<3>(Kind::three_dimensional, degree);
-      check_patch<3>(Kind::three_dimensional, degree, 0.3);
-      check_rigid_motions<3>(Kind::three_dimensional, degree);
+      check_quadratic_strain<3>(ProblemType::three_dimensional, degree);
+      check_patch<3>(ProblemType::three_dimensional, degree, 0.3);
+      check_rigid_motions<3>(ProblemType::three_dimensional, degree);
     }
   for (const double poisson : {0., 0.3, 0.4999})
     {

@@ -17,7 +17,7 @@ namespace
   double
   size_of(const Case &c)
   {
-    return (c.kind == Kind::plane_stress ? 0.08 : 0.2) / c.degree;
+    return (c.kind == ProblemType::plane_stress ? 0.08 : 0.2) / c.degree;
   }
 
   template <int dim>
@@ -181,15 +181,15 @@ namespace
   // b - I of kind, from the part of F in the space of the mesh.
   template <int dim>
   SymmetricTensor<2, 3>
-  strain(const Kind kind, const HyperelasticLaw &law, const Tensor<2, dim> &F)
+  strain(const ProblemType kind, const HyperelasticLaw &law, const Tensor<2, dim> &F)
   {
     SymmetricTensor<2, 3> e;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = i; j < dim; ++j)
         e[i][j] = (F * transpose(F))[i][j] - double(i == j);
-    if (kind == Kind::plane_stress)
+    if (kind == ProblemType::plane_stress)
       e[2][2] = thickness_strain(law, e);
-    if (kind == Kind::axisymmetric)
+    if (kind == ProblemType::axisymmetric)
       e[2][2] = e[0][0];
     return e;
   }
@@ -203,7 +203,7 @@ namespace
     Tensor<2, dim>     F = unit_symmetric_tensor<dim>();
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
-        if (c.kind != Kind::axisymmetric || i == j)
+        if (c.kind != ProblemType::axisymmetric || i == j)
           F[i][j] += 0.15 * std::sin(1. + 2 * i + 5 * j);
     LA::Vector u = problem.discretization->make_relevant_vector();
     u            = problem.field(
@@ -289,12 +289,12 @@ namespace
   {
     check_undeformed<dim>(c);
     check_derivatives<dim>(c);
-    if (c.kind != Kind::plane_stress)
+    if (c.kind != ProblemType::plane_stress)
       check_dilatations<dim>(c);
     check_homogeneous<dim>(c);
     check_inversion<dim>(c);
     check_collapse<dim>(c);
-    if (c.kind != Kind::axisymmetric)
+    if (c.kind != ProblemType::axisymmetric)
       check_rotation<dim>(c);
   }
 } // namespace
@@ -307,9 +307,10 @@ main(int argc, char **argv)
     for (const unsigned int degree : {1, 2})
       for (const double poisson : {0.3, 0.4999})
         {
-          for (const Kind kind : {Kind::plane_strain, Kind::plane_stress, Kind::axisymmetric})
+          for (const ProblemType kind :
+               {ProblemType::plane_strain, ProblemType::plane_stress, ProblemType::axisymmetric})
             check_all<2>({kind, degree, poisson, law});
-          check_all<3>({Kind::three_dimensional, degree, poisson, law});
+          check_all<3>({ProblemType::three_dimensional, degree, poisson, law});
         }
   return check::result();
 }

@@ -103,7 +103,7 @@ namespace
   void
   check_covered(const unsigned int degree, const unsigned int face)
   {
-    Problem<2> problem({Kind::plane_strain, degree, 0.3, Law::neo_hookean}, {{1, 1, 1}});
+    Problem<2> problem({ProblemType::plane_strain, degree, 0.3, Law::neo_hookean}, {{1, 1, 1}});
     for (const auto &cell : problem.geometry.triangulation.active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
         cell->vertex(v) = Point<2>(1 + v % 2, v / 2);
@@ -176,9 +176,9 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const unsigned int degree : {1, 2})
     {
-      for (const Kind kind : {Kind::plane_strain, Kind::axisymmetric})
+      for (const ProblemType kind : {ProblemType::plane_strain, ProblemType::axisymmetric})
         check_all<2>({kind, degree, 0.3, Law::neo_hookean});
-      check_all<3>({Kind::three_dimensional, degree, 0.3, Law::neo_hookean});
+      check_all<3>({ProblemType::three_dimensional, degree, 0.3, Law::neo_hookean});
       {
         check_covered(degree, 0);
         check_covered(degree, 1);

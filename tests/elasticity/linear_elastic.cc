@@ -7,7 +7,10 @@ using namespace Amontons;
 
 template <int dim>
 void
-check_stress(const Kind kind, const Voigt<dim> &strain, const Voigt<dim> &wanted, const std::string &what)
+check_stress(const ProblemType  kind,
+             const Voigt<dim>  &strain,
+             const Voigt<dim>  &wanted,
+             const std::string &what)
 {
   MaterialData material;
   material.young    = 1000;
@@ -21,11 +24,11 @@ int
 main()
 {
   // E = 1000, nu = 1/4: lambda = mu = 400; shear strains are twice the tensor's.
-  check_stress<2>(Kind::plane_strain, {{0.01, 0.02, 0, 0.03}}, {{20, 28, 12, 12}}, "plane strain");
-  check_stress<2>(Kind::axisymmetric, {{0.01, 0.02, 0.04, 0.03}}, {{36, 44, 60, 12}}, "axisymmetric");
+  check_stress<2>(ProblemType::plane_strain, {{0.01, 0.02, 0, 0.03}}, {{20, 28, 12, 12}}, "plane strain");
+  check_stress<2>(ProblemType::axisymmetric, {{0.01, 0.02, 0.04, 0.03}}, {{36, 44, 60, 12}}, "axisymmetric");
   // E/(1 - nu^2) (e_x + nu e_y); the third strain follows
-  check_stress<2>(Kind::plane_stress, {{0.01, 0.02, 7, 0.03}}, {{16, 24, 0, 12}}, "plane stress");
-  check_stress<3>(Kind::three_dimensional,
+  check_stress<2>(ProblemType::plane_stress, {{0.01, 0.02, 7, 0.03}}, {{16, 24, 0, 12}}, "plane stress");
+  check_stress<3>(ProblemType::three_dimensional,
                   {{0.01, 0.02, 0.04, 0.03, 0.05, 0.07}},
                   {{36, 44, 60, 12, 20, 28}},
                   "in space");

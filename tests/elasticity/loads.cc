@@ -120,7 +120,7 @@ check_block_2d(const unsigned int degree)
   check_force<2>(resultant<2>(scene, degree, 3), V({0, -12}), "body force");
 
   // full turn
-  scene.kind = Kind::axisymmetric;
+  scene.kind = ProblemType::axisymmetric;
   check::is_close(resultant<2>(scene, degree, 3)[1], -2 * numbers::PI * 26, 1e-12, "axisymmetric body force");
   scene.bodies[0].body_force = {};
   scene.conditions           = {load(Type::pressure, {top}, {Expression(2.)})};
@@ -135,7 +135,7 @@ check_block_3d(const unsigned int degree)
   using Type = ConditionData::Type;
   using V    = Tensor<1, 3>;
   Scene scene;
-  scene.kind       = Kind::three_dimensional;
+  scene.kind       = ProblemType::three_dimensional;
   scene.bodies     = {block()};
   scene.conditions = {load(Type::total_force,
                            {{"it", "front", {}}, {"it", "top", {}}},
@@ -148,7 +148,7 @@ check_block_3d(const unsigned int degree)
 // Forces and moments on a platen do the work F . U + M . theta on its rigid motion.
 template <int dim>
 void
-check_platen(const Kind kind)
+check_platen(const ProblemType kind)
 {
   Scene scene;
   scene.kind   = kind;
@@ -198,7 +198,7 @@ main(int argc, char **argv)
       check_block_2d(degree);
       check_block_3d(degree);
     }
-  check_platen<2>(Kind::plane_strain);
-  check_platen<3>(Kind::three_dimensional);
+  check_platen<2>(ProblemType::plane_strain);
+  check_platen<3>(ProblemType::three_dimensional);
   return check::result();
 }

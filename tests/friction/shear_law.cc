@@ -9,8 +9,8 @@ using namespace Amontons;
 PairData
 pair_with(const std::string &friction, const std::string &tresca)
 {
-  PairData    pair;
-  const Where where;
+  PairData             pair;
+  const SourceLocation where;
   if (!friction.empty())
     pair.friction = Expression(friction, where, {"x", "y", "z", "t", "p"});
   if (!tresca.empty())

@@ -98,7 +98,7 @@ void
 check_dome(const BodyData &body, const std::string &what, const double tolerance = 1e-11)
 {
   Scene scene;
-  scene.kind   = Kind::three_dimensional;
+  scene.kind   = ProblemType::three_dimensional;
   scene.bodies = {body};
   Geometry<3> geometry(MPI_COMM_WORLD);
   make_geometry(scene, geometry);
@@ -142,7 +142,7 @@ void
 check_error(const BodyData &body, const std::vector<std::string> &words)
 {
   Scene scene;
-  scene.kind   = Kind::three_dimensional;
+  scene.kind   = ProblemType::three_dimensional;
   scene.bodies = {body};
   try
     {

@@ -70,7 +70,7 @@ check_shape(const BodyData &body, const double volume, const std::map<std::strin
 {
   const std::string what = body.shape + " " + std::to_string(dim) + "D ";
   Scene             scene;
-  scene.kind   = dim == 3 ? Kind::three_dimensional : Kind::plane_strain;
+  scene.kind   = dim == 3 ? ProblemType::three_dimensional : ProblemType::plane_strain;
   scene.bodies = {body};
   Geometry<dim> geometry(MPI_COMM_WORLD);
   make_geometry(scene, geometry);
@@ -132,7 +132,7 @@ check_placement()
   body.lower    = {-1, 0, 1};
   body.upper    = {2, 1, 3};
   Scene scene;
-  scene.kind   = Kind::plane_strain;
+  scene.kind   = ProblemType::plane_strain;
   scene.bodies = {body};
   Geometry<2> geometry(MPI_COMM_WORLD);
   make_geometry(scene, geometry);
@@ -220,7 +220,7 @@ check_orientation(const std::string &shape, const std::array<int, 3> &signs)
   BodyData body       = make_body(shape);
   body.rotation_angle = 0;
   body.shift          = Tensor<1, 3>();
-  scene.kind          = dim == 3 ? Kind::three_dimensional : Kind::plane_strain;
+  scene.kind          = dim == 3 ? ProblemType::three_dimensional : ProblemType::plane_strain;
   scene.bodies        = {body};
   Geometry<dim> geometry(MPI_COMM_WORLD);
   make_geometry(scene, geometry);
@@ -265,7 +265,7 @@ check_crossed_cylinders()
   lower.rotation_axis   = Tensor<1, 3>({-1, 1, -1});
   lower.name            = "lower";
   Scene scene;
-  scene.kind = Kind::three_dimensional;
+  scene.kind = ProblemType::three_dimensional;
   for (const BodyData &body : {upper, lower})
     {
       scene.bodies = {body};
@@ -294,7 +294,7 @@ void
 check_two_blocks()
 {
   Scene scene;
-  scene.kind = dim == 3 ? Kind::three_dimensional : Kind::axisymmetric;
+  scene.kind = dim == 3 ? ProblemType::three_dimensional : ProblemType::axisymmetric;
   BodyData lower;
   lower.name             = "lower";
   lower.upper            = {1, 1, 1};
@@ -376,7 +376,7 @@ check_two_blocks()
 
 template <typename Change>
 void
-check_error(const std::string &words, const Kind kind, const Change &change)
+check_error(const std::string &words, const ProblemType kind, const Change &change)
 {
   Scene    scene;
   BodyData body = make_body("disk");
@@ -408,8 +408,8 @@ main(int argc, char **argv)
   check_two_blocks<2>();
   check_two_blocks<3>();
 
-  const Kind plane = Kind::plane_strain;
-  check_error("axisymmetric", Kind::axisymmetric, [](BodyData &b) { b.shift[0] = -3; });
+  const ProblemType plane = ProblemType::plane_strain;
+  check_error("axisymmetric", ProblemType::axisymmetric, [](BodyData &b) { b.shift[0] = -3; });
   check_error("unknown shape", plane, [](BodyData &b) { b.shape = "blob"; });
   check_error("unknown shape 'sphere' in 2D", plane, [](BodyData &b) { b.shape = "sphere"; });
   check_error("out of the plane", plane, [](BodyData &b) { b.rotation_axis[0] = 1; });

@@ -35,7 +35,7 @@ vertices_on(const std::string &name,
   body.rotation_angle = 90;
   body.shift          = Tensor<1, 3>({3, 4, 0});
   body.refinements    = refinements;
-  scene.kind          = dim == 3 ? Kind::three_dimensional : Kind::plane_strain;
+  scene.kind          = dim == 3 ? ProblemType::three_dimensional : ProblemType::plane_strain;
   scene.bodies        = {body};
   Geometry<dim> geometry(MPI_COMM_WORLD);
   make_geometry(scene, geometry);

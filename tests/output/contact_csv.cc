@@ -47,7 +47,7 @@ check_file()
   node.area     = 0.25;
   node.pressure = 3;
   node.gap      = std::nan("");
-  node.state    = ContactState::slip;
+  node.state    = ContactStatus::slip;
   node.force    = Point<3>(7, 8, 9);
 
   const std::string file = std::string(std::getenv("TMPDIR") != nullptr ? std::getenv("TMPDIR") : "/tmp") +
@@ -91,7 +91,7 @@ numbered_fields(const ContactSurface<dim> &surface, const unsigned int p)
       fields.is_covered.push_back(i != 2);
       if (p == 1)
         fields.bound.push_back((i == 0 ? 0.5 : 2) * fields.traction[i].norm());
-      fields.state.push_back(static_cast<ContactState>(i % 3));
+      fields.state.push_back(static_cast<ContactStatus>(i % 3));
     }
   return fields;
 }
@@ -124,7 +124,7 @@ check_rows(const unsigned int degree)
                              pair_of({"lower", "top", {}}, {"upper", "bottom", {}})};
   scene.pairs[0].name     = "up";
   scene.pairs[1].name     = "down";
-  scene.pairs[1].friction = Expression("0.5*t", Where(), {"x", "y", "z", "t", "p"});
+  scene.pairs[1].friction = Expression("0.5*t", SourceLocation(), {"x", "y", "z", "t", "p"});
   const Problem<dim>              problem(scene, degree);
   std::vector<SurfaceFields<dim>> fields;
   for (unsigned int p = 0; p < 2; ++p)

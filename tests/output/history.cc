@@ -103,8 +103,8 @@ check_columns(const std::string &file)
                                                       {"p.stress_zz", 34},
                                                       {"p.stress_tt", 35},
                                                       {"p.stress_rz", 36}};
-  for (const auto &[kind, wanted] :
-       {std::make_pair(Kind::plane_stress, plane), std::make_pair(Kind::axisymmetric, axisymmetric)})
+  for (const auto &[kind, wanted] : {std::make_pair(ProblemType::plane_stress, plane),
+                                     std::make_pair(ProblemType::axisymmetric, axisymmetric)})
     {
       write_history(file, {row}, kind);
       std::ifstream                 stream(file);
@@ -139,7 +139,7 @@ main()
   friction.dissipation           = 0.5;
   const std::string folder       = std::getenv("TMPDIR") != nullptr ? std::getenv("TMPDIR") : "/tmp";
   const std::string file         = folder + "/amontons_test_history.csv";
-  write_history(file, {plain, friction, plain}, Kind::plane_strain);
+  write_history(file, {plain, friction, plain}, ProblemType::plane_strain);
 
   std::ifstream            stream(file);
   std::vector<std::string> lines;

@@ -38,7 +38,7 @@ struct TwoBlocks
 
   void
   set(const double        x,
-      const ContactState  s,
+      const ContactStatus s,
       const double        p,
       const double        g,
       const Tensor<1, 2> &q,
@@ -69,9 +69,9 @@ check_checks()
   TwoBlocks blocks;
   // Pressure 10 with an overlap of 0.02; a shear of 4.4 at a bound of 4, and not along the slip; tension of 2
   // at an open node.
-  blocks.set(0, ContactState::stick, 10, -0.02, Tensor<1, 2>({-3, 0}), Tensor<1, 2>());
-  blocks.set(0.5, ContactState::slip, 8, 0, Tensor<1, 2>({4.4, 0}), Tensor<1, 2>({0.03, 0.04}));
-  blocks.set(1, ContactState::open, -2, 0.3, Tensor<1, 2>(), Tensor<1, 2>());
+  blocks.set(0, ContactStatus::stick, 10, -0.02, Tensor<1, 2>({-3, 0}), Tensor<1, 2>());
+  blocks.set(0.5, ContactStatus::slip, 8, 0, Tensor<1, 2>({4.4, 0}), Tensor<1, 2>({0.03, 0.04}));
+  blocks.set(1, ContactStatus::open, -2, 0.3, Tensor<1, 2>(), Tensor<1, 2>());
   auto checks = check_physics(blocks.answer());
   check::is_close(checks["penetration"], 0.02 / 0.5, 1e-12, "penetration, of a face");
   check::is_close(checks["tension"], 2. / 10, 1e-12, "tension, of the peak");
@@ -106,9 +106,9 @@ check_checks()
   check::is_close((on_slave + on_master).norm(), 0, 1e-10, "the opposite one on the master", 1);
 
   // Where all is well, all is zero.
-  blocks.set(0, ContactState::stick, 10, 0, Tensor<1, 2>({-3, 0}), Tensor<1, 2>());
-  blocks.set(0.5, ContactState::slip, 8, 0, Tensor<1, 2>({4, 0}), Tensor<1, 2>({0.03, 0}));
-  blocks.set(1, ContactState::open, 0, 0.3, Tensor<1, 2>(), Tensor<1, 2>());
+  blocks.set(0, ContactStatus::stick, 10, 0, Tensor<1, 2>({-3, 0}), Tensor<1, 2>());
+  blocks.set(0.5, ContactStatus::slip, 8, 0, Tensor<1, 2>({4, 0}), Tensor<1, 2>({0.03, 0}));
+  blocks.set(1, ContactStatus::open, 0, 0.3, Tensor<1, 2>(), Tensor<1, 2>());
   checks = check_physics(blocks.answer());
   for (const char *const name :
        {"penetration", "tension", "complementarity", "coulomb_cone", "slip_direction"})

@@ -77,7 +77,7 @@ surface(const double bound)
       table[i].pressure = 2;
       table[i].traction = Point<3>(0.25 * i, 0, 0);
       table[i].bound    = bound;
-      table[i].state    = i < 4 ? ContactState::stick : ContactState::slip;
+      table[i].state    = i < 4 ? ContactStatus::stick : ContactStatus::slip;
     }
   return table;
 }

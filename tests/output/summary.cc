@@ -94,7 +94,7 @@ main()
   summary.message                  = "a message";
   summary.scene                    = "scene.prm";
   summary.title                    = "A title";
-  summary.kind                     = Kind::axisymmetric;
+  summary.kind                     = ProblemType::axisymmetric;
   summary.dofs                     = 20;
   summary.cells                    = 21;
   summary.ranks                    = 22;

@@ -115,7 +115,7 @@ check_answer()
 
   // Round contacts have radii; forces of axisymmetric scenes are those of the full turn. What is rounding
   // beside the normal force is no tangential force, and all that touches is no contact size.
-  summary.kind                      = Kind::axisymmetric;
+  summary.kind                      = ProblemType::axisymmetric;
   summary.pairs[0].tangential_force = {0, 4e-11};
   summary.pairs[0].normal_force     = {1e-13, 50};
   const Lines round                 = answer_lines(summary);

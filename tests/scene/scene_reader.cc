@@ -160,7 +160,7 @@ end
 
   // clang-format off
   const std::string scene_json = R"json({
-  "Title": "Two blocks", "Kind": "plane strain", "End time": 2, "Increments": 8,
+  "Title": "Two blocks", "ProblemType": "plane strain", "End time": 2, "Increments": 8,
   "Minimum increment": 1e-3, "Output times": [0.5, 1.25, 2],
   "Contact solver": {"Tolerance": 1e-6, "Line search": {"Steps": 7}},
   "Body lower": {"Mesh": "block", "Lower corner": [-4, -2], "Upper corner": [4, 0], "Cells": [8, 4],
@@ -270,7 +270,8 @@ end
   {
     Newton      newton;
     const Scene scene = read_scene(file, {}, {&newton}, fields);
-    check::is_true(scene.title == "Two blocks" && scene.kind == Kind::plane_strain, file + ": top level");
+    check::is_true(scene.title == "Two blocks" && scene.kind == ProblemType::plane_strain,
+                   file + ": top level");
     check::is_true(scene.end_time == 2 && scene.n_increments == 8, file + ": time");
     check::is_true(newton.tolerance == 1e-6 && newton.steps == 7, file + ": groups");
     check_bodies(scene, file);

@@ -47,7 +47,7 @@ force(const BoundaryName &boundary, const double x, const double y)
 
 // "lower" is held at its bottom, "upper" lies on it, frictionless.
 Scene
-two_blocks(const Kind kind = Kind::plane_strain)
+two_blocks(const ProblemType kind = ProblemType::plane_strain)
 {
   Scene scene;
   scene.kind       = kind;
@@ -118,10 +118,10 @@ struct Problem
 // Names of the motions that the equations leave.
 template <int dim>
 std::string
-unheld(const FloatingBodies<dim> &floating, const std::vector<const LinearEquation *> &equations)
+free_rigid_modes(const FloatingBodies<dim> &floating, const std::vector<const LinearEquation *> &equations)
 {
   std::string text;
-  for (const auto &motion : floating.unheld_motions(equations))
+  for (const auto &motion : floating.free_rigid_modes(equations))
     text += (text.empty() ? "" : "; ") + floating.describe(motion);
   return text;
 }
@@ -144,14 +144,15 @@ check_sliding_block()
   check::is_true(!contains(note, "thrown") && contains(note, "motion along x of body 'upper'"),
                  "a note: " + note);
   check::is_true(!contains(note, "along y") && !contains(note, "'lower'"), "about nothing else: " + note);
-  check::is_true(!unheld(*pressed.floating, pressed.all).empty(), "contact does not hold sliding");
+  check::is_true(!free_rigid_modes(*pressed.floating, pressed.all).empty(), "contact does not hold sliding");
   pressed.floating->choose_pins(pressed.all);
   check::is_true(pressed.floating->pins().size() == 1, "one pin");
-  check::is_true(unheld(*pressed.floating, pressed.all).empty(), "contact and a pin hold all");
-  check::is_true(unheld(*pressed.floating, {pressed.all.front(), pressed.all.back()}).empty(),
+  check::is_true(free_rigid_modes(*pressed.floating, pressed.all).empty(), "contact and a pin hold all");
+  check::is_true(free_rigid_modes(*pressed.floating, {pressed.all.front(), pressed.all.back()}).empty(),
                  "two nodes are enough");
-  check::is_true(contains(unheld(*pressed.floating, {pressed.all.front()}), "rotation"), "one node is not");
-  check::is_true(!unheld(*pressed.floating, {}).empty(), "a pin alone is not");
+  check::is_true(contains(free_rigid_modes(*pressed.floating, {pressed.all.front()}), "rotation"),
+                 "one node is not");
+  check::is_true(!free_rigid_modes(*pressed.floating, {}).empty(), "a pin alone is not");
 
   scene.conditions.back() = force({"upper", "top", {}}, 0.01, -1);
   check::is_true(contains(Problem(scene).check_loads(), "thrown"), "a tangential force drives the block");
@@ -172,8 +173,9 @@ check_guided_block()
                  "contact holds what the guide leaves: " + problem.check_loads());
   problem.floating->choose_pins(problem.all);
   check::is_true(problem.floating->pins().empty(), "no pins");
-  check::is_true(unheld(*problem.floating, {problem.all[1]}).empty(), "one node is enough");
-  check::is_true(contains(unheld(*problem.floating, {}), "motion along y of body 'upper'"), "none is not");
+  check::is_true(free_rigid_modes(*problem.floating, {problem.all[1]}).empty(), "one node is enough");
+  check::is_true(contains(free_rigid_modes(*problem.floating, {}), "motion along y of body 'upper'"),
+                 "none is not");
 
   // without contact
   scene.pairs = {};
@@ -190,7 +192,8 @@ check_held_blocks()
   scene.conditions.push_back(force({"upper", "right", {}}, 1, 1));
   Problem held(scene);
   check::is_true(!held.floating->any() && !held.floating->floats()[1], "held blocks do not float");
-  check::is_true(held.check_loads().empty() && unheld(*held.floating, {}).empty(), "supports suffice");
+  check::is_true(held.check_loads().empty() && free_rigid_modes(*held.floating, {}).empty(),
+                 "supports suffice");
 
   scene = two_blocks();
   scene.conditions.push_back(force({"upper", "right", {}}, 1, 1));
@@ -198,7 +201,7 @@ check_held_blocks()
   Problem tied(scene);
   check::is_true(tied.floating->any() && tied.check_loads().empty(),
                  "a tied block is held: " + tied.check_loads());
-  check::is_true(unheld(*tied.floating, tied.all).empty(), "by the tied nodes");
+  check::is_true(free_rigid_modes(*tied.floating, tied.all).empty(), "by the tied nodes");
 }
 
 // The upper block's top moves with a platen.
@@ -227,8 +230,8 @@ check_platen()
   scene.conditions.back().motion->displacement[1] = Expression(-0.1);
   Problem rotating(scene);
   check::is_true(rotating.floating->any(), "the rotation is free");
-  check::is_true(contains(unheld(*rotating.floating, {}), "rotation"), "and named");
-  check::is_true(unheld(*rotating.floating, rotating.all).empty(), "contact holds it");
+  check::is_true(contains(free_rigid_modes(*rotating.floating, {}), "rotation"), "and named");
+  check::is_true(free_rigid_modes(*rotating.floating, rotating.all).empty(), "contact holds it");
 
   scene.conditions.back().motion->rotation[2] = Expression(0.);
   check::is_true(!Problem(scene).floating->any(), "a platen with all prescribed does not float");
@@ -237,13 +240,14 @@ check_platen()
 void
 check_axisymmetric()
 {
-  Scene scene = two_blocks(Kind::axisymmetric);
+  Scene scene = two_blocks(ProblemType::axisymmetric);
   scene.conditions.push_back(force({"upper", "top", {}}, 0, -1));
   Problem problem(scene);
   check::is_true(problem.floating->floats()[1], "axisymmetric: the upper body floats");
   check::is_true(problem.check_loads().empty(), "axisymmetric: contact holds it");
-  check::is_true(unheld(*problem.floating, {problem.all[2]}).empty(), "axisymmetric: one node is enough");
-  check::is_true(contains(unheld(*problem.floating, {}), "axial motion of body 'upper'"),
+  check::is_true(free_rigid_modes(*problem.floating, {problem.all[2]}).empty(),
+                 "axisymmetric: one node is enough");
+  check::is_true(contains(free_rigid_modes(*problem.floating, {}), "axial motion of body 'upper'"),
                  "axisymmetric: axial motion");
   scene.pairs = {};
   check::is_true(contains(Problem(scene).check_loads(), "thrown"), "axisymmetric: nothing holds it");
@@ -277,7 +281,7 @@ check_ring()
                  "pressure does not turn a ring: " + problem.check_loads());
   problem.floating->choose_pins(problem.all);
   check::is_true(problem.floating->pins().size() == 1, "one pin holds the ring");
-  check::is_true(unheld(*problem.floating, problem.all).empty(), "and contact the rest");
+  check::is_true(free_rigid_modes(*problem.floating, problem.all).empty(), "and contact the rest");
 }
 
 int

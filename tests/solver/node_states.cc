@@ -28,7 +28,7 @@ main(int argc, char **argv)
     {
       auto &known          = state.contact[0][n];
       known.has_multiplier = true;
-      known.state          = n == 2 ? ContactState::stick : ContactState::slip;
+      known.state          = n == 2 ? ContactStatus::stick : ContactStatus::slip;
       known.pressure       = n;
       known.trial[0]       = 2;
     }
@@ -38,8 +38,9 @@ main(int argc, char **argv)
   const FloatingBodies<2> floating(*problem.discretization, supports, problem.interfaces);
   NodeStates<2>           states(nodes, problem.interfaces, floating, 0);
   states.start(state, {true, true, true});
-  check::is_true(states.all() ==
-                     std::vector<ContactState>{ContactState::stick, ContactState::open, ContactState::slip},
+  check::is_true(states.all() == std::vector<ContactStatus>{ContactStatus::stick,
+                                                            ContactStatus::open,
+                                                            ContactStatus::slip},
                  "states at the start: of the node, open where it had no row");
   check::is_close(states.law(2).direction[0], 1, 1e-14, "direction of slip");
 
@@ -66,8 +67,8 @@ main(int argc, char **argv)
       check::is_close(
           stored[n].trial[0], n == 2 || n == 4 ? std::min(3., trial) : 0, 1e-12, node + ": trial");
     }
-  check::is_true(stored[2].state == ContactState::stick && stored[3].state == ContactState::open &&
-                     stored[4].state == ContactState::slip,
+  check::is_true(stored[2].state == ContactStatus::stick && stored[3].state == ContactStatus::open &&
+                     stored[4].state == ContactStatus::slip,
                  "states");
   return check::result();
 }

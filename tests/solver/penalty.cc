@@ -6,12 +6,12 @@
 
 template <int dim>
 void
-check_law(const ContactState status, const double friction)
+check_law(const ContactStatus status, const double friction)
 {
   const std::string what = std::to_string(dim) + "D, " +
-                           (friction == 0                   ? "frictionless"
-                            : status == ContactState::stick ? "stick"
-                                                            : "slip");
+                           (friction == 0                    ? "frictionless"
+                            : status == ContactStatus::stick ? "stick"
+                                                             : "slip");
   Scene scene;
   scene.bodies = {block("lower", {0, 0, 0}, {1, 1, 1}, {{3, 1, 1}}),
                   block("upper", {0, 1, 0}, {1, 2, 1}, {{2, 1, 2}})};
@@ -46,7 +46,7 @@ check_law(const ContactState status, const double friction)
   for (auto &node : state.contact[0])
     {
       node.has_multiplier = true;
-      node.state          = friction == 0 ? ContactState::slip : status;
+      node.state          = friction == 0 ? ContactStatus::slip : status;
       node.pressure       = 1;
       node.trial[0]       = 2;
       node.shear[0]       = 0.01;
@@ -83,7 +83,7 @@ check_law(const ContactState status, const double friction)
           Tensor<1, dim>       before = v;
           before                      = 0;
           before[0]                   = 0.01;
-          if (status == ContactState::stick)
+          if (status == ContactStatus::stick)
             check::is_close((at.shear - before - eps * v).norm(), 0, 1e-12, what + ": elastic shear", 1);
           else
             {
@@ -118,9 +118,9 @@ int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  check_law<2>(ContactState::slip, 0);
-  check_law<3>(ContactState::slip, 0);
-  for (const auto status : {ContactState::stick, ContactState::slip})
+  check_law<2>(ContactStatus::slip, 0);
+  check_law<3>(ContactStatus::slip, 0);
+  for (const auto status : {ContactStatus::stick, ContactStatus::slip})
     {
       check_law<2>(status, 0.3);
       check_law<3>(status, 0.3);

@@ -141,13 +141,13 @@ public:
     std::vector<Gradient>                  gap_gradients(contact->nodes().size());
     std::vector<std::array<Gradient, dim>> slip_gradients(contact->nodes().size());
     for (unsigned int k = 0; k < gap_gradients.size(); ++k)
-      if (states[k] != ContactState::open)
+      if (states[k] != ContactStatus::open)
         {
           const auto normal = contact->nodes()[k].normal;
-          const auto of_gap = contact->written_rows(k, ContactState::slip, {pivots[0]}, here);
+          const auto of_gap = contact->contact_rows(k, ContactStatus::slip, {pivots[0]}, here);
           for (const auto &[dof, value] : of_gap[0].equation.coefficients)
             gap_gradients[k][dof] = -value;
-          const auto rows = contact->written_rows(k, ContactState::stick, pivots, here);
+          const auto rows = contact->contact_rows(k, ContactStatus::stick, pivots, here);
           for (unsigned int c = 0; c < dim; ++c)
             {
               slip_gradients[k][c] = rows[c].equation.coefficients;
@@ -170,14 +170,14 @@ public:
             const auto at = readable_along(direction, sign * h);
             contact->move(at);
             for (unsigned int k = 0; k < gap.size(); ++k)
-              if (states[k] != ContactState::open)
+              if (states[k] != ContactStatus::open)
                 {
                   slip[k] += sign / (2 * h) * contact->slip(k, at);
                   gap[k] += sign / (2 * h) * contact->nodes()[k].gap;
                 }
           }
         for (unsigned int k = 0; k < gap.size(); ++k)
-          if (states[k] != ContactState::open)
+          if (states[k] != ContactStatus::open)
             {
               gaps.compare(along(gap_gradients[k], direction), gap[k]);
               for (unsigned int c = 0; c < dim; ++c)

@@ -13,7 +13,7 @@ namespace
   const double mu = .3, R = 50, a = 1;
 
   Scene
-  boxes(const Kind kind)
+  boxes(const ProblemType kind)
   {
     Scene scene;
     scene.kind = kind;
@@ -60,7 +60,7 @@ namespace
   }
 
   void
-  at_all_times(const Kind kind, const double ratio)
+  at_all_times(const ProblemType kind, const double ratio)
   {
     const Scene  scene = boxes(kind);
     const double P = *reference(scene, 1, ratio).normal_force, Q_max = ratio * mu * P;
@@ -104,7 +104,7 @@ namespace
                                       {"side", side},
                                       {"friction", mu},
                                       {"shear_ratio", ratio},
-                                      {"plane_stress", kind == Kind::plane_stress ? 1. : 0.}},
+                                      {"plane_stress", kind == ProblemType::plane_stress ? 1. : 0.}},
                                      {}};
             const Point<3>  p(-4, 2 * side, 0);
             const auto      field = make_displacement_field(boundary, {1, .3});
@@ -122,7 +122,7 @@ namespace
   void
   work_of_friction()
   {
-    const Scene        scene = boxes(Kind::plane_strain);
+    const Scene        scene = boxes(ProblemType::plane_strain);
     const unsigned int n_x = 100, n_t = 60;
     const double       pi   = dealii::numbers::PI;
     double             work = 0;
@@ -146,7 +146,7 @@ namespace
   void
   slave_and_messages()
   {
-    Scene      scene = boxes(Kind::plane_strain);
+    Scene      scene = boxes(ProblemType::plane_strain);
     const auto lower = reference(scene, 2, .6);
     check::is_close(*lower.stick_size, .632456, 1e-6, "c of the published box");
     check::is_close(*lower.normal_force, 8.630749e-3, 1e-6, "P of the published box");
@@ -193,7 +193,7 @@ namespace
 int
 main()
 {
-  for (const Kind kind : {Kind::plane_strain, Kind::plane_stress})
+  for (const ProblemType kind : {ProblemType::plane_strain, ProblemType::plane_stress})
     for (const double ratio : {.6, -.9, 0.})
       at_all_times(kind, ratio);
   work_of_friction();

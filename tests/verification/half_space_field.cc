@@ -67,9 +67,9 @@ namespace
   }
 
   void
-  space_box(const Kind kind)
+  space_box(const ProblemType kind)
   {
-    const unsigned int axis = kind == Kind::axisymmetric ? 1 : 2;
+    const unsigned int axis = kind == ProblemType::axisymmetric ? 1 : 2;
     Scene              scene;
     scene.kind = kind;
     for (const char *const name : {"below", "above"})
@@ -117,7 +117,7 @@ namespace
   sheared_box()
   {
     Scene scene;
-    scene.kind = Kind::three_dimensional;
+    scene.kind = ProblemType::three_dimensional;
     for (const char *const name : {"below", "above"})
       {
         BodyData body;
@@ -199,7 +199,7 @@ namespace
   ellipses()
   {
     Scene scene;
-    scene.kind   = Kind::three_dimensional;
+    scene.kind   = ProblemType::three_dimensional;
     const auto s = make_reference_solution(
         {"hertz_elliptic", {{"P", 1000}, {"R1x", 36. / 5}, {"R1y", 20}, {"E1", 200e3}, {"nu1", .3}}, {}},
         scene);
@@ -238,8 +238,8 @@ main()
   for (const int side : {-1, 1})
     for (const unsigned int axis : {1, 2})
       space_field(side, axis);
-  space_box(Kind::three_dimensional);
-  space_box(Kind::axisymmetric);
+  space_box(ProblemType::three_dimensional);
+  space_box(ProblemType::axisymmetric);
   sheared_box();
   ellipses();
   return check::result();

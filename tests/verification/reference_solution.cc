@@ -178,7 +178,7 @@ namespace
     const auto contains = [](const std::string &text, const std::string &part) {
       check::is_true(text.find(part) != std::string::npos, "'" + text + "' contains '" + part + "'");
     };
-    const Where where{"a.prm", 7, "Reference/Solution"};
+    const SourceLocation where{"a.prm", 7, "Reference/Solution"};
     contains(message({"hertz_lin", {}, where}), "did you mean 'hertz_line'");
     contains(message({"hertz_line", {{"P", 1}}, where}), "a.prm:7");
     contains(message({"hertz_line", {{"P", 1}}, where}), "'R' is missing");
@@ -239,7 +239,7 @@ main()
   // Equal cylinders, crossed: z = (1 - cos 60)/(2R) x^2 + (1 + cos 60)/(2R) y^2, the long axis between them.
   const auto crossed = [](const double angle) {
     Scene space;
-    space.kind = Kind::three_dimensional;
+    space.kind = ProblemType::three_dimensional;
     return make_reference_solution(
         {"hertz_elliptic",
          {{"P", 50}, {"E1", 200}, {"nu1", .3}, {"R1y", 10}, {"R2y", 10}, {"angle", angle}},

@@ -30,7 +30,7 @@ namespace Amontons
       std::vector<Pair> pairs;
       double            dissipation = 0;
     };
-    std::vector<Landing> landings;
+    std::vector<Landing> breakpoints;
     unsigned int         n_increments = 0;
     double               largest_work = 0;
   };

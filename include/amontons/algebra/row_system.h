@@ -10,7 +10,7 @@
 namespace Amontons
 {
   // sum coefficient du = value, written into the matrix row of a DoF that test functions leave.
-  struct WrittenRow
+  struct ContactRow
   {
     types::global_dof_index row;
     LinearEquation          equation;
@@ -33,7 +33,7 @@ namespace Amontons
     link(const Constraints              &supports,
          const ContactConstraints       &test,
          const std::vector<LocalMatrix> &further,
-         const std::vector<WrittenRow>  &rows);
+         const std::vector<ContactRow>  &rows);
 
     // supports: homogeneous, always on the same DoFs. test: supports and equations(). further: each on one
     // rank. diagonal (may be null) is added to the entries of its DoFs. rows: those of other ranks are left
@@ -44,7 +44,7 @@ namespace Amontons
              const ContactConstraints       &test,
              const std::vector<LocalMatrix> &further,
              const LA::Vector               *diagonal,
-             const std::vector<WrittenRow>  &rows,
+             const std::vector<ContactRow>  &rows,
              const bool                      with_eliminated_form);
 
     // For multigrid, if it was asked for each time: the same with displacements that obey test.trial(), too.
@@ -85,7 +85,7 @@ namespace Amontons
     void
     measure_stiffness(const CellMatrices &cells, const Constraints &supports);
     void
-    write_rows(const std::vector<WrittenRow> &rows, const Constraints &supports);
+    write_rows(const std::vector<ContactRow> &rows, const Constraints &supports);
     void
     fill_empty_rows(LA::SparseMatrix &matrix, const Constraints &owners) const;
 

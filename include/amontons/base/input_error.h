@@ -8,7 +8,7 @@
 namespace Amontons
 {
   // A place in an input file. line = 0: no line is known (JSON, command line); `entry` then names it.
-  struct Where
+  struct SourceLocation
   {
     std::string file;
     int         line = 0;
@@ -19,7 +19,7 @@ namespace Amontons
   class InputError : public std::runtime_error
   {
   public:
-    InputError(const Where &where, const std::string &found, const std::string &allowed = "");
+    InputError(const SourceLocation &where, const std::string &found, const std::string &allowed = "");
   };
 
   // The `candidates` entry nearest to `word` by edit distance, as " (did you mean 'X'?)", or "" if none is

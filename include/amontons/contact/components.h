@@ -13,7 +13,7 @@ namespace Amontons
 {
   // A number with its derivatives by n variables.
   template <int n>
-  using Varied = Sacado::Fad::SFad<double, n>;
+  using ADNumber = Sacado::Fad::SFad<double, n>;
 
   inline double
   value_of(const double x)
@@ -23,7 +23,7 @@ namespace Amontons
 
   template <int n>
   double
-  value_of(const Varied<n> &x)
+  value_of(const ADNumber<n> &x)
   {
     return x.val();
   }

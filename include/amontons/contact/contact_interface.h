@@ -22,8 +22,8 @@ namespace Amontons
     std::vector<bool> carried;                  // slave nodes with a row
     unsigned int      n_without_multiplier = 0; // slave nodes that supports own whole
     // Gaps up to this are part of the coupling. 0: not known yet, chosen from the sizes of the surfaces.
-    double reach      = 0;
-    bool   collocated = false; // node to segment, see node_to_segment.h
+    double search_distance = 0;
+    bool   collocated      = false; // node to segment, see node_to_segment.h
     // Slave faces that are coupled; empty: all.
     std::vector<bool> wanted_faces;
   };
@@ -93,7 +93,7 @@ namespace Amontons
     std::vector<Tensor<1, dim>> normal; // unit
     std::vector<Tensor<1, dim>> traction; // on the slave, tangential part (tied pairs and friction)
     std::vector<Tensor<1, dim>> slip;     // tangential displacement of the slave relative to the master
-    std::vector<ContactState>   state;
+    std::vector<ContactStatus>  state;
     std::vector<Tensor<1, dim>> displacement;
     std::vector<Tensor<1, dim>> force; // on the slave body: the terms of normal_force + tangential_force
     std::vector<bool>

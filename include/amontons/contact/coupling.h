@@ -40,7 +40,7 @@ namespace Amontons
   // with virtual work -area p normal . delta(Delta).
   //! [coupling row]
   template <int dim>
-  struct CouplingRow
+  struct MortarRow
   {
     unsigned int   node; // of the slave surface: the node that is eliminated
     double         area;
@@ -57,7 +57,7 @@ namespace Amontons
   // Delta; u readable at relevant DoFs.
   template <int dim>
   Tensor<1, dim>
-  jump(const CouplingRow<dim> &row, const LA::Vector &u)
+  jump(const MortarRow<dim> &row, const LA::Vector &u)
   {
     Tensor<1, dim> result;
     for (unsigned int c = 0; c < dim; ++c)
@@ -73,7 +73,7 @@ namespace Amontons
   template <int dim>
   struct Coupling
   {
-    std::vector<CouplingRow<dim>>  rows;
+    std::vector<MortarRow<dim>>    rows;
     std::vector<OverlapPoint<dim>> points;
     // Nodes without a row whose pressure is the mean of others': nodes of which next to nothing is covered,
     // with those that take their share; under nodal traces (nodal_traces.h) nodes on the axis, with the

@@ -32,7 +32,7 @@ namespace boost
 
 namespace Amontons
 {
-  // Of CouplingRow::gap, normal and area.
+  // Of MortarRow::gap, normal and area.
   template <int dim>
   struct RowGradient
   {

@@ -50,14 +50,14 @@ namespace Amontons
                 const unsigned int               slave_face,
                 const ContactSurface<2>         &master,
                 const std::vector<unsigned int> &master_faces,
-                const double                     reach,
+                const double                     search_distance,
                 std::vector<OverlapPoint<2>>    &points);
   void
   overlap_faces(const ContactSurface<3>         &slave,
                 const unsigned int               slave_face,
                 const ContactSurface<3>         &master,
                 const std::vector<unsigned int> &master_faces,
-                const double                     reach,
+                const double                     search_distance,
                 std::vector<OverlapPoint<3>>    &points);
 
   // The same for an obstacle that `motion` has taken to where it is. Its edges on the slave face are found by
@@ -67,13 +67,13 @@ namespace Amontons
                    const unsigned int            slave_face,
                    const ObstacleData           &obstacle,
                    const AffineMap<2>           &motion,
-                   const double                  reach,
+                   const double                  search_distance,
                    std::vector<OverlapPoint<2>> &points);
   void
   overlap_obstacle(const ContactSurface<3>      &slave,
                    const unsigned int            slave_face,
                    const ObstacleData           &obstacle,
                    const AffineMap<3>           &motion,
-                   const double                  reach,
+                   const double                  search_distance,
                    std::vector<OverlapPoint<3>> &points);
 } // namespace Amontons

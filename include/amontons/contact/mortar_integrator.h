@@ -47,7 +47,7 @@ namespace Amontons
   find_overlaps(const PairData            &pair,
                 const ContactSurface<dim> &slave,
                 const MasterSide<dim>     &master,
-                const double               reach,
+                const double               search_distance,
                 const bool                 axisymmetric,
                 const MPI_Comm             communicator,
                 const bool                 moved  = false,

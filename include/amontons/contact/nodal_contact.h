@@ -7,7 +7,7 @@
 
 namespace Amontons
 {
-  enum class ContactState : char
+  enum class ContactStatus : char
   {
     open,
     slip, // closed, free to move tangentially (all closed nodes of frictionless contact)
@@ -19,7 +19,7 @@ namespace Amontons
   struct NodalContact
   {
     bool                   has_multiplier = false; // else nothing else is said
-    ContactState           state          = ContactState::open;
+    ContactStatus          state          = ContactStatus::open;
     double                 pressure = 0, gap = 0;
     dealii::Tensor<1, dim> shear; // friction: along the slip of the slave
     dealii::Tensor<1, dim> slip;  // in this increment; tied: none

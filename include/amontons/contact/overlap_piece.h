@@ -2,7 +2,7 @@
 #pragma once
 
 #include <amontons/contact/face_overlap.h>
-#include <amontons/contact/varied_face.h>
+#include <amontons/contact/face_ad.h>
 
 namespace Amontons
 {
@@ -15,7 +15,7 @@ namespace Amontons
                const unsigned int              slave_face,
                const ToSlavePoint             &slave_point,
                const Opposite                 &opposite,
-               const double                    reach,
+               const double                    search_distance,
                std::vector<OverlapPoint<dim>> &points)
   {
     const std::size_t before  = points.size();
@@ -35,7 +35,7 @@ namespace Amontons
         closest          = found ? std::min(closest, std::abs(p.gap)) : -1;
         points.push_back(p);
       }
-    if (closest < 0 || closest > reach)
+    if (closest < 0 || closest > search_distance)
       points.resize(before);
   }
 
@@ -44,9 +44,9 @@ namespace Amontons
   project_to(const ObstacleData &obstacle, const AffineMap<dim> &motion)
   {
     return [&](OverlapPoint<dim> &p) {
-      const auto foot = project_to_obstacle(obstacle, motion, p.x_slave, p.normal);
-      p.x_master      = foot ? foot->x : p.x_slave;
-      return foot.has_value();
+      const auto projection = project_to_obstacle(obstacle, motion, p.x_slave, p.normal);
+      p.x_master            = projection ? projection->x : p.x_slave;
+      return projection.has_value();
     };
   }
 
@@ -72,7 +72,7 @@ namespace Amontons
                   const unsigned int               slave_face,
                   const ContactSurface<dim>       &master,
                   const std::vector<unsigned int> &master_faces,
-                  const double                     reach,
+                  const double                     search_distance,
                   std::vector<OverlapPoint<dim>>  &points)
   {
     if (master_faces.empty())
@@ -98,7 +98,7 @@ namespace Amontons
           return true;
         };
         clipper.for_each_piece({master, m}, [&](const unsigned int n, const auto &slave_point) {
-          append_piece<dim>(n, slave_face, slave_point, opposite, reach, points);
+          append_piece<dim>(n, slave_face, slave_point, opposite, search_distance, points);
         });
       }
   }

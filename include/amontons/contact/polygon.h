@@ -143,14 +143,14 @@ namespace Amontons
 
   // The same with derivatives, by one more step of Newton's method.
   template <int n>
-  Components<2, Varied<n>>
-  pull_back(const Corners<Varied<n>> &corners, const Components<2, Varied<n>> &s)
+  Components<2, ADNumber<n>>
+  pull_back(const Corners<ADNumber<n>> &corners, const Components<2, ADNumber<n>> &s)
   {
-    const auto               fixed = values_of(corners);
-    const auto               at    = pull_back(fixed, Components<2, double>(value_of(s)));
-    const auto               t     = bilinear_tangents(fixed, at);
-    Components<2, Varied<n>> xi(value_of(at));
-    const auto step = solve<2, Varied<n>>({{value_of(t[0]), value_of(t[1])}}, s - bilinear(corners, at));
+    const auto                 fixed = values_of(corners);
+    const auto                 at    = pull_back(fixed, Components<2, double>(value_of(s)));
+    const auto                 t     = bilinear_tangents(fixed, at);
+    Components<2, ADNumber<n>> xi(value_of(at));
+    const auto step = solve<2, ADNumber<n>>({{value_of(t[0]), value_of(t[1])}}, s - bilinear(corners, at));
     for (unsigned int k = 0; k < 2; ++k)
       xi[k] += step[k] - value_of(step[k]);
     return xi;

@@ -3,7 +3,7 @@
 
 #include <amontons/contact/face_overlap.h>
 #include <amontons/contact/polygon.h>
-#include <amontons/contact/varied_face.h>
+#include <amontons/contact/face_ad.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -38,11 +38,11 @@ namespace Amontons
   // be the same ones when the polygon moves a little.
   template <typename Number, typename ToXi, typename OnPiece>
   void
-  integrate_polygon(const VariedFace<3, Number> &slave,
-                    const Polygon<Number>       &polygon,
-                    const Quadrature<2>         &formula,
-                    const ToXi                  &to_xi,
-                    const OnPiece               &on_piece)
+  integrate_polygon(const FaceAD<3, Number> &slave,
+                    const Polygon<Number>   &polygon,
+                    const Quadrature<2>     &formula,
+                    const ToXi              &to_xi,
+                    const OnPiece           &on_piece)
   {
     const unsigned int first  = polygon.empty() ? 0 : foremost_vertex(polygon);
     const auto         vertex = [&](const unsigned int i) -> const auto &
@@ -69,7 +69,7 @@ namespace Amontons
     using Vector = Components<3, Number>;
 
   public:
-    explicit Clipper(const VariedFace<3, Number> &slave)
+    explicit Clipper(const FaceAD<3, Number> &slave)
         : slave(slave), normal(slave.surface.face_normal(slave.face, Point<2>(0.5, 0.5)))
     {
       const auto   middle = slave.frame(Components<2, Number>(Point<2>(0.5, 0.5)));
@@ -118,11 +118,11 @@ namespace Amontons
 
     template <typename OnPiece>
     void
-    for_each_piece(const VariedFace<3, Number> &master, const OnPiece &on_piece) const
+    for_each_piece(const FaceAD<3, Number> &master, const OnPiece &on_piece) const
     {
       Corners<Number> master_corners;
       for (unsigned int v = 0; v < 4; ++v)
-        master_corners[v] = foot(corner(master, v));
+        master_corners[v] = projection(corner(master, v));
       Polygon<Number> polygon = around(master_corners);
       hold_on_edges(polygon, window);
       for (unsigned int i = 0; i < 4 && polygon.size() > 2; ++i)
@@ -149,12 +149,12 @@ namespace Amontons
           on_piece);
     }
 
-    const VariedFace<3, Number> slave;
-    const Tensor<1, 3>          normal; // at the middle of the slave face
+    const FaceAD<3, Number> slave;
+    const Tensor<1, 3>      normal; // at the middle of the slave face
 
   private:
     static Vector
-    corner(const VariedFace<3, Number> &face, const unsigned int v)
+    corner(const FaceAD<3, Number> &face, const unsigned int v)
     {
       return face.position(Point<2>(v % 2, v / 2));
     }
@@ -170,7 +170,7 @@ namespace Amontons
 
     // Of a point opposite of the face. A flat one is a special case of values, not of derivatives.
     Components<2, Number>
-    foot(const Vector &y) const
+    projection(const Vector &y) const
     {
       Components<2, Number> s = project(y);
       if (flat && std::is_same_v<Number, double>)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <amontons/contact/face_overlap.h>
-#include <amontons/contact/varied_face.h>
+#include <amontons/contact/face_ad.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -14,10 +14,7 @@ namespace Amontons
   // Calls on_piece(n, slave_point) for the formula on [a, b] of the slave face; slave_point(q), q < n.
   template <typename Number, typename OnPiece>
   void
-  integrate_segment(const VariedFace<2, Number> &slave,
-                    const Number                &a,
-                    const Number                &b,
-                    const OnPiece               &on_piece)
+  integrate_segment(const FaceAD<2, Number> &slave, const Number &a, const Number &b, const OnPiece &on_piece)
   {
     // psi x N x geometry x r: degree 2p + 1 on straight faces; curved ones get two points more.
     const QGauss<1> gauss(slave.surface.degree + 3);
@@ -32,7 +29,7 @@ namespace Amontons
   class Clipper<2, Number>
   {
   public:
-    explicit Clipper(const VariedFace<2, Number> &slave)
+    explicit Clipper(const FaceAD<2, Number> &slave)
         : slave(slave), normal(slave.surface.face_normal(slave.face, Point<1>(0.5)))
     {
     }
@@ -40,22 +37,22 @@ namespace Amontons
     // The ends of the master face are projected on to the slave face along its continuous normal field.
     template <typename OnPiece>
     void
-    for_each_piece(const VariedFace<2, Number> &master, const OnPiece &on_piece) const
+    for_each_piece(const FaceAD<2, Number> &master, const OnPiece &on_piece) const
     {
-      Number a = foot(master, 0), b = foot(master, 1);
+      Number a = projection(master, 0), b = projection(master, 1);
       if (a > b)
         std::swap(a, b);
       if (value_of(b) - value_of(a) >= 1e-12)
         integrate_segment(slave, a, b, on_piece);
     }
 
-    const VariedFace<2, Number> slave;
-    const Tensor<1, 2>          normal; // at the middle of the slave face
+    const FaceAD<2, Number> slave;
+    const Tensor<1, 2>      normal; // at the middle of the slave face
 
   private:
     // Ends of the slave face stay where they are.
     Number
-    foot(const VariedFace<2, Number> &master, const double eta) const
+    projection(const FaceAD<2, Number> &master, const double eta) const
     {
       const Point<2> y  = master.surface.position(master.face, Point<1>(eta));
       const double   xi = project_to_slave(slave.surface, slave.face, y);

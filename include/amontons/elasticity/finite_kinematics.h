@@ -21,7 +21,7 @@ namespace Amontons
   class FiniteKinematics
   {
   public:
-    FiniteKinematics(const FiniteElement<dim> &fe, const Kind kind);
+    FiniteKinematics(const FiniteElement<dim> &fe, const ProblemType kind);
 
     // Values as for StrainOperator; u on the cell's degrees of freedom; theta: coefficients of theta - 1, or
     // null for P J.
@@ -109,7 +109,7 @@ namespace Amontons
       return indices[c][m];
     }
 
-    const Kind         kind;
+    const ProblemType  kind;
     const unsigned int n_nodes; // of the scalar element
 
   private:

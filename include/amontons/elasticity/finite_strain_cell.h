@@ -29,7 +29,7 @@ namespace Amontons
   class FiniteStrainCell
   {
   public:
-    FiniteStrainCell(const FiniteElement<dim> &fe, const Kind kind);
+    FiniteStrainCell(const FiniteElement<dim> &fe, const ProblemType kind);
 
     // As FiniteKinematics::reinit(); not positive also where plane stress finds no thickness.
     double

@@ -21,9 +21,9 @@ namespace Amontons
   // int f dx of a cell becomes sum_q f JxW measure(q): 2 pi r in axisymmetric scenes (full turn), else 1.
   template <int dim>
   double
-  measure(const Kind kind, const Point<dim> &X)
+  measure(const ProblemType kind, const Point<dim> &X)
   {
-    return kind == Kind::axisymmetric ? 2 * numbers::PI * X[0] : 1.;
+    return kind == ProblemType::axisymmetric ? 2 * numbers::PI * X[0] : 1.;
   }
 
   // L2 projection P in a cell, in the weight of the kind, on to the polynomials that the pressure can carry:
@@ -76,7 +76,7 @@ namespace Amontons
   class StrainOperator
   {
   public:
-    StrainOperator(const FiniteElement<dim> &fe, const Kind kind);
+    StrainOperator(const FiniteElement<dim> &fe, const ProblemType kind);
 
     // values: update_values | update_gradients | update_quadrature_points | update_JxW_values, reinited on
     // the cell.
@@ -98,7 +98,7 @@ namespace Amontons
     void
     project_dilatation(const FEValues<dim> &values);
 
-    const Kind                kind;
+    const ProblemType         kind;
     const unsigned int        n_dofs;
     std::vector<Voigt<dim>>   B;
     std::vector<double>       weights;

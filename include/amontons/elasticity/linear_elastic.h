@@ -10,7 +10,7 @@ namespace Amontons
   template <int dim>
   struct LinearElastic
   {
-    LinearElastic(const MaterialData &material, const Kind kind);
+    LinearElastic(const MaterialData &material, const ProblemType kind);
 
     Voigt<dim>
     stress(const Voigt<dim> &strain) const;

@@ -21,7 +21,7 @@ namespace Amontons
   class MeshText
   {
   public:
-    MeshText(std::string text, const Where &where);
+    MeshText(std::string text, const SourceLocation &where);
 
     // The next line, without white space at its ends; false at the end of the text.
     bool
@@ -58,7 +58,7 @@ namespace Amontons
     std::size_t       position = 0;
     std::size_t       previous = 0;
     std::string_view  current;
-    Where             where;
+    SourceLocation    where;
   };
 
   // Quadrilaterals and hexahedra by their corners in gmsh's (and Abaqus') order. Of quadratic ones, the nodes

@@ -10,5 +10,5 @@ namespace Amontons
   // turns out of the plane.
   template <int dim>
   void
-  place(const BodyData &body, const Kind kind, CoarseMesh<dim> &mesh);
+  place(const BodyData &body, const ProblemType kind, CoarseMesh<dim> &mesh);
 } // namespace Amontons

@@ -11,18 +11,18 @@ namespace Amontons
   // A slave node; vectors have three components, the third is 0 in 2D.
   struct ContactNode
   {
-    std::string  pair;
-    Point<3>     X, x;   // reference, current
-    Tensor<1, 3> normal; // outward from the slave
-    double       area     = 0;
-    double       pressure = 0; // of the surface projection
-    Tensor<1, 3> traction;     // tangential
-    Tensor<1, 3> force;        // on the slave body; their sum is the force of the pair
-    double       gap = 0;      // NaN without a coupling row
-    Tensor<1, 3> slip;
-    ContactState state = ContactState::open;
-    double       arc   = 0; // 2D: arc length along the surface, from the first node; 3D: 0
-    double       bound = 0; // friction: of the shear at this pressure; NaN without friction
+    std::string   pair;
+    Point<3>      X, x;   // reference, current
+    Tensor<1, 3>  normal; // outward from the slave
+    double        area     = 0;
+    double        pressure = 0; // of the surface projection
+    Tensor<1, 3>  traction;     // tangential
+    Tensor<1, 3>  force;        // on the slave body; their sum is the force of the pair
+    double        gap = 0;      // NaN without a coupling row
+    Tensor<1, 3>  slip;
+    ContactStatus state = ContactStatus::open;
+    double        arc   = 0; // 2D: arc length along the surface, from the first node; 3D: 0
+    double        bound = 0; // friction: of the shear at this pressure; NaN without friction
   };
 
   // The nodes of a surface in the order of a walk over its faces (2D: from the free end with the smallest x;
@@ -45,5 +45,5 @@ namespace Amontons
   write_contact_csv(const std::string &file, const std::vector<ContactNode> &table);
 
   std::string
-  state_name(const ContactState state); // "open", "slip", "stick"
+  state_name(const ContactStatus state); // "open", "slip", "stick"
 } // namespace Amontons

@@ -12,5 +12,5 @@ namespace Amontons
   // PROBE[i].u_x, ...); in brackets: friction. nan: not known. All rows have the fields of the header.
   // Rewritten whole each time. To be called on rank 0.
   void
-  write_history(const std::string &file, const std::vector<MeshSummary> &meshes, const Kind kind);
+  write_history(const std::string &file, const std::vector<MeshSummary> &meshes, const ProblemType kind);
 } // namespace Amontons

@@ -24,7 +24,7 @@ namespace Amontons
     // tangential force, to the side where its largest component is positive), the bound of its norm, states;
     // 3D: places of the nodes and tractions in two coordinates. exact_shear: at exact_s, empty: not known.
     std::vector<double>                shear, bound, exact_shear;
-    std::vector<ContactState>          states;
+    std::vector<ContactStatus>         states;
     std::vector<bool>                  has_multiplier;
     std::vector<std::array<double, 2>> places, tractions;
     std::array<unsigned int, 2>        axes = {{0, 1}};

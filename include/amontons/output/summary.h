@@ -109,7 +109,7 @@ namespace Amontons
     bool        converged = false;
     std::string message;      // why not
     std::string scene, title; // scene: the file
-    Kind        kind = Kind::plane_strain;
+    ProblemType kind = ProblemType::plane_strain;
 
     unsigned long long            dofs = 0, cells = 0; // of the finest mesh
     unsigned int                  ranks        = 1;
@@ -146,11 +146,12 @@ namespace Amontons
   without_contact(const PairSummary &pair);
 
   std::string
-  kind_name(const Kind kind); // "plane strain", ...
+  kind_name(const ProblemType kind); // "plane strain", ...
   std::vector<std::string>
-  stress_names(const Kind kind); // in the order of Voigt<dim>: "xx", "yy", ... ("rr", "zz", "tt", "rz")
+  stress_names(
+      const ProblemType kind); // in the order of Voigt<dim>: "xx", "yy", ... ("rr", "zz", "tt", "rz")
   std::vector<std::string>
-  axis_names(const Kind kind); // "x", "y"(, "z"); axisymmetric "r", "z"
+  axis_names(const ProblemType kind); // "x", "y"(, "z"); axisymmetric "r", "z"
 
   // summary.json. To be called on rank 0.
   void

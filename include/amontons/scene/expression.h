@@ -23,7 +23,7 @@ namespace Amontons
     // Throws InputError at `where` if the text cannot be parsed or has other variables than these, of x, y,
     // z, r, t and p.
     Expression(const std::string              &text,
-               const Where                    &where,
+               const SourceLocation           &where,
                const std::vector<std::string> &variables = {"x", "y", "z", "t"});
 
     double

@@ -10,15 +10,15 @@ namespace Amontons
 {
   struct OutlineSection
   {
-    std::string path; // "Body lower", nested ones "Solver/Linear solver"
-    Where       where;
+    std::string    path; // "Body lower", nested ones "Solver/Linear solver"
+    SourceLocation where;
   };
 
   struct OutlineEntry
   {
-    std::string section; // path, empty at the top level
-    std::string name, value;
-    Where       where;
+    std::string    section; // path, empty at the top level
+    std::string    name, value;
+    SourceLocation where;
   };
 
   struct Outline
@@ -48,7 +48,7 @@ namespace Amontons
   Outline
   read_outline(const std::string &file);
   void
-  read_prm(const std::string &file, Outline &outline, const Where &included_from = {});
+  read_prm(const std::string &file, Outline &outline, const SourceLocation &included_from = {});
   void
   read_json(const std::string &file, Outline &outline);
 

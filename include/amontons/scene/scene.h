@@ -21,7 +21,7 @@ namespace Amontons
 
   // Points and vectors are always written with three components; in 2D the third is ignored.
   // Axisymmetric: x = r, y = z (axis of revolution x = 0).
-  enum class Kind
+  enum class ProblemType
   {
     plane_strain,
     plane_stress,
@@ -37,9 +37,9 @@ namespace Amontons
   };
 
   inline int
-  dimension_of(const Kind kind)
+  dimension_of(const ProblemType kind)
   {
-    return kind == Kind::three_dimensional ? 3 : 2;
+    return kind == ProblemType::three_dimensional ? 3 : 2;
   }
 
   // Of finite strain; small strain is linear elastic.
@@ -80,7 +80,7 @@ namespace Amontons
   struct MotionData
   {
     std::string                              name;
-    Where                                    where;
+    SourceLocation                           where;
     Point<3>                                 reference;
     std::array<std::optional<Expression>, 3> displacement;
     std::array<Expression, 3>                force;
@@ -90,8 +90,8 @@ namespace Amontons
 
   struct BodyData
   {
-    std::string name;
-    Where       where;
+    std::string    name;
+    SourceLocation where;
 
     // A shape of built_in_shapes(), or "file". Before placement: the half disk is the part y <= 0, with
     // boundaries "arc" (curved) and "cut" (y = 0); quarter disk: x >= 0, y <= 0, boundaries "arc", "cut" (y =
@@ -128,7 +128,7 @@ namespace Amontons
   struct BoundaryName
   {
     std::string              body, boundary;
-    Where                    where;
+    SourceLocation           where;
     std::vector<std::string> more = {}; // contact surfaces may go on over further boundaries of the same body
   };
 
@@ -137,7 +137,7 @@ namespace Amontons
   {
     std::string                   name;
     std::map<std::string, double> parameters;
-    Where                         where;
+    SourceLocation                where;
   };
 
   using DisplacementField = std::function<Tensor<1, 3>(const Point<3> &, const double t)>;
@@ -147,7 +147,8 @@ namespace Amontons
   struct BoundaryFields
   {
     // For a body of this material. Throws InputError at data.where.
-    std::function<DisplacementField(const FieldData &data, const MaterialData &material, const Kind kind)>
+    std::function<DisplacementField(
+        const FieldData &data, const MaterialData &material, const ProblemType kind)>
         displacement;
     // The times up to `end_time` at which the field bends.
     std::function<std::vector<double>(const FieldData &data, const double end_time)> corner_times;
@@ -165,7 +166,7 @@ namespace Amontons
       platen        // the boundary moves as one rigid body: `motion`
     } type = Type::displacement;
     std::string                              name;
-    Where                                    where;
+    SourceLocation                           where;
     std::vector<BoundaryName>                boundaries;
     std::array<std::optional<Expression>, 3> displacement;
     std::optional<FieldData>                 field;
@@ -176,8 +177,8 @@ namespace Amontons
   // An analytic rigid surface; the body lies outside of it: `normal` points from the obstacle to the body.
   struct ObstacleData
   {
-    std::string name;
-    Where       where;
+    std::string    name;
+    SourceLocation where;
     enum class Type
     {
       plane,      // through `centre`, with outward `normal`
@@ -200,7 +201,7 @@ namespace Amontons
   struct PairData
   {
     std::string                 name;
-    Where                       where;
+    SourceLocation              where;
     BoundaryName                first;    // always a boundary of a body
     std::optional<BoundaryName> second;   // a boundary of another body, or
     std::string                 obstacle; // the name of an obstacle
@@ -230,11 +231,11 @@ namespace Amontons
   // Values at a point, or at n points of a line, of a body.
   struct ProbeData
   {
-    std::string  name;
-    Where        where;
-    std::string  body;
-    Point<3>     from, to;
-    unsigned int n_points = 1;
+    std::string    name;
+    SourceLocation where;
+    std::string    body;
+    Point<3>       from, to;
+    unsigned int   n_points = 1;
   };
 
   // A closed form that the answer is compared with.
@@ -248,7 +249,7 @@ namespace Amontons
   {
     std::string                  title;
     std::string                  file; // path as given
-    Kind                         kind              = Kind::plane_strain;
+    ProblemType                  kind              = ProblemType::plane_strain;
     Kinematics                   kinematics        = Kinematics::small_strain;
     double                       end_time          = 1;
     unsigned int                 n_increments      = 0;    // to start with, over the end time; 0: automatic

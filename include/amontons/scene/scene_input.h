@@ -19,7 +19,7 @@ namespace Amontons
                const ParameterGroups          &groups);
 
     std::string file;
-    Kind        kind = Kind::plane_strain;
+    ProblemType kind = ProblemType::plane_strain;
     Outline     outline;
 
     // Sections "PREFIX NAME" in the order of the file.
@@ -43,7 +43,7 @@ namespace Amontons
     void
     collect_declarations(const dealii::ParameterHandler &prm);
     void
-    check_section(const std::string &path, const Where &where) const;
+    check_section(const std::string &path, const SourceLocation &where) const;
     void
     check_entry(const OutlineEntry &entry) const;
     void
@@ -61,11 +61,11 @@ namespace Amontons
     SectionInput(const SceneInput &input, const std::string &path, const std::string &name);
 
     std::string name; // "lower" of "Body lower"
-    Where
+    SourceLocation
     where() const;
-    Where
+    SourceLocation
     where(const std::string &entry) const;
-    Kind
+    ProblemType
     kind() const;
     int
     dim() const;

@@ -18,7 +18,7 @@ namespace Amontons
     virtual void
     move(const LA::Vector &u) = 0;
 
-    const std::vector<CandidateNode<dim>> &
+    const std::vector<SlaveNode<dim>> &
     nodes() const
     {
       return all;
@@ -48,11 +48,11 @@ namespace Amontons
     slip(const unsigned int k, const LA::Vector &u) const = 0;
     /// Distance of a closed node from its equations.
     virtual double
-    violation(const unsigned int k, const ContactState state, const LA::Vector &u) const = 0;
+    violation(const unsigned int k, const ContactStatus state, const LA::Vector &u) const = 0;
     /// Of a closed node: what test functions obey, and what displacements (MovingContact: their increments)
     /// do.
     virtual std::vector<ContactEquation>
-    equations(const unsigned int k, const ContactState state, const SlipLaw<dim> &law) const = 0;
+    equations(const unsigned int k, const ContactStatus state, const SlipLaw<dim> &law) const = 0;
 
     /// Derivatives of gap and slip (by component), of closed nodes.
     virtual Coefficients
@@ -61,6 +61,6 @@ namespace Amontons
     slip_gradient(const unsigned int k, const LA::Vector &u) const = 0;
 
   protected:
-    std::vector<CandidateNode<dim>> all;
+    std::vector<SlaveNode<dim>> all;
   };
 } // namespace Amontons

@@ -10,7 +10,7 @@ namespace Amontons
 {
   // One coupling row of one interface. Its jump is Delta = sum slave weight u - sum master weight u.
   template <int dim>
-  struct CandidateNode
+  struct SlaveNode
   {
     unsigned int   interface, node, row; // node: of the slave surface; row: invalid where nothing is opposite
     bool           tied, frictional;
@@ -36,7 +36,7 @@ namespace Amontons
 
   // Of one coupling row. with_components: for frictionless nodes, too.
   template <int dim>
-  CandidateNode<dim>
+  SlaveNode<dim>
   make_contact_node(const Discretization<dim>                &discretization,
                     const std::vector<ContactInterface<dim>> &interfaces,
                     const unsigned int                        interface,
@@ -45,7 +45,7 @@ namespace Amontons
                     const bool                                with_components = false);
 
   template <int dim>
-  std::vector<CandidateNode<dim>>
+  std::vector<SlaveNode<dim>>
   collect_contact_nodes(const Discretization<dim>                &discretization,
                         const std::vector<ContactInterface<dim>> &interfaces,
                         const double                              scaling);
@@ -53,7 +53,7 @@ namespace Amontons
   // "(x, y), (x, y), (x, y) and n more"
   template <int dim>
   std::string
-  places_of(const std::vector<CandidateNode<dim>> &nodes, const std::vector<unsigned int> &which);
+  places_of(const std::vector<SlaveNode<dim>> &nodes, const std::vector<unsigned int> &which);
 
   // sum coefficient u
   double
@@ -65,33 +65,33 @@ namespace Amontons
   // slope = 0). Stick: Delta is that of the closed gap across and `origin` along the surface; tied: zero.
   template <int dim>
   std::vector<ContactEquation>
-  equations_of(const CandidateNode<dim> &node,
-               const ContactState        state,
-               const SlipLaw<dim>       &law,
-               const Tensor<1, dim>     &origin);
+  equations_of(const SlaveNode<dim> &node,
+               const ContactStatus   state,
+               const SlipLaw<dim>   &law,
+               const Tensor<1, dim> &origin);
   //! [equations]
 
   // An equation of all DoFs of the node's jump, for the sparsity pattern: slip mixes the components.
   template <int dim>
   ContactEquation
-  all_components(const CandidateNode<dim> &node);
+  all_components(const SlaveNode<dim> &node);
 
   // area stiffness (1 - n n^T - d d^T) on the jump (3D): the forces of the shear across the slip.
   template <int dim>
   LocalMatrix
-  slip_stiffness(const CandidateNode<dim> &node, const SlipLaw<dim> &law);
+  slip_stiffness(const SlaveNode<dim> &node, const SlipLaw<dim> &law);
 
   // What resists rigid motions in this state: the equations above and, in 3D, the stiffness across the slip.
   template <int dim>
   std::vector<LinearEquation>
-  resistance_of(const CandidateNode<dim> &node, const ContactState state, const SlipLaw<dim> &law);
+  resistance_of(const SlaveNode<dim> &node, const ContactStatus state, const SlipLaw<dim> &law);
 
   // First guess without a history: what the prescribed displacements press together, and, for bodies that
   // only contact holds, the nodes that will touch first (linear kinematics close their gap exactly, whatever
   // its size).
   template <int dim>
   std::vector<bool>
-  first_guess_of_closed_nodes(const std::vector<CandidateNode<dim>>    &nodes,
+  first_guess_of_closed_nodes(const std::vector<SlaveNode<dim>>        &nodes,
                               const std::vector<ContactInterface<dim>> &interfaces,
                               const FloatingBodies<dim>                &floating,
                               const std::vector<double>                &gaps);

@@ -31,7 +31,7 @@ namespace Amontons
     /// which: of the nodes.
     template <int dim>
     Failure
-    passed_through(const std::vector<CandidateNode<dim>> &nodes, const std::vector<unsigned int> &which);
+    passed_through(const std::vector<SlaveNode<dim>> &nodes, const std::vector<unsigned int> &which);
 
     template <int dim>
     Failure

@@ -32,7 +32,7 @@ namespace Amontons
 
     /// Plane problems with friction and a direct solver.
     unsigned int
-    look_ahead(Iterate<dim> &now, const std::vector<ContactState> &before, const double rounding) override;
+    look_ahead(Iterate<dim> &now, const std::vector<ContactStatus> &before, const double rounding) override;
 
   private:
     double

@@ -40,12 +40,12 @@ namespace Amontons
       return all[k].tangential(all[k].jump(u) - origins[k]);
     }
     double
-    violation(const unsigned int, const ContactState, const LA::Vector &) const override
+    violation(const unsigned int, const ContactStatus, const LA::Vector &) const override
     {
       return 0;
     }
     std::vector<ContactEquation>
-    equations(const unsigned int k, const ContactState state, const SlipLaw<dim> &law) const override
+    equations(const unsigned int k, const ContactStatus state, const SlipLaw<dim> &law) const override
     {
       return equations_of(all[k], state, law, origins[k]);
     }

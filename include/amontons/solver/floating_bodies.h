@@ -54,7 +54,7 @@ namespace Amontons
     // Motions that supports, pins and the equations (of closed nodes) leave, as coefficients of the bodies'
     // motions, in the direction that loads drive.
     std::vector<std::vector<double>>
-    unheld_motions(const std::vector<const LinearEquation *> &equations) const;
+    free_rigid_modes(const std::vector<const LinearEquation *> &equations) const;
     // Of the loads on a motion of unit length, relative to the largest sum of their magnitudes on any.
     double
     relative_work(const std::vector<double> &motion) const;
@@ -84,7 +84,7 @@ namespace Amontons
     is_driven(const std::vector<double> &q) const;
     FullMatrix<double>
     with_equations(const std::vector<const LinearEquation *> &equations) const;
-    Where
+    SourceLocation
     place_of(const std::vector<double> &q) const; // of the body or motion that moves most
 
     struct DofPlace

@@ -29,19 +29,19 @@ namespace Amontons
     bool
     finished() const
     {
-      return t >= landings.back();
+      return t >= breakpoints.back();
     }
     bool
     is_last() const // the next increment ends at the end time
     {
-      return next() >= landings.back();
+      return next() >= breakpoints.back();
     }
     bool
-    has_landed() const; // time() is a time to land on
+    is_at_breakpoint() const; // time() is a time to land on
     unsigned int
-    n_landings() const
+    n_breakpoints() const
     {
-      return landings.size();
+      return breakpoints.size();
     }
     // The path may turn at time(): it starts or bends there.
     bool
@@ -62,7 +62,7 @@ namespace Amontons
     double
     longest() const; // increment at time t
 
-    std::vector<double> landings, corners;
+    std::vector<double> breakpoints, corners;
     double              constant_size; // 0: a tenth of each piece between landings,
     double              coarser;       // times this
     double              smallest;

@@ -69,10 +69,10 @@ namespace Amontons
     Tensor<1, dim>
     slip(const unsigned int k, const LA::Vector &u) const override; // v
     double
-    violation(const unsigned int k, const ContactState state, const LA::Vector &u) const override;
+    violation(const unsigned int k, const ContactStatus state, const LA::Vector &u) const override;
     // Without values: those that displacements obey are the written rows.
     std::vector<ContactEquation>
-    equations(const unsigned int k, const ContactState state, const SlipLaw<dim> &law) const override;
+    equations(const unsigned int k, const ContactStatus state, const SlipLaw<dim> &law) const override;
 
     Coefficients
     gap_gradient(const unsigned int k) const override
@@ -84,9 +84,9 @@ namespace Amontons
 
     // The equations of a closed node, linearised about u, to be written into the rows `pivots`. Slip: the gap
     // g closes, -dg = g. Stick: E = v - g/|normal| n = 0 by component.
-    std::vector<WrittenRow>
-    written_rows(const unsigned int                                         k,
-                 const ContactState                                         state,
+    std::vector<ContactRow>
+    contact_rows(const unsigned int                                         k,
+                 const ContactStatus                                        state,
                  const std::vector<std::optional<types::global_dof_index>> &pivots,
                  const LA::Vector                                          &u) const;
 
@@ -98,7 +98,7 @@ namespace Amontons
 
     // Their values alone, by component (slip: the first).
     Tensor<1, dim>
-    row_values(const unsigned int k, const ContactState state, const LA::Vector &u) const;
+    row_values(const unsigned int k, const ContactStatus state, const LA::Vector &u) const;
 
     // Derivatives of the contact forces at fixed pressures and shears; by_penalty: those of sticking nodes,
     // too, turn with the surface. This rank's part.

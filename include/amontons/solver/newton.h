@@ -3,7 +3,7 @@
 #pragma once
 
 #include <amontons/solver/newton_step.h>
-#include <amontons/solver/proximal_terms.h>
+#include <amontons/solver/rigid_mode_stabilisation.h>
 
 namespace Amontons
 {
@@ -132,12 +132,12 @@ namespace Amontons
     Timer                          clock;
     FloatingBodies<dim>            floating;
     Iterate<dim>                   at;
-    ProximalTerms                  proximal;
+    RigidModeStabilisation         stabilisation;
     const Drag                    *drag = nullptr;
     LA::Vector                     push;         // see first_push()
     LA::Vector                     balance;      // internal - contact forces - loads
     std::optional<Failure>         inversion;    // the last one
-    std::vector<ContactState>      previous_set; // before the last change of states
+    std::vector<ContactStatus>     previous_set; // before the last change of states
     unsigned int                   n_waits = 0;
   };
 } // namespace Amontons

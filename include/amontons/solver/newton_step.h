@@ -121,7 +121,7 @@ namespace Amontons
     /// Lets states change further, as long as the contact nodes alone can tell, from a solution with the
     /// states `before`. Returns the number of systems solved.
     virtual unsigned int
-    look_ahead(Iterate<dim> &, const std::vector<ContactState> &before, const double rounding)
+    look_ahead(Iterate<dim> &, const std::vector<ContactStatus> &before, const double rounding)
     {
       (void)before, (void)rounding;
       return 0;

@@ -24,7 +24,7 @@ namespace Amontons
   class NodeStates
   {
   public:
-    NodeStates(const std::vector<CandidateNode<dim>>    &nodes,
+    NodeStates(const std::vector<SlaveNode<dim>>        &nodes,
                const std::vector<ContactInterface<dim>> &interfaces,
                const FloatingBodies<dim>                &floating,
                const double                              t);
@@ -37,14 +37,14 @@ namespace Amontons
     void
     open(const unsigned int k)
     {
-      states[k] = ContactState::open;
+      states[k] = ContactStatus::open;
     }
 
     // As it would close, by whatever law.
     void
     close(const unsigned int k)
     {
-      states[k] = nodes[k].frictional ? ContactState::stick : ContactState::slip;
+      states[k] = nodes[k].frictional ? ContactStatus::stick : ContactStatus::slip;
     }
 
     // After its normal has turned, the direction of slip lies in the surface again.
@@ -73,7 +73,7 @@ namespace Amontons
     // Rigid motions that supports, pins and the present states leave. by_sticking: those that no sticking
     // node holds, although nodes that slip resist them across their slip (3D).
     std::vector<std::vector<double>>
-    unheld(const bool by_sticking = false) const;
+    free_rigid_modes(const bool by_sticking = false) const;
     std::string
     describe(const std::vector<std::vector<double>> &motions) const;
 
@@ -97,12 +97,12 @@ namespace Amontons
       return equations_of(nodes[k], states[k], laws[k], origin);
     }
 
-    const ContactState &
+    const ContactStatus &
     operator[](const unsigned int k) const
     {
       return states[k];
     }
-    const std::vector<ContactState> &
+    const std::vector<ContactStatus> &
     all() const
     {
       return states;
@@ -126,7 +126,7 @@ namespace Amontons
     }
     // Nodes held against their bound after the last update, and the motions that they hold.
     unsigned int
-    held_too_much() const
+    n_held_beyond_friction() const
     {
       return held.size();
     }
@@ -155,7 +155,7 @@ namespace Amontons
     void
     hold_motions(const NodalContacts<dim> &answers, const double tolerance);
     void
-    keep_last_change(const std::vector<ContactState> &old);
+    keep_last_change(const std::vector<ContactStatus> &old);
     unsigned int
     least_slip_along(const std::vector<double> &motion,
                      const NodalContacts<dim>  &answers,
@@ -168,13 +168,13 @@ namespace Amontons
       return answer.shear + nodes[k].c * answer.slip;
     }
 
-    const std::vector<CandidateNode<dim>>    &nodes;
+    const std::vector<SlaveNode<dim>>        &nodes;
     const std::vector<ContactInterface<dim>> &interfaces;
     const FloatingBodies<dim>                &floating;
     const double                              t;
     const bool                                any_friction;
     ActiveSetUpdate                           active_set;
-    std::vector<ContactState>                 states;
+    std::vector<ContactStatus>                states;
     std::vector<SlipLaw<dim>>                 laws;
     std::vector<double>                       frozen_bounds;
     bool                                      first       = true; // no update yet: directions are guesses

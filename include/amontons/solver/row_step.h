@@ -63,7 +63,7 @@ namespace Amontons
     LinearSolver                        solver; // refers to the matrix, which must outlive it
     TangentReuse                        tangent;
     std::vector<LocalMatrix>            further; // of contact and loads
-    std::vector<WrittenRow>             rows;
+    std::vector<ContactRow>             rows;
     std::shared_ptr<ContactConstraints> assembled; // constraints of the matrix
     bool                                has_drag = false;
   };

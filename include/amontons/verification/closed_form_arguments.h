@@ -39,6 +39,6 @@ namespace Amontons
   private:
     std::map<std::string, double> values;
     std::string                   name;
-    Where                         where;
+    SourceLocation                where;
   };
 } // namespace Amontons

@@ -34,8 +34,8 @@ namespace Amontons
 
   // The axis of the scenes' contact normal: z in three dimensions, else y.
   inline unsigned int
-  normal_axis(const Kind kind)
+  normal_axis(const ProblemType kind)
   {
-    return kind == Kind::three_dimensional ? 2 : 1;
+    return kind == ProblemType::three_dimensional ? 2 : 1;
   }
 } // namespace Amontons

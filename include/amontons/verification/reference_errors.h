@@ -13,7 +13,7 @@ namespace Amontons
   pressure_error(const ContactInterface<dim> &interface,
                  const SurfaceFields<dim>    &fields,
                  const ReferenceSolution     &reference,
-                 const Kind                   kind);
+                 const ProblemType            kind);
 
   // sqrt(int (q - q_exact)^2 / int q_exact^2) with the shear traction along x: over lines, or, where the
   // closed form is one of the radius, over discs.

@@ -61,7 +61,7 @@ namespace Amontons
   DisplacementField
   make_displacement_field(const FieldData    &data,
                           const MaterialData &material,
-                          const Kind          kind = Kind::three_dimensional);
+                          const ProblemType   kind = ProblemType::three_dimensional);
 
   // The times up to `end_time` at which such a field bends; none for a field that does not depend on t.
   std::vector<double>

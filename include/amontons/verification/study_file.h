@@ -30,7 +30,7 @@ namespace Amontons
     std::vector<SummaryPath>    columns, quantities;
     bool                        against_finest = false;
     bool                        per_mesh       = false;
-    Where                       columns_where, quantities_where;
+    SourceLocation              columns_where, quantities_where;
   };
 
   // Throws InputError with the line of the entry.

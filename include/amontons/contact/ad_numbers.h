@@ -28,12 +28,12 @@ namespace Amontons
 
   // What an OverlapPoint says to the integrals.
   template <int dim, int n>
-  struct VariedPoint
+  struct PointAD
   {
-    Components<dim - 1, Varied<n>> xi;
-    Varied<n>                      weight, gap;
-    Components<dim, Varied<n>>     normal;
-    std::vector<Varied<n>>         master; // shape values
+    Components<dim - 1, ADNumber<n>> xi;
+    ADNumber<n>                      weight, gap;
+    Components<dim, ADNumber<n>>     normal;
+    std::vector<ADNumber<n>>         master; // shape values
   };
 
   template <int dim>
@@ -48,16 +48,16 @@ namespace Amontons
 
   // The projected point on the other face; of a declared gap the slope is taken by differences.
   template <int dim, int n>
-  VariedPoint<dim, n>
-  vary_point(const ContactInterface<dim>      &interface,
-             const VariedFace<dim, Varied<n>> &master,
-             const SlavePoint<dim, Varied<n>> &slave,
-             const OverlapPoint<dim>          &p)
+  PointAD<dim, n>
+  vary_point(const ContactInterface<dim>        &interface,
+             const FaceAD<dim, ADNumber<n>>     &master,
+             const SlavePoint<dim, ADNumber<n>> &slave,
+             const OverlapPoint<dim>            &p)
   {
-    VariedPoint<dim, n> result{slave.xi, slave.weight, {}, slave.normal, {}};
-    const auto          foot =
+    PointAD<dim, n> result{slave.xi, slave.weight, {}, slave.normal, {}};
+    const auto      projection =
         vary_foot_on_master(master, p.xi_master, p.normal * (p.x_master - p.x_slave), slave.x, slave.normal);
-    result.gap = foot[dim - 1];
+    result.gap = projection[dim - 1];
     if (interface.pair->initial_gap)
       {
         result.gap += declared_gap(interface, p, p.xi_slave);
@@ -75,7 +75,7 @@ namespace Amontons
       {
         result.master.emplace_back(N[q]);
         for (unsigned int k = 0; k < dim - 1; ++k)
-          result.master[q] += gradients[q][k] * (foot[k] - p.xi_master[k]);
+          result.master[q] += gradients[q][k] * (projection[k] - p.xi_master[k]);
       }
     return result;
   }
@@ -84,30 +84,30 @@ namespace Amontons
   //   dg = -m . (dx + g dn - sum_k N_k du_k) / (m . n),
   // and the foot is another point of the obstacle then: dX = A^-1 (dx + d(g n) - sum_k N_k du_k).
   template <int dim, int n>
-  VariedPoint<dim, n>
-  vary_point(const Discretization<dim>        &discretization,
-             const ContactInterface<dim>      &interface,
-             const unsigned int                first_variable,
-             const SlavePoint<dim, Varied<n>> &slave,
-             const OverlapPoint<dim>          &p)
+  PointAD<dim, n>
+  vary_point(const Discretization<dim>          &discretization,
+             const ContactInterface<dim>        &interface,
+             const unsigned int                  first_variable,
+             const SlavePoint<dim, ADNumber<n>> &slave,
+             const OverlapPoint<dim>            &p)
   {
     const auto          &master = interface.master;
-    VariedPoint<dim, n>  result{slave.xi, slave.weight, {}, slave.normal, {}};
+    PointAD<dim, n>      result{slave.xi, slave.weight, {}, slave.normal, {}};
     const Tensor<1, dim> m =
         project_to_obstacle(*master.obstacle, master.motion, p.x_slave, p.normal)->normal;
     const double g       = p.normal * (p.x_master - p.x_slave);
     const auto   weights = [&](const Point<dim> &X) {
       return discretization.carrier_weights(master.carrier, X);
     };
-    const auto                 N     = weights(master.motion.origin_of(p.x_master));
-    Components<dim, Varied<n>> moved = slave.x + scaled(g, slave.normal), dX;
+    const auto                   N     = weights(master.motion.origin_of(p.x_master));
+    Components<dim, ADNumber<n>> moved = slave.x + scaled(g, slave.normal), dX;
     for (unsigned int d = 0; d < dim; ++d)
       {
         moved[d] -= value_of(moved[d]);
         for (unsigned int k = 0; k <= dim; ++k)
           moved[d].fastAccessDx(first_variable + k * dim + d) -= N[k];
       }
-    Varied<n> dg(0.);
+    ADNumber<n> dg(0.);
     for (unsigned int d = 0; d < dim; ++d)
       dg -= m[d] / (m * p.normal) * moved[d];
     result.gap                = p.gap + dg;
@@ -125,18 +125,18 @@ namespace Amontons
     return result;
   }
 
-  // Calls consume(VariedPoint) for all points of a slave face above one master face, or above the obstacle.
+  // Calls consume(PointAD) for all points of a slave face above one master face, or above the obstacle.
   template <int dim, int n, typename Consume>
   void
-  vary_points(const Discretization<dim>     &discretization,
-              const ContactInterface<dim>   &interface,
-              const Clipper<dim, Varied<n>> &clipper,
-              const PointsView<dim>         &points,
-              const Consume                 &consume)
+  vary_points(const Discretization<dim>       &discretization,
+              const ContactInterface<dim>     &interface,
+              const Clipper<dim, ADNumber<n>> &clipper,
+              const PointsView<dim>           &points,
+              const Consume                   &consume)
   {
-    const bool         axisymmetric   = discretization.scene.kind == Kind::axisymmetric;
+    const bool         axisymmetric   = discretization.scene.kind == ProblemType::axisymmetric;
     const unsigned int first_variable = 2 * dim * n_face_nodes(dim, interface.slave->degree);
-    const auto         on_turn        = [&](SlavePoint<dim, Varied<n>> slave) {
+    const auto         on_turn        = [&](SlavePoint<dim, ADNumber<n>> slave) {
       if (axisymmetric)
         slave.weight *= 2 * numbers::PI * slave.x[0];
       return slave;
@@ -146,15 +146,15 @@ namespace Amontons
         for (const auto &p : points)
           {
             // Pieces stay where they are on the face: so do their ends at an obstacle's edge.
-            SlavePoint<dim, Varied<n>> slave =
-                on_turn({clipper.slave, Components<dim - 1, Varied<n>>(p.xi_slave), Varied<n>(1.)});
+            SlavePoint<dim, ADNumber<n>> slave =
+                on_turn({clipper.slave, Components<dim - 1, ADNumber<n>>(p.xi_slave), ADNumber<n>(1.)});
             slave.weight *= p.weight / slave.weight.val();
             consume(vary_point(discretization, interface, first_variable, slave, p));
           }
         return;
       }
-    const VariedFace<dim, Varied<n>> master{*interface.master.surface, points[0].master_face, first_variable};
-    unsigned int                     next = 0;
+    const FaceAD<dim, ADNumber<n>> master{*interface.master.surface, points[0].master_face, first_variable};
+    unsigned int                   next = 0;
     // Pieces that have not been counted are passed over.
     clipper.for_each_piece(master, [&](const unsigned int n_points, const auto &slave_point) {
       for (unsigned int q = 0; q < n_points; ++q, ++next)

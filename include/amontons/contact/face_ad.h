@@ -13,17 +13,17 @@ namespace Amontons
   second_derivatives(const SurfaceFace<dim> &face, const Point<dim - 1> &xi);
 
   template <int dim, typename Number>
-  struct VariedFrame
+  struct FrameAD
   {
     Components<dim, Number>                      x;
     std::array<Components<dim, Number>, dim - 1> tangents;
   };
 
-  // With doubles the face as it lies. With Varied<n> variables are, from first_displacement on, the nodes'
+  // With doubles the face as it lies. With ADNumber<n> variables are, from first_displacement on, the nodes'
   // further displacements, and from first_normal on their unit normals (node by node, component by
   // component), about the values that they have.
   template <int dim, typename Number>
-  struct VariedFace
+  struct FaceAD
   {
     const ContactSurface<dim> &surface;
     unsigned int               face;
@@ -49,12 +49,12 @@ namespace Amontons
 
     // To first order in the variables and in xi - value(xi), as is all that follows:
     //   x = X + sum_k dX/dxi_k dxi_k + sum_j (N_j + d(deviation)/du_j) du_j.
-    VariedFrame<dim, Number>
+    FrameAD<dim, Number>
     frame(const Components<dim - 1, Number> &xi) const
     {
-      const Point<dim - 1>     at = value_of(xi);
-      const auto               f  = surface.frame(face, at);
-      VariedFrame<dim, Number> result;
+      const Point<dim - 1> at = value_of(xi);
+      const auto           f  = surface.frame(face, at);
+      FrameAD<dim, Number> result;
       result.x = Components<dim, Number>(f.X);
       for (unsigned int k = 0; k < dim - 1; ++k)
         result.tangents[k] = Components<dim, Number>(f.tangents[k]);
@@ -155,9 +155,7 @@ namespace Amontons
   template <int dim, typename Number>
   struct SlavePoint
   {
-    SlavePoint(const VariedFace<dim, Number>     &face,
-               const Components<dim - 1, Number> &xi,
-               const Number                      &weight)
+    SlavePoint(const FaceAD<dim, Number> &face, const Components<dim - 1, Number> &xi, const Number &weight)
         : xi(xi), normal(face.normal(xi))
     {
       const auto frame = face.frame(xi);
@@ -174,7 +172,7 @@ namespace Amontons
   // method.
   template <int dim, typename Number>
   Components<dim - 1, Number>
-  vary_foot_on_slave(const VariedFace<dim, Number> &slave,
+  vary_foot_on_slave(const FaceAD<dim, Number>     &slave,
                      const Point<dim - 1>          &xi,
                      const Components<dim, Number> &y)
   {
@@ -199,7 +197,7 @@ namespace Amontons
   // The same for (eta, g) with y(eta) - g n = x.
   template <int dim, typename Number>
   Components<dim, Number>
-  vary_foot_on_master(const VariedFace<dim, Number> &master,
+  vary_foot_on_master(const FaceAD<dim, Number>     &master,
                       const Point<dim - 1>          &eta,
                       const double                   g,
                       const Components<dim, Number> &x,

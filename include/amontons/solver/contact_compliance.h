@@ -3,7 +3,7 @@
 
 #include <amontons/algebra/linear_solver.h>
 #include <amontons/elasticity/elasticity_operator.h>
-#include <amontons/solver/condensed_contact.h>
+#include <amontons/solver/active_set_lookahead.h>
 
 namespace Amontons
 {
@@ -20,19 +20,19 @@ namespace Amontons
   //
   // and the multipliers follow from K w - f as in the base.
   template <int dim>
-  class ContactResponses
+  class ContactCompliance
   {
   public:
     // solver: has solved with `matrix`, the system of the base. first_equation: of each closed node in
     // `constraints`.
-    ContactResponses(const Discretization<dim>       &discretization,
-                     const ElasticityOperator<dim>   &elasticity,
-                     const Constraints               &supports,
-                     const ContactConstraints        &constraints,
-                     const std::vector<unsigned int> &first_equation,
-                     const BaseSolution<dim>         &base,
-                     const LA::SparseMatrix          &matrix,
-                     LinearSolver                    &solver);
+    ContactCompliance(const Discretization<dim>       &discretization,
+                      const ElasticityOperator<dim>   &elasticity,
+                      const Constraints               &supports,
+                      const ContactConstraints        &constraints,
+                      const std::vector<unsigned int> &first_equation,
+                      const BaseSolution<dim>         &base,
+                      const LA::SparseMatrix          &matrix,
+                      LinearSolver                    &solver);
 
     NodalContacts<dim>
     respond(const unsigned int node, const NodeInput input) const;

@@ -1,4 +1,4 @@
-#include <amontons/solver/condensed_contact.h>
+#include <amontons/solver/active_set_lookahead.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
@@ -9,29 +9,29 @@ namespace Amontons
     // The side of an equation that depends on the answer, as a length.
     template <int dim>
     double
-    statement(const CandidateNode<dim> &node,
-              const ContactState        state,
-              const SlipLaw<dim>       &law,
-              const NodalContact<dim>  &answer,
-              const NodeInput           input)
+    statement(const SlaveNode<dim>    &node,
+              const ContactStatus      state,
+              const SlipLaw<dim>      &law,
+              const NodalContact<dim> &answer,
+              const NodeInput          input)
     {
       if (input == NodeInput::across)
-        return state == ContactState::open ? answer.pressure / node.c : answer.gap;
-      if (state == ContactState::stick)
+        return state == ContactStatus::open ? answer.pressure / node.c : answer.gap;
+      if (state == ContactStatus::stick)
         return answer.slip * node.tangent();
       const auto by_pressure =
-          state == ContactState::slip ? law.slope * answer.pressure * law.direction : Tensor<1, dim>();
+          state == ContactStatus::slip ? law.slope * answer.pressure * law.direction : Tensor<1, dim>();
       return (answer.shear - by_pressure) * node.tangent() / node.c;
     }
 
     template <int dim>
     double
-    required(const CandidateNode<dim> &node,
-             const ContactState        state,
-             const SlipLaw<dim>       &law,
-             const NodeInput           input)
+    required(const SlaveNode<dim> &node,
+             const ContactStatus   state,
+             const SlipLaw<dim>   &law,
+             const NodeInput       input)
     {
-      const bool slips = input == NodeInput::along && state == ContactState::slip;
+      const bool slips = input == NodeInput::along && state == ContactStatus::slip;
       return slips ? law.constant * (law.direction * node.tangent()) / node.c : 0.;
     }
 
@@ -87,23 +87,23 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  CondensedContact<dim>::CondensedContact(const BaseSolution<dim> &base,
-                                          const Respond           &respond,
-                                          const unsigned int       n_most)
+  ActiveSetLookahead<dim>::ActiveSetLookahead(const BaseSolution<dim> &base,
+                                              const Respond           &respond,
+                                              const unsigned int       n_most)
       : base(base), respond(respond), n_most(n_most)
   {
   }
 
   template <int dim>
-  std::vector<typename CondensedContact<dim>::Input>
-  CondensedContact<dim>::inputs(const NodeStates<dim> &states) const
+  std::vector<typename ActiveSetLookahead<dim>::Input>
+  ActiveSetLookahead<dim>::inputs(const NodeStates<dim> &states) const
   {
     std::vector<Input> result;
     for (unsigned int k = 0; k < base.nodes.size(); ++k)
       {
         const bool closes_or_opens =
-                       (states[k] == ContactState::open) != (base.states[k] == ContactState::open),
-                   slips_otherwise = states[k] == ContactState::slip && differ(states.law(k), base.laws[k]);
+                       (states[k] == ContactStatus::open) != (base.states[k] == ContactStatus::open),
+                   slips_otherwise = states[k] == ContactStatus::slip && differ(states.law(k), base.laws[k]);
         if (closes_or_opens)
           result.emplace_back(k, NodeInput::across);
         if (base.nodes[k].frictional && base.movable[k] && (states[k] != base.states[k] || slips_otherwise))
@@ -114,14 +114,14 @@ namespace Amontons
 
   template <int dim>
   bool
-  CondensedContact<dim>::is_base(const NodeStates<dim> &states) const
+  ActiveSetLookahead<dim>::is_base(const NodeStates<dim> &states) const
   {
     return inputs(states).empty();
   }
 
   template <int dim>
   std::optional<NodalContacts<dim>>
-  CondensedContact<dim>::answers(const NodeStates<dim> &states)
+  ActiveSetLookahead<dim>::answers(const NodeStates<dim> &states)
   {
     const auto         rows  = inputs(states);
     const unsigned int n_new = std::count_if(
@@ -156,6 +156,6 @@ namespace Amontons
     return result;
   }
 
-  template class CondensedContact<2>;
-  template class CondensedContact<3>;
+  template class ActiveSetLookahead<2>;
+  template class ActiveSetLookahead<3>;
 } // namespace Amontons

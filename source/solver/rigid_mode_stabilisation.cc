@@ -1,14 +1,14 @@
-#include <amontons/solver/proximal_terms.h>
+#include <amontons/solver/rigid_mode_stabilisation.h>
 
 namespace Amontons
 {
   template <int dim>
-  ProximalTerms
-  make_proximal_terms(const Discretization<dim>     &discretization,
-                      const ElasticityOperator<dim> &elasticity,
-                      const FloatingBodies<dim>     &floating)
+  RigidModeStabilisation
+  stabilise_rigid_modes(const Discretization<dim>     &discretization,
+                        const ElasticityOperator<dim> &elasticity,
+                        const FloatingBodies<dim>     &floating)
   {
-    ProximalTerms terms;
+    RigidModeStabilisation terms;
     if (!floating.any())
       return terms;
     const double weak    = 1e-8;
@@ -38,8 +38,8 @@ namespace Amontons
     return terms;
   }
 
-  template ProximalTerms
-  make_proximal_terms(const Discretization<2> &, const ElasticityOperator<2> &, const FloatingBodies<2> &);
-  template ProximalTerms
-  make_proximal_terms(const Discretization<3> &, const ElasticityOperator<3> &, const FloatingBodies<3> &);
+  template RigidModeStabilisation
+  stabilise_rigid_modes(const Discretization<2> &, const ElasticityOperator<2> &, const FloatingBodies<2> &);
+  template RigidModeStabilisation
+  stabilise_rigid_modes(const Discretization<3> &, const ElasticityOperator<3> &, const FloatingBodies<3> &);
 } // namespace Amontons

@@ -9,14 +9,14 @@ namespace Amontons
   // Diagonal terms on the increment only, which vanish at convergence: `pins` for motions that contact can
   // never hold; `springs`, weak ones in addition for those that no closed node holds yet. Empty if no body
   // floats.
-  struct ProximalTerms
+  struct RigidModeStabilisation
   {
     LA::Vector springs, pins;
   };
 
   template <int dim>
-  ProximalTerms
-  make_proximal_terms(const Discretization<dim>     &discretization,
-                      const ElasticityOperator<dim> &elasticity,
-                      const FloatingBodies<dim>     &floating);
+  RigidModeStabilisation
+  stabilise_rigid_modes(const Discretization<dim>     &discretization,
+                        const ElasticityOperator<dim> &elasticity,
+                        const FloatingBodies<dim>     &floating);
 } // namespace Amontons

@@ -1,4 +1,4 @@
-#include <amontons/solver/contact_responses.h>
+#include <amontons/solver/contact_compliance.h>
 
 #include <deque>
 
@@ -20,14 +20,14 @@ namespace Amontons
   }
 
   template <int dim>
-  ContactResponses<dim>::ContactResponses(const Discretization<dim>       &discretization,
-                                          const ElasticityOperator<dim>   &elasticity,
-                                          const Constraints               &supports,
-                                          const ContactConstraints        &constraints,
-                                          const std::vector<unsigned int> &first_equation,
-                                          const BaseSolution<dim>         &base,
-                                          const LA::SparseMatrix          &matrix,
-                                          LinearSolver                    &solver)
+  ContactCompliance<dim>::ContactCompliance(const Discretization<dim>       &discretization,
+                                            const ElasticityOperator<dim>   &elasticity,
+                                            const Constraints               &supports,
+                                            const ContactConstraints        &constraints,
+                                            const std::vector<unsigned int> &first_equation,
+                                            const BaseSolution<dim>         &base,
+                                            const LA::SparseMatrix          &matrix,
+                                            LinearSolver                    &solver)
       : discretization(discretization), elasticity(elasticity), supports(supports), constraints(constraints),
         first_equation(first_equation), base(base), matrix(matrix), solver(solver)
   {
@@ -42,12 +42,12 @@ namespace Amontons
 
   template <int dim>
   NodalContacts<dim>
-  ContactResponses<dim>::respond(const unsigned int node, const NodeInput input) const
+  ContactCompliance<dim>::respond(const unsigned int node, const NodeInput input) const
   {
     const auto &n      = base.nodes[node];
     const auto  state  = base.states[node];
     const bool  across = input == NodeInput::across;
-    if (state == ContactState::stick || (state == ContactState::slip && across))
+    if (state == ContactStatus::stick || (state == ContactStatus::slip && across))
       return answers(displacement_of(node, across ? n.normal / n.normal.norm_square() : n.tangent()),
                      discretization.make_owned_vector());
     const Tensor<1, dim> traction = n.c * (across ? n.normal : n.tangent());
@@ -61,7 +61,7 @@ namespace Amontons
 
   template <int dim>
   LA::Vector
-  ContactResponses<dim>::internal_forces(const LA::Vector &w) const
+  ContactCompliance<dim>::internal_forces(const LA::Vector &w) const
   {
     LA::Vector readable = discretization.make_relevant_vector();
     readable            = w;
@@ -70,7 +70,7 @@ namespace Amontons
 
   template <int dim>
   NodalContacts<dim>
-  ContactResponses<dim>::answers(const LA::Vector &offset, const LA::Vector &force) const
+  ContactCompliance<dim>::answers(const LA::Vector &offset, const LA::Vector &force) const
   {
     LA::Vector unbalanced = internal_forces(offset), dw = discretization.make_owned_vector(), rhs = dw;
     unbalanced.sadd(-1, 1, force);
@@ -97,10 +97,10 @@ namespace Amontons
   // pivots of others (quadratic faces, chains of pairs): their nodes follow.
   template <int dim>
   LA::Vector
-  ContactResponses<dim>::displacement_of(const unsigned int node, const Tensor<1, dim> &jump) const
+  ContactCompliance<dim>::displacement_of(const unsigned int node, const Tensor<1, dim> &jump) const
   {
     std::deque<std::pair<unsigned int, double>> missing; // equation and value
-    if (base.states[node] == ContactState::slip)
+    if (base.states[node] == ContactStatus::slip)
       missing.emplace_back(first_equation[node], jump * base.nodes[node].normal);
     else
       for (unsigned int c = 0; c < dim; ++c)
@@ -139,7 +139,7 @@ namespace Amontons
 
   template <int dim>
   LA::Vector
-  ContactResponses<dim>::force_of(const unsigned int node, const Tensor<1, dim> &traction) const
+  ContactCompliance<dim>::force_of(const unsigned int node, const Tensor<1, dim> &traction) const
   {
     const auto &n      = base.nodes[node];
     LA::Vector  forces = discretization.make_owned_vector();
@@ -159,19 +159,19 @@ namespace Amontons
 
   template <int dim>
   NodalContact<dim>
-  ContactResponses<dim>::answer(const unsigned int         k,
-                                const LA::Vector          &w,
-                                const std::vector<double> &mu) const
+  ContactCompliance<dim>::answer(const unsigned int         k,
+                                 const LA::Vector          &w,
+                                 const std::vector<double> &mu) const
   {
-    NodalContact<dim>         result;
-    const CandidateNode<dim> &node = base.nodes[k];
-    result.gap                     = -evaluate(node.closing.equation, w);
+    NodalContact<dim>     result;
+    const SlaveNode<dim> &node = base.nodes[k];
+    result.gap                 = -evaluate(node.closing.equation, w);
     if (node.frictional)
       result.slip = node.tangential(node.jump(w));
-    if (base.states[k] == ContactState::open)
+    if (base.states[k] == ContactStatus::open)
       return result;
     const unsigned int e = first_equation[k];
-    if (base.states[k] == ContactState::stick)
+    if (base.states[k] == ContactStatus::stick)
       {
         set_traction_of_stick(node, &mu[e], result);
         return result;
@@ -182,6 +182,6 @@ namespace Amontons
     return result;
   }
 
-  template class ContactResponses<2>;
-  template class ContactResponses<3>;
+  template class ContactCompliance<2>;
+  template class ContactCompliance<3>;
 } // namespace Amontons

@@ -13,12 +13,12 @@ namespace Amontons
   template <int dim>
   struct BaseSolution
   {
-    const std::vector<CandidateNode<dim>> &nodes;
-    std::vector<ContactState>              states;
-    std::vector<SlipLaw<dim>>              laws;
-    NodalContacts<dim>                     answers;
-    std::vector<bool>                      movable;
-    const LA::Vector                      &displacement; // owned
+    const std::vector<SlaveNode<dim>> &nodes;
+    std::vector<ContactStatus>         states;
+    std::vector<SlipLaw<dim>>          laws;
+    NodalContacts<dim>                 answers;
+    std::vector<bool>                  movable;
+    const LA::Vector                  &displacement; // owned
   };
 
   // What the base state of a node keeps at zero: a jump of a closed node, the pressure or the shear of an
@@ -44,13 +44,13 @@ namespace Amontons
   // This is a dense system as small as the set of nodes that change (Sherman, Morrison and Woodbury's
   // formula). Plane problems only.
   template <int dim>
-  class CondensedContact
+  class ActiveSetLookahead
   {
   public:
     using Respond = std::function<NodalContacts<dim>(const unsigned int node, const NodeInput input)>;
 
     // n_most: of responses that may be asked for.
-    CondensedContact(const BaseSolution<dim> &base, const Respond &respond, const unsigned int n_most);
+    ActiveSetLookahead(const BaseSolution<dim> &base, const Respond &respond, const unsigned int n_most);
 
     // What all nodes answer in these states; nothing if that takes too many responses.
     std::optional<NodalContacts<dim>>

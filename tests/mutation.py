@@ -97,7 +97,7 @@ CHANGES = [
     ("increments after a cut", "solver/load_program.cc", "factor = std::min(1., 2 * factor);", "factor = 2 * factor;", "^solver/load_program$"),
     ("corners of the load", "solver/load_program.cc", "return t == 0 || std::any_of(", "return std::any_of(", "^solver/load_program$"),
     ("modes of rotation", "solver/floating_bodies.cc", "e[mode] -= weight * (place.X[b] - centres[place.body][b])", "e[mode] += weight * (place.X[b] - centres[place.body][b])", "^solver/floating_bodies$"),
-    ("turning slip", "solver/node_states.cc", "!first && old == ContactState::slip && q * laws[k].direction < 0", "false", FRICTION + "|scenes/iterations_.*|scenes/microslip_bar_back_at_0"),
+    ("turning slip", "solver/node_states.cc", "!first && old == ContactStatus::slip && q * laws[k].direction < 0", "false", FRICTION + "|scenes/iterations_.*|scenes/microslip_bar_back_at_0"),
     ("origin of sticking nodes", "../include/amontons/solver/fixed_contact.h", "result[k] = all[k].jump(start.committed);", "result[k] = all[k].jump(start.displacement);", FRICTION),
     ("stored states", "solver/node_states.cc", "contact.state          = states[k];", "contact.state          = answers[k].state;", FRICTION),
     ("states of nodes that had a row", "solver/node_states.cc", "auto &contact = result[nodes[k].interface][nodes[k].node];", "auto &contact = result[nodes[k].interface][nodes[k].row];", "^solver/node_states$"),

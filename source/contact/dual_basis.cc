@@ -10,6 +10,34 @@ namespace Amontons
 {
   using namespace dealii;
 
+  namespace
+  {
+    // A node that carries no multiplier leaves its part to the others of the face.
+    template <int fdim>
+    void
+    share_among_carrying(const std::vector<bool> &carries_multiplier, DualBasis<fdim> &result)
+    {
+      const unsigned int n = carries_multiplier.size(), n_q = result.psi.n();
+      const unsigned int n_carrying = std::count(carries_multiplier.begin(), carries_multiplier.end(), true);
+      for (unsigned int f = 0; f < n; ++f)
+        if (!carries_multiplier[f])
+          {
+            for (unsigned int i = 0; i < n; ++i)
+              if (carries_multiplier[i])
+                {
+                  for (unsigned int q = 0; q < n_q; ++q)
+                    result.psi(i, q) += result.psi(f, q) / n_carrying;
+                  for (unsigned int j = 0; j < n; ++j)
+                    result.traces(i, j) += result.traces(f, j) / n_carrying;
+                }
+            for (unsigned int j = 0; j < n; ++j)
+              result.traces(f, j) = 0;
+            for (unsigned int q = 0; q < n_q; ++q)
+              result.psi(f, q) = 0;
+          }
+    }
+  } // namespace
+
   template <int fdim>
   DualBasis<fdim>
   make_dual_basis(const unsigned int              degree,
@@ -98,23 +126,7 @@ namespace Amontons
           result.traces(i, j) = D[i] * P(i, j);
       }
 
-    const unsigned int n_carrying = std::count(carries_multiplier.begin(), carries_multiplier.end(), true);
-    for (unsigned int f = 0; f < n; ++f)
-      if (!carries_multiplier[f])
-        {
-          for (unsigned int i = 0; i < n; ++i)
-            if (carries_multiplier[i])
-              {
-                for (unsigned int q = 0; q < n_q; ++q)
-                  result.psi(i, q) += result.psi(f, q) / n_carrying;
-                for (unsigned int j = 0; j < n; ++j)
-                  result.traces(i, j) += result.traces(f, j) / n_carrying;
-              }
-          for (unsigned int j = 0; j < n; ++j)
-            result.traces(f, j) = 0;
-          for (unsigned int q = 0; q < n_q; ++q)
-            result.psi(f, q) = 0;
-        }
+    share_among_carrying(carries_multiplier, result);
     return result;
   }
 

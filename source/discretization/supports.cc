@@ -10,6 +10,19 @@ namespace Amontons
 {
   namespace
   {
+    using Terms = std::vector<std::pair<types::global_dof_index, double>>;
+
+    // Unless the DoF is constrained already.
+    void
+    tie(Constraints &constraints, const types::global_dof_index dof, const Terms &terms, const double value)
+    {
+      if (!constraints.can_store_line(dof) || constraints.is_constrained(dof))
+        return;
+      constraints.add_line(dof);
+      constraints.add_entries(dof, terms);
+      constraints.set_inhomogeneity(dof, value);
+    }
+
     // Calls action(dofs of the node by component, position, unit normal of the face there) for every node of
     // every face of `boundary`.
     template <int dim, typename Action>
@@ -165,13 +178,8 @@ namespace Amontons
   void
   Discretization<dim>::constrain_carriers(Constraints &constraints, const double t) const
   {
-    using Terms    = std::vector<std::pair<types::global_dof_index, double>>;
     const auto tie = [&](const types::global_dof_index dof, const Terms &terms, const double value) {
-      if (!constraints.can_store_line(dof) || constraints.is_constrained(dof))
-        return;
-      constraints.add_line(dof);
-      constraints.add_entries(dof, terms);
-      constraints.set_inhomogeneity(dof, value);
+      Amontons::tie(constraints, dof, terms, value);
     };
     const bool axisymmetric = scene.kind == ProblemType::axisymmetric;
 
@@ -223,8 +231,14 @@ namespace Amontons
               tie(opposite, {{opposite_origin, 1.}, {dof, -1.}, {origin, 1.}}, 0);
           }
       }
+    constrain_carrier_cells(constraints);
+  }
 
-    // The other nodes of the carrier cells follow their corners.
+  // The other nodes of the carrier cells follow their corners.
+  template <int dim>
+  void
+  Discretization<dim>::constrain_carrier_cells(Constraints &constraints) const
+  {
     const auto                          &base = fe.base_element(0);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     for (const auto &cell : dof_handler.active_cell_iterators())
@@ -252,7 +266,7 @@ namespace Amontons
                   }
                 if (first != 0)
                   terms.emplace_back(carrier_dofs[m][0][c], first);
-                tie(dof, terms, 0);
+                tie(constraints, dof, terms, 0);
               }
         }
   }

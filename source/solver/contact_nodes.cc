@@ -1,3 +1,4 @@
+#include <amontons/algebra/node_pattern.h>
 #include <amontons/elasticity/linear_elastic.h>
 #include <amontons/solver/contact_nodes.h>
 
@@ -33,19 +34,19 @@ namespace Amontons
 
   template <int dim>
   std::string
-  places_of(const std::vector<SlaveNode<dim>> &nodes, const std::vector<unsigned int> &which)
+  places_of(const std::vector<Point<dim>> &points)
   {
     std::ostringstream text;
     text.precision(4);
-    for (unsigned int i = 0; i < std::min<std::size_t>(3, which.size()); ++i)
+    for (unsigned int i = 0; i < std::min<std::size_t>(3, points.size()); ++i)
       {
-        text << (i == 0 ? "(" : ", (") << nodes[which[i]].X[0];
+        text << (i == 0 ? "(" : ", (") << points[i][0];
         for (unsigned int d = 1; d < dim; ++d)
-          text << ", " << nodes[which[i]].X[d];
+          text << ", " << points[i][d];
         text << ")";
       }
-    if (which.size() > 3)
-      text << " and " << which.size() - 3 << " more";
+    if (points.size() > 3)
+      text << " and " << points.size() - 3 << " more";
     return text.str();
   }
 
@@ -222,6 +223,42 @@ namespace Amontons
   }
 
   template <int dim>
+  std::vector<JumpTerm>
+  jump_terms(const SlaveNode<dim> &node, const bool normal)
+  {
+    std::vector<JumpTerm> result;
+    for (unsigned int c = 0; c < (normal ? 1 : dim); ++c)
+      for (const auto &[dof, weight] : (normal ? node.closing : node.components[c]).equation.coefficients)
+        result.push_back({dof, c, weight});
+    return result;
+  }
+
+  LocalMatrix
+  stiffness_of_traction(const std::vector<JumpTerm>     &jump,
+                        const double                     area,
+                        const std::vector<Coefficients> &dt)
+  {
+    LocalMatrix result;
+    auto       &columns = result.columns;
+    for (const auto &component : dt)
+      for (const auto &entry : component)
+        columns.push_back(entry.first);
+    sort_once(columns);
+    FullMatrix<double> of_traction(dt.size(), columns.size());
+    for (unsigned int c = 0; c < dt.size(); ++c)
+      for (const auto &[dof, value] : dt[c])
+        of_traction(c, std::lower_bound(columns.begin(), columns.end(), dof) - columns.begin()) = value;
+    result.matrix.reinit(jump.size(), columns.size());
+    for (unsigned int i = 0; i < jump.size(); ++i)
+      {
+        result.rows.push_back(jump[i].dof);
+        for (unsigned int j = 0; j < columns.size(); ++j)
+          result.matrix(i, j) = area * jump[i].weight * of_traction(jump[i].component, j);
+      }
+    return result;
+  }
+
+  template <int dim>
   std::vector<LinearEquation>
   resistance_of(const SlaveNode<dim> &node, const ContactStatus state, const SlipLaw<dim> &law)
   {
@@ -278,9 +315,13 @@ namespace Amontons
                     const double,
                     const bool);
   template std::string
-  places_of(const std::vector<SlaveNode<2>> &, const std::vector<unsigned int> &);
+  places_of(const std::vector<Point<2>> &);
   template std::string
-  places_of(const std::vector<SlaveNode<3>> &, const std::vector<unsigned int> &);
+  places_of(const std::vector<Point<3>> &);
+  template std::vector<JumpTerm>
+  jump_terms(const SlaveNode<2> &, const bool);
+  template std::vector<JumpTerm>
+  jump_terms(const SlaveNode<3> &, const bool);
   template struct SlaveNode<2>;
   template struct SlaveNode<3>;
   template std::vector<SlaveNode<2>>

@@ -136,10 +136,10 @@ namespace Amontons
 
     template <int dim>
     Failure
-    passed_through(const std::vector<SlaveNode<dim>> &nodes, const std::vector<unsigned int> &which)
+    passed_through(const std::vector<Point<dim>> &nodes)
     {
       Failure failure{Failure::Kind::passed_through};
-      failure.where = places_of(nodes, which);
+      failure.where = places_of(nodes);
       return failure;
     }
 
@@ -186,9 +186,9 @@ namespace Amontons
     template Failure
     inverted(const Discretization<2> &, const InvertedCell<2> &);
     template Failure
-    passed_through(const std::vector<SlaveNode<2>> &, const std::vector<unsigned int> &);
+    passed_through(const std::vector<Point<2>> &);
     template Failure
-    passed_through(const std::vector<SlaveNode<3>> &, const std::vector<unsigned int> &);
+    passed_through(const std::vector<Point<3>> &);
     template std::optional<Failure>
     friction_beyond_limit(const NodeStates<3> &);
     template Failure

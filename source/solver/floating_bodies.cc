@@ -27,9 +27,26 @@ namespace Amontons
         centres[b] = discretization.geometry.body_centres[b];
       }
 
-    // Where each relevant DoF is and whom it belongs to.
-    const auto                          &fe   = discretization.fe;
-    const auto                          &base = fe.base_element(0);
+    place_dofs(interfaces, displacement);
+    add_supports(supports);
+    const auto free = null_space(supports_matrix, 1e-12);
+    n_free          = free.m() == 0 ? 0 : free.n();
+    floating.assign(n_owners, false);
+    for (unsigned int k = 0; k < n_free; ++k)
+      for (unsigned int i = 0; i < n_modes; ++i)
+        if (std::abs(free(i, k)) > 1e-6)
+          floating[i / modes_per_body] = true;
+  }
+
+  // Where each relevant DoF is and whom it belongs to.
+  template <int dim>
+  void
+  FloatingBodies<dim>::place_dofs(const std::vector<ContactInterface<dim>> &interfaces,
+                                  const LA::Vector                         *displacement)
+  {
+    const unsigned int                   n_bodies = discretization.scene.bodies.size();
+    const auto                          &fe       = discretization.fe;
+    const auto                          &base     = fe.base_element(0);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     FEValues<dim>                        values(discretization.mapping,
                          fe,
@@ -73,8 +90,13 @@ namespace Amontons
               place(discretization.carrier_dofs[m][k][c]) = {n_bodies + m, c, X};
             }
       }
+  }
 
-    // Lines with unit weight each: relative sizes do not matter for a null space.
+  // Lines with unit weight each: relative sizes do not matter for a null space.
+  template <int dim>
+  void
+  FloatingBodies<dim>::add_supports(const Constraints &supports)
+  {
     supports_matrix.reinit(n_modes, n_modes);
     for (const auto &support : supports.get_lines())
       if (discretization.locally_owned.is_element(support.index))
@@ -96,14 +118,6 @@ namespace Amontons
     for (unsigned int i = 0; i < n_modes; ++i)
       for (unsigned int j = 0; j < n_modes; ++j)
         supports_matrix(i, j) = entries[i * n_modes + j];
-
-    const auto free = null_space(supports_matrix, 1e-12);
-    n_free          = free.m() == 0 ? 0 : free.n();
-    floating.assign(n_owners, false);
-    for (unsigned int k = 0; k < n_free; ++k)
-      for (unsigned int i = 0; i < n_modes; ++i)
-        if (std::abs(free(i, k)) > 1e-6)
-          floating[i / modes_per_body] = true;
   }
 
   template <int dim>

@@ -76,7 +76,7 @@ namespace Amontons
     old.resize(all.size());
     places.resize(all.size());
     move(committed);
-    remember_partners();
+    old_partners = OldPartners<dim>(interfaces);
     if (this->any_friction())
       remember_old_rows(closed_nodes(start));
     t = start.t;
@@ -113,62 +113,6 @@ namespace Amontons
           node.closing.equation.value = 0;
           node.old_gap                = old_gap[node_of[i][interfaces[i].coupling.rows[r].node]];
         }
-  }
-
-  // Of each node, the point of the overlap nearest to it.
-  template <int dim>
-  void
-  MovingContact<dim>::remember_partners()
-  {
-    old_partners.resize(all.size());
-    std::vector<double> nearest(all.size(), std::numeric_limits<double>::max());
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      for (const auto &p : interfaces[i].coupling.points)
-        for (const unsigned int n : interfaces[i].slave->faces[p.slave_face].unknowns)
-          {
-            const unsigned int k    = node_of[i][n];
-            const double       away = p.x_slave.distance_square(interfaces[i].slave->nodes[n].x);
-            if (all[k].tied || away >= nearest[k])
-              continue;
-            nearest[k]      = away;
-            old_partners[k] = {p.slave_face, p.master_face, p.xi_slave, p.xi_master, {}, 0.};
-            if (interfaces[i].master.obstacle != nullptr)
-              old_partners[k]->on_obstacle = interfaces[i].master.motion.origin_of(p.x_master);
-          }
-    for (unsigned int k = 0; k < all.size(); ++k)
-      if (old_partners[k])
-        old_partners[k]->gap = distance(k, *old_partners[k]) * slave_normal(k, *old_partners[k]);
-  }
-
-  // From the slave's point to the other one, where they are now.
-  template <int dim>
-  Tensor<1, dim>
-  MovingContact<dim>::distance(const unsigned int k, const OldPartners &partners) const
-  {
-    const auto &interface = interfaces[all[k].interface];
-    const auto  x         = interface.slave->position(partners.slave_face, partners.xi_slave);
-    return (interface.master.obstacle != nullptr
-                ? interface.master.motion(partners.on_obstacle)
-                : interface.master_surface->position(partners.master_face, partners.xi_master)) -
-           x;
-  }
-
-  template <int dim>
-  std::vector<unsigned int>
-  MovingContact<dim>::passed_through(const SolutionState<dim> &state) const
-  {
-    std::vector<unsigned int> result;
-    for (unsigned int k = 0; k < all.size(); ++k)
-      {
-        const auto *known = state.contact_of(all[k].interface, all[k].node);
-        if (!old_partners[k] || known == nullptr || known->state != ContactStatus::open)
-          continue;
-        const auto   way = distance(k, *old_partners[k]), n = slave_normal(k, *old_partners[k]);
-        const double gap = way * n, approach = old_partners[k]->gap - gap;
-        if (gap < -0.05 * interfaces[all[k].interface].slave->mean_size && approach > (way - gap * n).norm())
-          result.push_back(k);
-      }
-    return result;
   }
 
   // A closed node has no gap to close, whatever a transfer to another mesh has changed about it.
@@ -482,28 +426,7 @@ namespace Amontons
                 dv[d]);
       }
 
-    LocalMatrix result;
-    auto       &columns = result.columns;
-    for (const auto &component : dt)
-      for (const auto &entry : component)
-        columns.push_back(entry.first);
-    sort_once(columns);
-    FullMatrix<double> of_traction(dim, columns.size());
-    for (unsigned int c = 0; c < dim; ++c)
-      for (const auto &[dof, value] : dt[c])
-        of_traction(c, std::lower_bound(columns.begin(), columns.end(), dof) - columns.begin()) = value;
-    std::vector<std::pair<unsigned int, double>> row_terms;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (const auto &[dof, weight] : node.components[c].equation.coefficients)
-        {
-          result.rows.push_back(dof);
-          row_terms.emplace_back(c, node.area * weight);
-        }
-    result.matrix.reinit(result.rows.size(), columns.size());
-    for (unsigned int i = 0; i < row_terms.size(); ++i)
-      for (unsigned int j = 0; j < columns.size(); ++j)
-        result.matrix(i, j) = row_terms[i].second * of_traction(row_terms[i].first, j);
-    return result;
+    return stiffness_of_traction(jump_terms(node, false), node.area, {dt.begin(), dt.end()});
   }
 
   template <int dim>

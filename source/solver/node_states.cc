@@ -344,7 +344,14 @@ namespace Amontons
   std::string
   NodeStates<dim>::where_unsettled() const
   {
-    return places_of(nodes, held.empty() ? changed : held);
+    std::vector<Point<dim>> places;
+    for (const unsigned int k : held.empty() ? changed : held)
+      {
+        places.emplace_back();
+        for (unsigned int d = 0; d < dim; ++d)
+          places.back()[d] = nodes[k].X[d];
+      }
+    return places_of(places);
   }
 
   // (shear + c slip)/bound is bounded, as it will be interpolated: where the pressure vanishes the ratio has

@@ -2,23 +2,6 @@
 
 namespace Amontons
 {
-  namespace
-  {
-    // Weights of the jump by DoF with their component; frictionless nodes: of its normal part.
-    template <int dim, typename Action>
-    void
-    for_each_weight(const SlaveNode<dim> &node, const Action &action)
-    {
-      if (!node.frictional)
-        for (const auto &[dof, weight] : node.closing.equation.coefficients)
-          action(0, dof, weight);
-      else
-        for (unsigned int c = 0; c < dim; ++c)
-          for (const auto &[dof, weight] : node.components[c].equation.coefficients)
-            action(c, dof, weight);
-    }
-  } // namespace
-
   template <int dim>
   Tensor<1, dim>
   Penalty<dim>::trial(const unsigned int k) const
@@ -54,10 +37,9 @@ namespace Amontons
     const auto          &node = contact.nodes()[k];
     const auto           at   = answer(k, states);
     const Tensor<1, dim> t    = at.pressure * node.normal + at.shear;
-    for_each_weight(node, [&](const unsigned int c, const auto dof, const double weight) {
+    for (const auto &[dof, c, weight] : jump_terms(node, !node.frictional))
       if (forces.in_local_range(dof))
         forces(dof) -= node.area * weight * (node.frictional ? t[c] : at.pressure);
-    });
   }
 
   // area sum weight_c dt_c with dt = n dp + dq, dp = -eps dg and, with d = trial/|trial|,
@@ -91,24 +73,7 @@ namespace Amontons
               add(dt[c], across * (double(c == e) - d[c] * d[e]), dv[e]);
           }
       }
-    LocalMatrix result;
-    for (const auto &component : dt)
-      for (const auto &entry : component)
-        result.columns.push_back(entry.first);
-    std::sort(result.columns.begin(), result.columns.end());
-    result.columns.erase(std::unique(result.columns.begin(), result.columns.end()), result.columns.end());
-    std::vector<std::pair<unsigned int, double>> terms;
-    for_each_weight(node, [&](const unsigned int c, const auto dof, const double weight) {
-      result.rows.push_back(dof);
-      terms.emplace_back(c, node.area * weight);
-    });
-    result.matrix.reinit(result.rows.size(), result.columns.size());
-    for (unsigned int i = 0; i < terms.size(); ++i)
-      for (const auto &[dof, value] : dt[terms[i].first])
-        result.matrix(i,
-                      std::lower_bound(result.columns.begin(), result.columns.end(), dof) -
-                          result.columns.begin()) += terms[i].second * value;
-    return result;
+    return stiffness_of_traction(jump_terms(node, !node.frictional), node.area, dt);
   }
 
   template class Penalty<2>;

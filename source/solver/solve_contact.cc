@@ -54,7 +54,7 @@ namespace Amontons
     if (const auto nodes = contact.passed_through(state); report.converged && !report.moved && !nodes.empty())
       {
         report.converged = false;
-        report.failure   = Diagnosis::passed_through(contact.nodes(), nodes);
+        report.failure   = Diagnosis::passed_through(nodes);
       }
     return report;
   }

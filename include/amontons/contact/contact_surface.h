@@ -7,6 +7,9 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <map>
+#include <set>
+
 namespace Amontons
 {
   template <int dim>
@@ -150,6 +153,10 @@ namespace Amontons
     collect_faces(const std::vector<FaceNumbers> &parts);
     void
     find_parents(const Discretization<dim> &discretization);
+    void
+    join_nodes(const Discretization<dim>                       &discretization,
+               std::set<types::global_dof_index>                missing,
+               std::map<types::global_dof_index, unsigned int> &node_of_dof);
     void
     make_controls();
     void

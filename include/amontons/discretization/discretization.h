@@ -82,6 +82,8 @@ namespace Amontons
     void
     constrain_carriers(Constraints &constraints, const double t) const;
     void
+    constrain_carrier_cells(Constraints &constraints) const;
+    void
     constrain_rigid_bodies(Constraints &constraints) const;
     void
     constrain_platen(Constraints &constraints, const ConditionData &condition) const;

@@ -53,7 +53,7 @@ namespace Amontons
   // "(x, y), (x, y), (x, y) and n more"
   template <int dim>
   std::string
-  places_of(const std::vector<SlaveNode<dim>> &nodes, const std::vector<unsigned int> &which);
+  places_of(const std::vector<Point<dim>> &points);
 
   // sum coefficient u
   double
@@ -80,6 +80,24 @@ namespace Amontons
   template <int dim>
   LocalMatrix
   slip_stiffness(const SlaveNode<dim> &node, const SlipLaw<dim> &law);
+
+  // A DoF of a node's jump, with its component and weight.
+  struct JumpTerm
+  {
+    types::global_dof_index dof;
+    unsigned int            component;
+    double                  weight;
+  };
+  // Of all components; `normal`: of the normal part alone, as component 0.
+  template <int dim>
+  std::vector<JumpTerm>
+  jump_terms(const SlaveNode<dim> &node, const bool normal);
+
+  // area sum weight dt_component: the derivative of the node's forces by its traction's.
+  LocalMatrix
+  stiffness_of_traction(const std::vector<JumpTerm>     &jump,
+                        const double                     area,
+                        const std::vector<Coefficients> &dt);
 
   // What resists rigid motions in this state: the equations above and, in 3D, the stiffness across the slip.
   template <int dim>

@@ -28,10 +28,10 @@ namespace Amontons
     Failure
     friction_exceeded(const NodeStates<dim> &states);
 
-    /// which: of the nodes.
+    /// At these slave nodes.
     template <int dim>
     Failure
-    passed_through(const std::vector<SlaveNode<dim>> &nodes, const std::vector<unsigned int> &which);
+    passed_through(const std::vector<Point<dim>> &nodes);
 
     template <int dim>
     Failure

@@ -74,6 +74,10 @@ namespace Amontons
     owner_of(const types::global_dof_index dof) const;
 
   private:
+    void
+    place_dofs(const std::vector<ContactInterface<dim>> &interfaces, const LA::Vector *displacement);
+    void
+    add_supports(const Constraints &supports);
     std::vector<double>
     violation(const Coefficients &coefficients) const;
     void

@@ -6,6 +6,7 @@
 #include <amontons/contact/coupling_derivatives.h>
 #include <amontons/solver/contact_kinematics.h>
 #include <amontons/solver/node_states.h>
+#include <amontons/solver/old_partners.h>
 
 #include <set>
 
@@ -90,11 +91,12 @@ namespace Amontons
                  const std::vector<std::optional<types::global_dof_index>> &pivots,
                  const LA::Vector                                          &u) const;
 
-    // Nodes that were outside of the other side in the last converged state, are open now, and would lie
-    // within what was opposite of them then, having come there along their normal rather than along the
-    // surface: the increment was so large that they passed through.
-    std::vector<unsigned int>
-    passed_through(const SolutionState<dim> &state) const;
+    // Slave nodes that passed through the other side since then, see OldPartners.
+    std::vector<Point<dim>>
+    passed_through(const SolutionState<dim> &state) const
+    {
+      return old_partners.passed_through(interfaces, state);
+    }
 
     // Their values alone, by component (slip: the first).
     Tensor<1, dim>
@@ -122,26 +124,8 @@ namespace Amontons
       std::vector<std::pair<NodeDofs<dim>, Tensor<1, dim>>> gamma;
     };
 
-    // Material points that were opposite of each other in the last converged state.
-    struct OldPartners
-    {
-      unsigned int   slave_face, master_face;
-      Point<dim - 1> xi_slave, xi_master;
-      Point<dim>     on_obstacle; // at rest
-      double         gap;
-    };
-    Tensor<1, dim>
-    distance(const unsigned int k, const OldPartners &partners) const;
-    Tensor<1, dim>
-    slave_normal(const unsigned int k, const OldPartners &partners) const
-    {
-      return interfaces[all[k].interface].slave->face_normal(partners.slave_face, partners.xi_slave);
-    }
-
     std::vector<bool>
     closed_nodes(const SolutionState<dim> &state) const;
-    void
-    remember_partners();
     void
     remember_old_rows(const std::vector<bool> &closed);
     OldPlace
@@ -186,7 +170,7 @@ namespace Amontons
     std::vector<double>                                    old_gap;
     std::vector<std::optional<Rows>>                       old;    // w - beta, where something was opposite,
     std::vector<OldPlace>                                  places; // and what else gives it
-    std::vector<std::optional<OldPartners>>                old_partners; // beside the node
+    OldPartners<dim>                                       old_partners;
     LA::Vector                                             committed;
     double                                                 t; // of declared gaps
     std::map<types::global_dof_index, double>              reference_coordinate;

@@ -1,0 +1,44 @@
+/// What was opposite of the slave nodes in the last converged state: did they pass through it?
+#pragma once
+
+#include <amontons/contact/contact_interface.h>
+#include <amontons/solver/solution_state.h>
+
+#include <optional>
+
+namespace Amontons
+{
+  template <int dim>
+  class OldPartners
+  {
+  public:
+    OldPartners() = default;
+    /// Where the interfaces are now.
+    explicit OldPartners(const std::vector<ContactInterface<dim>> &interfaces);
+
+    /// Reference positions of nodes that were outside of the other side then, are open in `state`, and would
+    /// lie within what was opposite of them, having come there along their normal rather than along the
+    /// surface: the increment was so large that they passed through. interfaces: the same, at `state`.
+    std::vector<Point<dim>>
+    passed_through(const std::vector<ContactInterface<dim>> &interfaces,
+                   const SolutionState<dim>                 &state) const;
+
+  private:
+    // Material points that were opposite of each other.
+    struct Partners
+    {
+      unsigned int   slave_face, master_face;
+      Point<dim - 1> xi_slave, xi_master;
+      Point<dim>     on_obstacle; // at rest
+      double         gap;
+    };
+    struct Distance
+    {
+      double gap, sideways;
+    };
+    static Distance
+    distance(const ContactInterface<dim> &interface, const Partners &partners);
+
+    std::vector<std::vector<std::optional<Partners>>> partners; // by interface and slave node
+  };
+} // namespace Amontons

@@ -27,6 +27,8 @@ namespace Amontons
   class MovingContact : public ContactKinematics<dim>
   {
   public:
+    using ContactKinematics<dim>::is_opposite;
+
     // Couples the surfaces as they are at start.committed (empty: undeformed) first. Nodes that are closed in
     // `start` may stick from the beginning of the increment.
     MovingContact(const Discretization<dim>          &discretization,
@@ -160,7 +162,6 @@ namespace Amontons
                      const LA::Vector        &u) const;
 
     using ContactKinematics<dim>::all;
-    using ContactKinematics<dim>::is_opposite;
 
     const Discretization<dim>                             &discretization;
     const Constraints                                     &supports;

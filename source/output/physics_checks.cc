@@ -139,10 +139,13 @@ namespace Amontons
           if (place.body == no_body)
             continue;
           add(place.body, answer.loads(dof));
-          add(place.body, answer.supports.is_constrained(dof) ? force : value);
           if (answer.supports.is_constrained(dof))
-            continue;
+            {
+              add(place.body, force);
+              continue;
+            }
           sums[0] += value * value;
+          sums[1] += value * value;
           const auto moment = moment_of(place.X, place.component, value);
           for (unsigned int k = 0; k < n_moments; ++k)
             moments[place.body * n_moments + k] += moment[k];

@@ -160,7 +160,7 @@ end
 
   // clang-format off
   const std::string scene_json = R"json({
-  "Title": "Two blocks", "ProblemType": "plane strain", "End time": 2, "Increments": 8,
+  "Title": "Two blocks", "Kind": "plane strain", "End time": 2, "Increments": 8,
   "Minimum increment": 1e-3, "Output times": [0.5, 1.25, 2],
   "Contact solver": {"Tolerance": 1e-6, "Line search": {"Steps": 7}},
   "Body lower": {"Mesh": "block", "Lower corner": [-4, -2], "Upper corner": [4, 0], "Cells": [8, 4],

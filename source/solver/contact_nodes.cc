@@ -284,17 +284,28 @@ namespace Amontons
                               const FloatingBodies<dim>                &floating,
                               const std::vector<double>                &gaps)
   {
-    std::vector<double> smallest(interfaces.size(), std::numeric_limits<double>::max());
+    constexpr double    far = std::numeric_limits<double>::max();
+    std::vector<double> smallest(interfaces.size(), far), nearest(floating.floats().size(), far); // by owner
+    const auto          for_floating_owners = [&](const unsigned int k, const auto &action) {
+      for (const auto &entry : nodes[k].closing.equation.coefficients)
+        if (const auto owner = floating.owner_of(entry.first); floating.floats()[owner])
+          action(owner);
+    };
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      smallest[nodes[k].interface] = std::min(smallest[nodes[k].interface], gaps[k]);
+      {
+        smallest[nodes[k].interface] = std::min(smallest[nodes[k].interface], gaps[k]);
+        for_floating_owners(
+            k, [&](const unsigned int owner) { nearest[owner] = std::min(nearest[owner], gaps[k]); });
+      }
     std::vector<bool> closed;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
-        const auto &slave = *interfaces[nodes[k].interface].slave;
-        bool        touch = nodes[k].tied || gaps[k] <= 1e-10 * slave.mean_size;
-        for (const auto &entry : nodes[k].closing.equation.coefficients)
-          if (!touch && floating.floats()[floating.owner_of(entry.first)])
-            touch = gaps[k] <= smallest[nodes[k].interface] + 0.02 * slave.mean_size;
+        const double h     = interfaces[nodes[k].interface].slave->mean_size,
+                     first = smallest[nodes[k].interface];
+        bool touch         = nodes[k].tied || gaps[k] <= 1e-10 * h;
+        if (!touch && gaps[k] <= first + 0.02 * h)
+          for_floating_owners(
+              k, [&](const unsigned int owner) { touch = touch || first <= nearest[owner] + 0.5 * h; });
         closed.push_back(touch);
       }
     return closed;

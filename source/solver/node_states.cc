@@ -271,12 +271,12 @@ namespace Amontons
     held.clear();
     if (!any_friction || !floating.any())
       return;
-    ++n_updates;
-    const auto sliding = free_rigid_modes(true);
-    if (sliding.empty())
+    ++sliding.n_updates;
+    const auto now = free_rigid_modes(true);
+    if (now.empty())
       return;
-    ++n_sliding;
-    sliding_motions = sliding;
+    ++sliding.n;
+    sliding.motions = now;
     auto motions    = free_rigid_modes();
     motions_held    = motions;
     while (!motions.empty())

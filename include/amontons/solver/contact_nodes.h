@@ -105,8 +105,8 @@ namespace Amontons
   resistance_of(const SlaveNode<dim> &node, const ContactStatus state, const SlipLaw<dim> &law);
 
   // First guess without a history: what the prescribed displacements press together, and, for bodies that
-  // only contact holds, the nodes that will touch first (linear kinematics close their gap exactly, whatever
-  // its size).
+  // only contact holds, the nodes that will touch first, of what is about as near as the nearest (linear
+  // kinematics close their gap exactly, whatever its size).
   template <int dim>
   std::vector<bool>
   first_guess_of_closed_nodes(const std::vector<SlaveNode<dim>>        &nodes,

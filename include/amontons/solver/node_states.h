@@ -144,7 +144,7 @@ namespace Amontons
     std::vector<std::vector<double>>
     often_sliding() const
     {
-      return 10 * n_sliding >= n_updates ? sliding_motions : std::vector<std::vector<double>>();
+      return 10 * sliding.n >= sliding.n_updates ? sliding.motions : std::vector<std::vector<double>>();
     }
 
   private:
@@ -183,7 +183,13 @@ namespace Amontons
     double                                    last_change = 0;     // of the bounds
     std::set<std::string>                     met;
     std::vector<unsigned int>                 held, changed; // in the last update
-    std::vector<std::vector<double>>          motions_held, sliding_motions;
-    unsigned int                              n_updates = 0, n_sliding = 0;
+    std::vector<std::vector<double>>          motions_held;
+    // Updates in which no sticking node held some motions.
+    struct Sliding
+    {
+      unsigned int                     n_updates = 0, n = 0;
+      std::vector<std::vector<double>> motions; // the last ones
+    };
+    Sliding sliding;
   };
 } // namespace Amontons

@@ -52,9 +52,9 @@ namespace Amontons
           const auto *known = state.contact_of(i, n);
           if (!partners[i][n] || known == nullptr || known->state != ContactStatus::open)
             continue;
-          const auto now = distance(interfaces[i], *partners[i][n]);
-          if (now.gap < -0.05 * interfaces[i].slave->mean_size &&
-              partners[i][n]->gap - now.gap > now.sideways)
+          const auto   now    = distance(interfaces[i], *partners[i][n]);
+          const double before = partners[i][n]->gap, h = interfaces[i].slave->mean_size;
+          if (before > -0.02 * h && now.gap < -0.05 * h && before - now.gap > now.sideways)
             result.push_back(interfaces[i].slave->nodes[n].X);
         }
     return result;

@@ -1,7 +1,6 @@
 #include <amontons/output/contact_csv.h>
 #include <amontons/output/files.h>
 #include <amontons/output/history.h>
-#include <amontons/output/physics_checks.h>
 #include <amontons/output/probes.h>
 #include <amontons/run_report.h>
 
@@ -282,7 +281,7 @@ namespace Amontons
     summary.title     = scene.title;
     summary.kind      = scene.kind;
     summary.ranks     = Utilities::MPI::n_mpi_processes(communicator);
-    if (!summary.meshes.empty())
+    if (has_answer())
       add_answer(answer, ending);
     note_untouched_pairs();
     note_facets(answer.interfaces, ending.evaluation.error);
@@ -295,7 +294,7 @@ namespace Amontons
     return summary;
   }
 
-  // That of the last mesh, with the checks of its physics.
+  // That of the last mesh.
   template <int dim>
   void
   RunReport<dim>::add_answer(const Answer<dim> &answer, const Ending &ending)
@@ -309,8 +308,7 @@ namespace Amontons
     summary.probes          = last.probes;
     summary.reference       = last.reference;
     summary.reactions       = compute_reactions(answer);
-    summary.checks          = check_physics(answer);
-    summary.checks.insert(ending.neglected.begin(), ending.neglected.end());
+    summary.checks          = ending.checks;
     if (ending.kinematic_error)
       summary.error_estimate.kinematics = *ending.kinematic_error;
     if (summary.increments)

@@ -38,10 +38,11 @@ namespace Amontons
     measure_increments_elsewhere();
     std::optional<IncrementErrors>
     run_to_measure_increments(const bool finite_strain);
+    using Checks = std::map<std::string, double>;
     bool
-    obeys_laws();
+    obeys_laws(Checks checks);
     typename RunReport<dim>::Ending
-    ending(const bool success) const;
+    ending(const bool success, Checks checks) const;
 
     const Scene                        scene;
     const Parameters                  &parameters;

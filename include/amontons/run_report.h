@@ -62,6 +62,13 @@ namespace Amontons
     void
     progress(const LoadProgram &program);
 
+    /// Whether any solve counts: there is an answer.
+    bool
+    has_answer() const
+    {
+      return !summary.meshes.empty();
+    }
+
     /// Why the run is not converged, until the next solve. The last one counts.
     void
     fail(const std::string &message);
@@ -128,7 +135,7 @@ namespace Amontons
       const LoadHistory<dim>       &history;
       double                        target_error;    // 0: none
       std::optional<double>         kinematic_error; // of small strain
-      std::map<std::string, double> neglected;       // by small strain, to be added to the checks
+      std::map<std::string, double> checks;          // of the physics, and what small strain leaves out
     };
     const RunSummary &
     finish(const Answer<dim> &answer, const Ending &ending);

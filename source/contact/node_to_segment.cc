@@ -1,4 +1,5 @@
 #include <amontons/contact/face_basis.h>
+#include <amontons/contact/face_lattice.h>
 #include <amontons/contact/face_overlap.h>
 #include <amontons/contact/node_to_segment.h>
 
@@ -54,16 +55,6 @@ namespace Amontons
       return best;
     }
 
-    template <int dim>
-    Point<dim - 1>
-    place_on_face(const unsigned int degree, const unsigned int k)
-    {
-      Point<dim - 1> xi;
-      for (unsigned int d = 0, rest = k; d < dim - 1; ++d, rest /= degree + 1)
-        xi[d] = double(rest % (degree + 1)) / degree;
-      return xi;
-    }
-
     // int N_i over the overlap by slave node; hanging ones leave theirs to their parents.
     template <int dim>
     std::vector<double>
@@ -91,14 +82,14 @@ namespace Amontons
     std::vector<std::pair<unsigned int, double>>
     traces_at(const ContactSurface<dim> &slave, const unsigned int face_number, const unsigned int node)
     {
-      const auto                                  &face = slave.faces[face_number];
+      const auto                                  &face  = slave.faces[face_number];
+      const auto                                   place = lattice<dim - 1>(slave.degree);
       std::vector<std::pair<unsigned int, double>> result;
       for (unsigned int k = 0; k < face.nodes.size(); ++k)
         if (face.nodes[k] == node)
           {
-            const auto B = traces_of_unknowns(
-                bernstein_values<dim - 1>(slave.degree, place_on_face<dim>(slave.degree, k)),
-                face.subdivision);
+            const auto B =
+                traces_of_unknowns(bernstein_values<dim - 1>(slave.degree, place[k]), face.subdivision);
             for (unsigned int j = 0; j < B.size(); ++j)
               if (B[j] != 0)
                 result.emplace_back(face.unknowns[j], B[j]);

@@ -1,4 +1,5 @@
 #include <amontons/contact/face_basis.h>
+#include <amontons/contact/face_lattice.h>
 #include <amontons/contact/pressure_projection.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -116,15 +117,13 @@ namespace Amontons
   control_to_nodal(const ContactSurface<dim> &surface, const std::vector<double> &control)
   {
     std::vector<double> nodal(surface.nodes.size(), 0.);
-    const unsigned int  n = surface.degree + 1;
+    const auto          place = lattice<dim - 1>(surface.degree);
     for (const auto &face : surface.faces)
       for (unsigned int k = 0; k < face.nodes.size(); ++k)
         {
-          Point<dim - 1> xi;
-          for (unsigned int d = 0, rest = k; d < dim - 1; ++d, rest /= n)
-            xi[d] = double(rest % n) / surface.degree;
-          const auto B = traces_of_unknowns(bernstein_values<dim - 1>(surface.degree, xi), face.subdivision);
-          double     v = 0;
+          const auto B =
+              traces_of_unknowns(bernstein_values<dim - 1>(surface.degree, place[k]), face.subdivision);
+          double v = 0;
           for (unsigned int j = 0; j < B.size(); ++j)
             v += B[j] * control[face.unknowns[j]];
           nodal[face.nodes[k]] = v;

@@ -1,5 +1,6 @@
 #include <amontons/contact/covered_shares.h>
 #include <amontons/contact/face_basis.h>
+#include <amontons/contact/face_lattice.h>
 #include <amontons/contact/pressure_projection.h>
 #include <amontons/contact/surface_fields.h>
 
@@ -152,15 +153,9 @@ namespace Amontons
     covered_nodes(const ContactInterface<dim> &interface, const bool axisymmetric)
     {
       const auto                      &slave = *interface.slave;
-      const unsigned int               n     = slave.degree + 1;
       std::vector<bool>                covered(slave.nodes.size(), false);
       std::vector<std::vector<double>> bump(slave.faces.size());
-      const auto                       place = [&](const unsigned int k) {
-        Point<dim - 1> xi;
-        for (unsigned int d = 0, rest = k; d < dim - 1; ++d, rest /= n)
-          xi[d] = double(rest % n) / slave.degree;
-        return xi;
-      };
+      const auto                       place = lattice<dim - 1>(slave.degree);
       for (const unsigned int f : interface.coupling.whole_faces)
         for (const unsigned int node : slave.faces[f].nodes)
           covered[node] = true;
@@ -176,7 +171,7 @@ namespace Amontons
             {
               double value = p.weight / (jacobian * area_factor(axisymmetric, p.x_slave));
               for (unsigned int d = 0; d < dim - 1; ++d)
-                value *= std::pow(1 - std::abs(p.xi_slave[d] - place(k)[d]), 6);
+                value *= std::pow(1 - std::abs(p.xi_slave[d] - place[k][d]), 6);
               of_face[k] += value;
             }
         }
@@ -185,7 +180,7 @@ namespace Amontons
           {
             double whole = 1;
             for (unsigned int d = 0; d < dim - 1; ++d)
-              whole *= whole_bump(place(k)[d]);
+              whole *= whole_bump(place[k][d]);
             if (bump[f][k] >= 0.5 * whole)
               covered[slave.faces[f].nodes[k]] = true;
           }

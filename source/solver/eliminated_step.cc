@@ -55,8 +55,6 @@ namespace Amontons
   {
     Assert(drag == nullptr, ExcNotImplemented());
     (void)drag;
-    if (!now.set_changed() && !any_friction)
-      return;
     TimerOutput::Scope scope(problem.timer, "assemble condensed system");
     system.assemble(
         problem.mechanics.bodies().tangent(), *now.constraints, springs, stiffness_of_contact(now));

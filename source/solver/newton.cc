@@ -159,14 +159,13 @@ namespace Amontons
   void
   Newton<dim>::linearise()
   {
-    if (at.set_changed() || problem.contact.any_friction() || problem.contact.moves())
-      {
-        at.laws.clear();
-        for (unsigned int k = 0; k < at.answers.size(); ++k)
-          at.laws.push_back(at.states.law(k));
-        update_constraints();
-        at.free_modes = at.states.free_rigid_modes();
-      }
+    if (!at.set_changed() && !problem.contact.any_friction() && !problem.contact.moves())
+      return; // the same system again
+    at.laws.clear();
+    for (unsigned int k = 0; k < at.answers.size(); ++k)
+      at.laws.push_back(at.states.law(k));
+    update_constraints();
+    at.free_modes = at.states.free_rigid_modes();
     step.linearise(at,
                    !at.free_modes.empty()     ? &stabilisation.springs
                    : !floating.pins().empty() ? &stabilisation.pins

@@ -222,7 +222,8 @@ namespace Amontons
           }
         if (interface.n_without_multiplier > 0)
           add("pair '" + interface.pair->name +
-              "': slave nodes that supports hold carry no multiplier; their neighbours take their share");
+              "': slave nodes that supports or other pairs hold carry no multiplier; their neighbours take "
+              "their share");
       }
   }
 

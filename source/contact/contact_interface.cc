@@ -158,42 +158,70 @@ namespace Amontons
             "the other side as slave ('Slave = first' or 'second')");
     }
 
-    // A node on two slave surfaces with the same normal can stop only one of them there: it stays with the
-    // pair that is closer, and leaves its share in the other to its neighbours. Returns, by interface,
-    // whether it must be integrated again.
+    template <int dim>
+    struct Claim
+    {
+      unsigned int    interface, node;
+      double          gap;
+      Tensor<1, dim>  normal;
+      const PairData *pair;
+
+      bool
+      may_hold_all() const
+      {
+        return pair->tied || pair->has_friction();
+      }
+    };
+
+    // Tied pairs go first, as they leave contact no freedom, then the closer one. Names decide between equal
+    // ones, whatever the order of the pairs. no_distance: iterates must not take a node from one pair to the
+    // other.
+    template <int dim>
+    bool
+    goes_before(const Claim<dim> &a, const Claim<dim> &b, const double no_distance)
+    {
+      if (a.pair->tied != b.pair->tied)
+        return a.pair->tied;
+      if (std::abs(a.gap - b.gap) > no_distance)
+        return a.gap < b.gap;
+      return a.pair->name < b.pair->name;
+    }
+
+    // A node has dim freedoms. On several slave surfaces without friction it can stop each of them, if
+    // their normals differ; where one of them may hold it in all directions (tied, sticking), or they have
+    // the same normal, it stays with one pair and leaves its share in the others to its neighbours. Returns,
+    // by interface, whether it must be integrated again.
     template <int dim>
     std::vector<bool>
     resolve_crosspoints(const std::vector<ContactInterface<dim>> &interfaces,
                         std::vector<std::vector<bool>>           &carries)
     {
-      struct Claim
-      {
-        unsigned int   interface, node;
-        double         gap;
-        Tensor<1, dim> normal;
-      };
-      std::vector<bool>                                     again(interfaces.size(), false);
-      std::map<types::global_dof_index, std::vector<Claim>> claims;
+      std::vector<bool>                                          again(interfaces.size(), false);
+      std::map<types::global_dof_index, std::vector<Claim<dim>>> claims;
       for (unsigned int i = 0; i < interfaces.size(); ++i)
         for (const auto &row : interfaces[i].coupling.rows)
-          {
-            auto       &others = claims[interfaces[i].slave->nodes[row.node].dofs[0]];
-            const Claim claim{i, row.node, row.gap, row.normal / row.normal.norm()};
-            bool        wins = true;
-            for (auto &other : others)
-              if (claim.normal * other.normal > 0.99)
-                {
-                  const bool   loses_to = other.gap <= claim.gap + 1e-12 * interfaces[i].slave->mean_size;
-                  const Claim &loser    = loses_to ? claim : other;
-                  carries[loser.interface][loser.node] = false;
-                  again[loser.interface]               = true;
-                  if (!loses_to)
-                    other = claim;
-                  wins = false;
-                }
-            if (wins)
-              others.push_back(claim);
-          }
+          claims[interfaces[i].slave->nodes[row.node].dofs[0]].push_back(
+              {i, row.node, row.gap, row.normal / row.normal.norm(), interfaces[i].pair});
+      for (auto &[dof, rivals] : claims)
+        {
+          (void)dof;
+          std::sort(rivals.begin(), rivals.end(), [](const auto &a, const auto &b) {
+            return a.pair->name < b.pair->name;
+          });
+          for (unsigned int k = 1; k < rivals.size(); ++k)
+            for (unsigned int j = 0; j < k; ++j)
+              {
+                const auto  &a = rivals[j], &b = rivals[k];
+                const bool   same_normal = a.normal * b.normal > 0.99;
+                const double size        = interfaces[a.interface].slave->mean_size;
+                if (!carries[a.interface][a.node] || !carries[b.interface][b.node] ||
+                    !(same_normal || a.may_hold_all() || b.may_hold_all()))
+                  continue;
+                const auto &loser = goes_before(a, b, (same_normal ? 1e-12 : 0.1) * size) ? b : a;
+                carries[loser.interface][loser.node] = false;
+                again[loser.interface]               = true;
+              }
+        }
       return again;
     }
   } // namespace

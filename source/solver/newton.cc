@@ -386,8 +386,11 @@ namespace Amontons
     const double rounding = rounding_of_pressures(problem.contact.nodes(), at.u.linfty_norm());
     if (waits_for_equilibrium(line.residual, rounding))
       return;
-    previous_set   = at.states.all();
-    line.n_changes = at.states.update(at.answers, rounding);
+    previous_set = at.states.all();
+    Neutral neutral;
+    if (const double tolerance = problem.parameters.tolerance; line.residual <= tolerance)
+      neutral = {tolerance * at.force_scale, tolerance * std::min(at.u.linfty_norm(), smallest_cell)};
+    line.n_changes = at.states.update(at.answers, rounding, neutral);
     if (line.n_changes > 0)
       if (const unsigned int n = step.look_ahead(at, previous_set, rounding); n > 0)
         {
@@ -437,14 +440,15 @@ namespace Amontons
   }
 
   // Finite strain: a shorter increment helps more than further iterations, unless bounds of friction were
-  // held: they settle slowly, but they do.
+  // held or bodies are in equilibrium: states settle slowly then, but they do.
   template <int dim>
   bool
   Newton<dim>::stagnates() const
   {
     const auto        &steps = at.report.iterations;
     const unsigned int last  = 12;
-    if (problem.mechanics.is_linear() || steps.size() < 25 || at.report.frozen)
+    if (problem.mechanics.is_linear() || steps.size() < 25 || at.report.frozen ||
+        steps.back().residual <= problem.parameters.tolerance)
       return false;
     const auto   smaller = [](const auto &a, const auto &b) { return a.residual < b.residual; };
     const auto   middle  = steps.end() - last;

@@ -55,10 +55,25 @@ namespace Amontons
     return shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, pressure);
   }
 
+  // By pair: no more than 1e-4 of its largest nodal force, if that is a force.
+  template <int dim>
+  std::vector<double>
+  NodeStates<dim>::neutral_forces(const NodalContacts<dim> &answers, const double neutral) const
+  {
+    std::vector<double> result(interfaces.size(), 0.);
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      result[nodes[k].interface] =
+          std::max(result[nodes[k].interface], nodes[k].area * std::abs(answers[k].pressure));
+    for (auto &force : result)
+      force = force > neutral ? std::min(neutral, 1e-4 * force) : neutral;
+    return result;
+  }
+
   template <int dim>
   unsigned int
-  NodeStates<dim>::update(const NodalContacts<dim> &answers, const double rounding)
+  NodeStates<dim>::update(const NodalContacts<dim> &answers, const double rounding, const Neutral &neutral)
   {
+    const auto                no_force = neutral_forces(answers, neutral.force);
     std::vector<double>       p, g, c;
     std::vector<bool>         next;
     std::vector<unsigned int> may_open;
@@ -67,11 +82,16 @@ namespace Amontons
       if (!nodes[k].tied)
         {
           may_open.push_back(k);
-          p.push_back(answers[k].pressure);
-          g.push_back(answers[k].gap);
+          const double pressure = answers[k].pressure, gap = answers[k].gap;
+          const bool   is_open = states[k] == ContactStatus::open;
+          const bool   is_neutral =
+              is_open ? gap < 0 && -gap <= neutral.gap
+                        : pressure < 0 && -pressure * nodes[k].area <= no_force[nodes[k].interface];
+          p.push_back(is_neutral ? 0 : pressure);
+          g.push_back(is_neutral ? 0 : gap);
           c.push_back(nodes[k].c);
-          next.push_back(states[k] != ContactStatus::open);
-          largest = std::max(largest, std::abs(answers[k].pressure));
+          next.push_back(!is_open);
+          largest = std::max(largest, std::abs(pressure));
         }
     const double tolerance = std::max(1e-9 * largest, rounding);
     //! [globalisation]
@@ -391,12 +411,13 @@ namespace Amontons
         {
           const double p     = answers[k].pressure;
           const auto   q     = trial(k, answers[k]);
-          const auto   limit = shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, p);
-          const auto   expected =
+          auto         limit = shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, p);
+          limit.value += limit.slope * std::min(0., p); // a tension that leaves a node closed is no error
+          const auto expected =
               nodes[k].old_gap > 0
-                    ? limit.value / std::hypot(answers[k].slip.norm(), nodes[k].old_gap) * answers[k].slip
-                : q.norm() > 0 ? limit.value / q.norm() * q
-                               : q;
+                  ? limit.value / std::hypot(answers[k].slip.norm(), nodes[k].old_gap) * answers[k].slip
+              : q.norm() > 0 ? limit.value / q.norm() * q
+                             : q;
           sum += std::pow(nodes[k].area, 2) * (answers[k].shear - expected).norm_square();
         }
     return std::sqrt(sum);

@@ -70,5 +70,25 @@ main(int argc, char **argv)
   check::is_true(stored[2].state == ContactStatus::stick && stored[3].state == ContactStatus::open &&
                      stored[4].state == ContactStatus::slip,
                  "states");
+
+  // In equilibrium, a tension or an overlap that is none leaves a node as it is; of each pair, a large one
+  // changes it.
+  const ContactStatus before[3] = {states[0], states[1], states[2]}; // closed, open, closed
+  answers                       = NodalContacts<2>(3);
+  answers[0].pressure           = -1e-3;
+  answers[1].gap                = -1e-6;
+  answers[2].pressure           = 100;
+  answers[2].shear[0]           = 50; // at its bound
+  answers[2].slip[0]            = 0.25;
+  NodeStates<2> same(states), pulls(states), overlaps(states);
+  const double  force = 2e-3 * nodes[0].area;
+  check::is_true(same.update(answers, 0, {force, 2e-6}) == 0 && same[0] == before[0] && same[1] == before[1],
+                 "neutral nodes stay as they are");
+  check::is_true(pulls.update(answers, 0, {force / 4, 2e-6}) == 1 && pulls[0] == ContactStatus::open,
+                 "a tension opens");
+  check::is_true(overlaps.update(answers, 0, {force, 5e-7}) == 1 && overlaps[1] != ContactStatus::open,
+                 "an overlap closes");
+  answers[0].pressure = -1; // a hundredth of the largest
+  check::is_true(states.update(answers, 0, {1e4 * force, 2e-6}) == 1, "whatever the forces elsewhere");
   return check::result();
 }

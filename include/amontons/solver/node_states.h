@@ -20,6 +20,13 @@ namespace Amontons
   // - when a set of states comes back, bounds are frozen: with given bounds (Tresca) the problem is that of
   //   minimising a convex energy; each time it is solved, the bounds follow the pressures, until they agree.
   //   If states come back even then, nodes change one by one.
+  // What counts as none where bodies are in equilibrium: the tension of a closed node (a force), the overlap
+  // of an open one. Rounding and the tolerance decide about less, and nodes would change for ever.
+  struct Neutral
+  {
+    double force = 0, gap = 0;
+  };
+
   template <int dim>
   class NodeStates
   {
@@ -68,7 +75,7 @@ namespace Amontons
     // Changes states and laws; returns the number of nodes whose state changed. rounding: see
     // ActiveSetUpdate::update.
     unsigned int
-    update(const NodalContacts<dim> &answers, const double rounding);
+    update(const NodalContacts<dim> &answers, const double rounding, const Neutral &neutral = {});
 
     // Rigid motions that supports, pins and the present states leave. by_sticking: those that no sticking
     // node holds, although nodes that slip resist them across their slip (3D).
@@ -148,6 +155,8 @@ namespace Amontons
     }
 
   private:
+    std::vector<double>
+    neutral_forces(const NodalContacts<dim> &answers, const double neutral) const;
     void
     choose_friction_states(const NodalContacts<dim> &answers,
                            const std::vector<bool>  &closed,

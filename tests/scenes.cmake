@@ -942,6 +942,18 @@ foreach(side "wall/Slave=automatic" "wall/Slave=first" "wall/Slave=second" "left
                  CHECK "status is converged" "checks.force_balance <= 1e-9" "newton.:.iterations <= 4" "reactions.2.force.0 ~ 10.467 0.01" "reactions.3.force.0 ~ -9.391 0.01")
 endforeach()
 
+# ---- Residuals that rounding holds up
+
+# A displacement of 3e-4 is known to 5e-20, which E/(1 - 2 nu) = 5e12 times some ten DoFs turns into a force of 3e-6.
+foreach(friction "10" "0.1")
+  add_scene_test(NAME gap_closes_on_incompressible_${friction} SCENE verification/gap_closes_on_incompressible.prm SET "Contact joint/Friction coefficient=${friction}"
+                 CHECK "status is converged" "pairs.0.normal_force.1 ~ -1 1e-5" "newton.:.iterations <= 8")
+endforeach()
+foreach(slave first second)
+  add_scene_test(NAME turned_rings_${slave} SCENE verification/turned_rings.prm SET "Contact interface/Slave=${slave}"
+                 CHECK "status is converged" "reference.errors.pressure_l2 <= 0.02" "newton.:.iterations <= 8")
+endforeach()
+
 # ---- What faces what, growing interferences, facets
 
 # A pair that touches nothing is told, also where surfaces may come to face each other later; what faces each other far away is found.

@@ -15,6 +15,15 @@ namespace Amontons
       no_states(const Failure &failure)
       {
         std::ostringstream text;
+        if (failure.n_changes == 0)
+          {
+            text << "no equilibrium after " << failure.n
+                 << " iterations: no node changes any more, but the residual stays at " << failure.residual
+                 << " of the forces (rounding of very different or nearly incompressible stiffnesses, or "
+                    "contact that jumps between faces)"
+                    "; try a finer mesh, smaller increments, or stiffnesses that differ less";
+            return text.str();
+          }
         text << "no converged contact states after " << failure.n << " iterations (residual "
              << failure.residual << ", " << failure.n_changes << " nodes still change";
         if (!failure.where.empty())

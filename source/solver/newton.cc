@@ -2,6 +2,8 @@
 #include <amontons/solver/diagnosis.h>
 #include <amontons/solver/newton.h>
 
+#include <sstream>
+
 namespace Amontons
 {
   template <int dim>
@@ -311,11 +313,35 @@ namespace Amontons
   double
   Newton<dim>::relative_residual()
   {
-    at.force_scale = problem.mechanics.force_scale(problem.state.displacement, problem.parameters.tolerance);
+    at.force_scale     = problem.mechanics.force_scale(what_rounding_sees(), problem.parameters.tolerance);
     const auto *excess = problem.mechanics.forces_of_excess();
     return std::max({relative_residual_of(balance),
                      largest_violation(),
                      excess == nullptr || at.force_scale == 0 ? 0. : excess->l2_norm() / at.force_scale});
+  }
+
+  // Displacements, readable. Those of pivots are differences of the other terms of their equations, whose
+  // rounding stiff slaves turn into forces.
+  template <int dim>
+  LA::Vector
+  Newton<dim>::what_rounding_sees() const
+  {
+    const auto &u      = problem.state.displacement;
+    LA::Vector  result = at.u, readable = problem.discretization.make_relevant_vector();
+    const auto &pivots = at.constraints->pivots();
+    for (unsigned int e = 0; e < pivots.size(); ++e)
+      if (pivots[e] && problem.discretization.locally_owned.is_element(*pivots[e]))
+        {
+          const auto &equation = at.constraints->equations()[e].equation;
+          double      sum      = std::abs(equation.value);
+          for (const auto &[dof, weight] : equation.coefficients)
+            sum += std::abs(weight * u(dof));
+          sum /= std::abs(equation.coefficients.at(*pivots[e]));
+          result(*pivots[e]) = std::max(sum, std::abs(u(*pivots[e])));
+        }
+    result.compress(VectorOperation::insert);
+    readable = result;
+    return readable;
   }
 
   template <int dim>
@@ -416,6 +442,14 @@ namespace Amontons
       failure = Failure{Failure::Kind::not_a_number};
     else if (rests && at.states.n_held_beyond_friction() == 0)
       at.report.converged = true;
+    else if (drag == nullptr && is_as_good_as_it_gets())
+      {
+        std::ostringstream text;
+        text << "the residual stays at " << last.residual << " of the forces where "
+             << problem.parameters.tolerance << " is asked for: rounding leaves no more";
+        at.report.note += (at.report.note.empty() ? "" : "; ") + text.str();
+        at.report.converged = true;
+      }
     else if (rests || (is_linear && stays && at.states.n_held_beyond_friction() > 0))
       failure = Diagnosis::friction_exceeded(at.states);
     else if (stays && moves_apart())
@@ -427,6 +461,21 @@ namespace Amontons
       failure = Diagnosis::friction_beyond_limit(at.states);
     else if (drag == nullptr && stagnates())
       failure = Diagnosis::no_states_found(at.report, at.states, problem.contact.any_friction());
+  }
+
+  // No node changes, and four steps have not halved a residual that is small: rounding of stiff or nearly
+  // incompressible bodies, or at finite strain of their places. The laws are checked afterwards as always.
+  template <int dim>
+  bool
+  Newton<dim>::is_as_good_as_it_gets() const
+  {
+    const auto        &steps = at.report.iterations;
+    const unsigned int last  = 4;
+    return steps.size() > last && at.free_modes.empty() && at.states.n_held_beyond_friction() == 0 &&
+           !at.states.frozen() && steps.back().residual <= 1e3 * problem.parameters.tolerance &&
+           std::all_of(steps.end() - last, steps.end(), [&](const auto &step) {
+             return step.n_changes == 0 && step.residual > 0.5 * (steps.end() - last - 1)->residual;
+           });
   }
 
   // Small strain: weak springs are all that holds a motion, and they are not coming to rest.

@@ -110,6 +110,8 @@ namespace Amontons
     count_states(NewtonReport::Iteration &step) const;
     LA::Vector
     balance_with_drag() const;
+    LA::Vector
+    what_rounding_sees() const;
     double
     relative_residual();
     double
@@ -120,6 +122,8 @@ namespace Amontons
     waits_for_equilibrium(const double residual, const double rounding);
     void
     update_states(NewtonReport::Iteration &step);
+    bool
+    is_as_good_as_it_gets() const;
     bool
     moves_apart() const;
     bool

@@ -104,7 +104,7 @@ namespace Amontons
       missing.emplace_back(first_equation[node], jump * base.nodes[node].normal);
     else
       for (unsigned int c = 0; c < dim; ++c)
-        missing.emplace_back(first_equation[node] + c, jump[c]);
+        missing.emplace_back(first_equation[node] + c, jump * base.nodes[node].directions[c]);
     Coefficients moved;
     for (unsigned int n = 0; n < 1000 && !missing.empty(); ++n)
       {

@@ -30,6 +30,34 @@ namespace Amontons
       result.equation.value = value;
       return result;
     }
+
+    // The axes where there are no planes. Else the normal and as many axes as are independent of it and of
+    // the planes' normals, made orthogonal.
+    template <int dim>
+    std::array<Tensor<1, dim>, dim>
+    directions_in(const std::vector<Tensor<1, dim>> &planes, const Tensor<1, dim> &normal)
+    {
+      std::array<Tensor<1, dim>, dim> result;
+      std::vector<Tensor<1, dim>>     used = planes, axes;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          axes.emplace_back();
+          axes.back()[c] = 1;
+        }
+      if (!planes.empty())
+        axes.insert(axes.begin(), normal / normal.norm());
+      unsigned int n = 0;
+      for (auto axis : axes)
+        {
+          for (const auto &other : used)
+            axis -= (axis * other) * other;
+          if (n == dim || axis.norm() < 0.1)
+            continue;
+          result[n] = axis / axis.norm();
+          used.push_back(result[n++]);
+        }
+      return result;
+    }
   } // namespace
 
   template <int dim>
@@ -85,7 +113,27 @@ namespace Amontons
   Tensor<1, dim>
   SlaveNode<dim>::tangential(const Tensor<1, dim> &vector) const
   {
-    return vector - (vector * normal) / normal.norm_square() * normal;
+    auto result = vector - (vector * normal) / normal.norm_square() * normal;
+    for (const auto &plane : planes)
+      result -= (result * plane) * plane;
+    return result;
+  }
+
+  template <int dim>
+  ContactEquation
+  SlaveNode<dim>::held(const unsigned int k) const
+  {
+    if (planes.empty())
+      return components[k];
+    ContactEquation result;
+    for (unsigned int c = 0; c < dim; ++c)
+      if (directions[k][c] != 0)
+        {
+          result.candidates.push_back(components[c].candidates[0]);
+          for (const auto &[dof, weight] : components[c].equation.coefficients)
+            result.equation.coefficients[dof] += directions[k][c] * weight;
+        }
+    return result;
   }
 
   template <int dim>
@@ -125,7 +173,9 @@ namespace Amontons
     node.normal     = row.normal;
     for (unsigned int c = 0; c < dim; ++c)
       node.X[c] = surface_node.X[c];
-    node.closing = equation_along(row.normal, node.gap, row, surface_node);
+    node.planes     = surface_node.symmetry_planes;
+    node.directions = directions_in(node.planes, row.normal);
+    node.closing    = equation_along(row.normal, node.gap, row, surface_node);
     for (unsigned int c = 0; (with_components || node.tied || node.frictional) && c < dim; ++c)
       {
         Tensor<1, dim> unit;
@@ -159,12 +209,13 @@ namespace Amontons
       return {};
     if (state == ContactStatus::stick)
       {
-        std::vector<ContactEquation> equations(node.components.begin(), node.components.end());
-        if (!node.tied)
+        std::vector<ContactEquation> equations;
+        const auto value = node.gap / node.normal.norm_square() * node.normal + node.tangential(origin);
+        for (unsigned int k = 0; k < dim; ++k)
           {
-            const auto value = node.gap / node.normal.norm_square() * node.normal + node.tangential(origin);
-            for (unsigned int k = 0; k < dim; ++k)
-              equations[k].equation.value = value[k];
+            equations.push_back(node.held(k));
+            if (!node.tied)
+              equations.back().equation.value = value * node.directions[k];
           }
         return equations;
       }

@@ -41,7 +41,7 @@ namespace Amontons
           substitute(candidates.back().equation, problem.supports);
         }
     for (const auto &node : problem.contact.nodes())
-      if (node.frictional) // slip mixes the components of a node
+      if (node.frictional || (node.tied && !node.planes.empty())) // slip and planes mix components
         {
           candidates.push_back(all_components(node));
           substitute(candidates.back().equation, problem.supports);

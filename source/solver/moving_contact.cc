@@ -20,6 +20,28 @@ namespace Amontons
       for (const auto &[dof, value] : term)
         sum[dof] += factor * value;
     }
+
+    template <int dim>
+    Tensor<1, dim>
+    along(const SlaveNode<dim> &node, const Tensor<1, dim> &vector)
+    {
+      Tensor<1, dim> result;
+      for (unsigned int k = 0; k < dim; ++k)
+        result[k] = vector * node.directions[k];
+      return result;
+    }
+
+    template <int dim>
+    bool
+    is_along_axes(const std::vector<Tensor<1, dim>> &planes)
+    {
+      return std::all_of(planes.begin(), planes.end(), [](const auto &plane) {
+        double largest = 0;
+        for (unsigned int c = 0; c < dim; ++c)
+          largest = std::max(largest, std::abs(plane[c]));
+        return largest > 1 - 1e-12;
+      });
+    }
   } // namespace
 
   template <int dim>
@@ -220,10 +242,7 @@ namespace Amontons
   {
     if (all[k].tied)
       return Tensor<1, dim>();
-    auto v = all[k].tangential(jump_since(k, u));
-    for (const auto &plane : slave_node(k).symmetry_planes)
-      v -= (v * plane) * plane; // whatever the master's nodes beside the plane do
-    return v;
+    return all[k].tangential(jump_since(k, u));
   }
 
   template <int dim>
@@ -233,13 +252,13 @@ namespace Amontons
     if (state == ContactStatus::open || !is_opposite(k))
       return 0;
     if (all[k].tied)
-      return all[k].jump(u).norm();
+      return along(all[k], all[k].jump(u)).norm();
     const double length = all[k].normal.norm();
     if (state == ContactStatus::slip)
       return std::abs(all[k].gap) / length;
     auto E = slip(k, u) - all[k].gap / length * (all[k].normal / length);
     for (unsigned int c = 0; c < dim; ++c)
-      if (supports.is_constrained(all[k].components[c].candidates[0]))
+      if (supports.is_constrained(all[k].components[c].candidates[0]) && is_along_axes(all[k].planes))
         E[c] = 0;
     return E.norm();
   }
@@ -338,7 +357,7 @@ namespace Amontons
           add(result[c], double(c == d) - n[c] * n[d], weights[d]);
           add(result[c], -(n * z) * double(c == d) - n[c] * z[d], dn[d]);
         }
-    for (const auto &plane : slave_node(k).symmetry_planes)
+    for (const auto &plane : all[k].planes)
       {
         Gradient across;
         for (unsigned int c = 0; c < dim; ++c)
@@ -355,12 +374,11 @@ namespace Amontons
   {
     const SlaveNode<dim> &node = all[k];
     if (node.tied)
-      return -node.jump(u);
+      return along(node, -node.jump(u));
+    if (state == ContactStatus::stick)
+      return along(node, node.gap / node.normal.norm_square() * node.normal - slip(k, u));
     Tensor<1, dim> values;
-    if (state == ContactStatus::slip)
-      values[0] = node.gap;
-    else
-      values = node.gap / node.normal.norm_square() * node.normal - slip(k, u);
+    values[0] = node.gap;
     return values;
   }
 
@@ -384,6 +402,14 @@ namespace Amontons
         left = slip_gradient(k, u);
         for (unsigned int c = 0; c < dim; ++c)
           add(left[c], -node.normal[c] / node.normal.norm_square(), gradient(k).gap);
+      }
+    if (state == ContactStatus::stick && !node.planes.empty())
+      {
+        const Rows by_axis = left;
+        left               = Rows();
+        for (unsigned int j = 0; j < dim; ++j)
+          for (unsigned int c = 0; c < dim; ++c)
+            add(left[j], node.directions[j][c], by_axis[c]);
       }
     // Components whose test functions the supports own have no row: the others stand for them.
     std::vector<ContactRow> rows;

@@ -8,7 +8,7 @@ namespace Amontons
   {
     Tensor<1, dim> traction;
     for (unsigned int d = 0; d < dim; ++d)
-      traction[d] = multipliers[d] / node.area;
+      traction += multipliers[d] / node.area * node.directions[d];
     answer.pressure = traction * node.normal / node.normal.norm_square();
     answer.shear    = node.tangential(traction);
   }

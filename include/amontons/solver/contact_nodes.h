@@ -20,6 +20,10 @@ namespace Amontons
     double         old_gap = 0; // finite strain: how far it was open in the last converged state
     Tensor<1, dim> normal;      // not of unit length on curved surfaces
     Point<3>       X;
+    // Unit normals of the symmetry planes that it lies on, which supports keep it in.
+    std::vector<Tensor<1, dim>> planes;
+    // What stick holds it along: the axes, or unit vectors in the planes; zero where those leave none.
+    std::array<Tensor<1, dim>, dim>  directions;
     ContactEquation                  closing;    // normal . Delta = gap
     std::array<ContactEquation, dim> components; // Delta_k = 0 (not for frictionless nodes)
 
@@ -28,6 +32,9 @@ namespace Amontons
     holding() const;
     Tensor<1, dim>
     jump(const LA::Vector &u) const;
+    ContactEquation
+    held(const unsigned int k) const; // directions[k] . Delta = 0
+    // Of a vector, what lies in the surface and in the planes.
     Tensor<1, dim>
     tangential(const Tensor<1, dim> &vector) const;
     Tensor<1, dim>

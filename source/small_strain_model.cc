@@ -88,13 +88,15 @@ namespace Amontons
           }
         if (!any_closed)
           continue;
-        const bool short_here = search_distances[i] > 0 && needed > 0.75 * search_distances[i];
+        const bool short_here = needed > 0.75 * interfaces[i].search_distance; // what is in use
         if (short_here || search_distances[i] == 0 || (may_shrink && 4 * needed < search_distances[i]))
           search_distances[i] = 2 * needed + 1e-3 * interfaces[i].slave->mean_size;
         too_short = too_short || short_here;
       }
     if (!too_short)
       return false;
+    for (unsigned int i = 0; i < interfaces.size(); ++i) // nothing shrinks on a mesh that has an answer
+      search_distances[i] = std::max(search_distances[i], interfaces[i].search_distance);
     TimerOutput::Scope scope(timer, "contact surfaces");
     couple_at_rest();
     return true;

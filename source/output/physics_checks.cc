@@ -10,13 +10,22 @@ namespace Amontons
 {
   namespace
   {
+    // What is no pressure: that of a strain of 1e-10. Scenes without load compare rounding with itself else.
+    template <int dim>
+    double
+    pressure_of_rounding(const Answer<dim> &answer, const unsigned int i)
+    {
+      return 1e-10 *
+             contact_modulus(answer.discretization.scene.bodies[answer.interfaces[i].slave->body].material);
+    }
+
     // How far shears exceed the bound of friction, relative to the largest bound.
     template <int dim>
     double
     cone_excess(const Answer<dim> &answer, const unsigned int i)
     {
       const auto &interface = answer.interfaces[i];
-      double      excess = 0, largest = 0;
+      double      excess = 0, largest = pressure_of_rounding(answer, i);
       for (unsigned int n = 0; interface.pair->has_friction() && n < interface.slave->nodes.size(); ++n)
         if (const auto &node = answer.state.contact[i][n]; node.state != ContactStatus::open)
           {
@@ -25,7 +34,7 @@ namespace Amontons
             excess             = std::max(excess, node.shear.norm() - bound);
             largest            = std::max(largest, bound);
           }
-      return largest > 0 ? excess / largest : 0.;
+      return excess / largest;
     }
 
     // |q/|q| - v/|v|| of the nodes that slip; slips that are nothing beside the others have no direction.
@@ -65,18 +74,14 @@ namespace Amontons
           cone              = std::max(cone, cone_excess(answer, i));
           misalignment      = std::max(misalignment, slip_misalignment(answer, i));
           const double h    = interface.slave->mean_size;
-          double       peak = 0;
+          double       peak = pressure_of_rounding(answer, i);
           for (const auto &node : answer.state.contact[i])
             peak = std::max(peak, node.pressure);
           for (const auto &node : answer.state.contact[i])
             {
               penetration = std::max(penetration, -node.gap / h);
-              if (peak > 0)
-                {
-                  tension = std::max(tension, -node.pressure / peak);
-                  complementarity =
-                      std::max(complementarity, std::abs(node.pressure * node.gap) / (peak * h));
-                }
+              tension         = std::max(tension, -node.pressure / peak);
+              complementarity = std::max(complementarity, std::abs(node.pressure * node.gap) / (peak * h));
             }
         }
       checks["penetration"]     = penetration;

@@ -348,3 +348,13 @@ def reordered(scene, rename=True):
             entries["Body"] = new[entries["Body"]]
         result.append([kind, new.get(name, name), entries])
     return result, {value: key for key, value in new.items()}
+
+
+def ramped(scene):
+    """Constant loads and motions grow with t from 0."""
+    scene = copy.deepcopy(scene)
+    for _, _, entries in scene:
+        for key in ("Value", "Displacement", "Force", "Body force"):
+            if entries.get(key) and not re.search(r"\bt\b|table|half(plane|space)_", entries[key]):
+                entries[key] = "; ".join(c if c in ("free", "0") else f"({c})*t" for c in components(entries[key]))
+    return scene

@@ -191,7 +191,7 @@ def outcome(case, runs, folder):
     base, other = answer(base_folder, base_code, Back()), answer(folder, code, case.back)
     rows = nodes(base_folder, Back()) if len(base) > 1 else []
     groups = scales(base, rows, case.scene)
-    found = compare(base, other, groups)
+    found = {name: value for name, value in compare(base, other, groups).items() if name not in case.but}
     if len(base) > 1 and len(other) > 1 and case.by_node:
         found.update(compare_nodes(rows, nodes(folder, case.back), groups))
     if case.tolerance is None:
@@ -203,11 +203,11 @@ def outcome(case, runs, folder):
 
 
 class Case:
-    """A scene, the same scene transformed, how to come back from its answer, and how much that may differ."""
+    """A scene, the same scene transformed, how to come back from its answer, how much that may differ, and what may (`but`)."""
 
-    def __init__(self, kind, name, scene, other, back, tolerance, by_node=True, may_fail=False):
+    def __init__(self, kind, name, scene, other, back, tolerance, by_node=True, may_fail=False, but=()):
         self.kind, self.name, self.scene, self.other, self.back = kind, name, scene, other, back
-        self.tolerance, self.by_node, self.may_fail = tolerance, by_node, may_fail
+        self.tolerance, self.by_node, self.may_fail, self.but = tolerance, by_node, may_fail, but
 
 
 def with_settings(scene):
@@ -270,9 +270,10 @@ def in_increments(scene, number):
 
 def increments(name, scene):
     if name in kinds_scenes.WITHOUT_HISTORY:
+        # the dissipation is a sum of shears at the ends of increments: exact for many of them
         scene = text.ramped(scene)
         for number in (2, 5, 50):
-            yield Case("increments", f"{name} in {number}", in_increments(scene, 1), in_increments(scene, number), Back(), 1e-8)
+            yield Case("increments", f"{name} in {number}", in_increments(scene, 1), in_increments(scene, number), Back(), 1e-8, but=("dissipation",))
 
 
 def one(name, scene):
@@ -310,18 +311,20 @@ def tried(case, runs, keep):
 
 
 def report(results):
-    """Says how each case went; whether all hold."""
+    """Says how each case went; whether all hold but those that are known not to."""
     table = {}
     for case, found, worst, codes in results:
-        row = table.setdefault(case.kind, [0, 0, 0.0])
-        row[0] += 1
-        row[1] += bool(found)
-        row[2] = max(row[2], worst)
+        why = kinds_scenes.known(case.kind, case.name)
+        word = "ok" if not found else "known" if why else "FAILED"
+        row = table.setdefault(case.kind, {"ok": 0, "known": 0, "FAILED": 0, "largest": 0.0})
+        row[word] += 1
+        row["largest"] = max(row["largest"], 0.0 if found else worst)
         details = ", ".join(f"{name} {value:.1e}" for name, value in sorted(found.items(), key=lambda item: -item[1])[:6])
-        print(f"{'FAILED' if found else 'ok    '} {case.kind:10s} {case.name}: {worst:.1e}, exit codes {codes} {details}", flush=True)
-    for kind, (number, failed, worst) in table.items():
-        print(f"{kind:10s} {number - failed:4d} of {number:4d} hold, largest difference {worst:.1e}")
-    return bool(table) and not any(row[1] for row in table.values())
+        note = f" ({why if found else 'known not to hold, and does'})" if why else ""
+        print(f"{word:6s} {case.kind:10s} {case.name}: {worst:.1e}, exit codes {codes} {details}{note}", flush=True)
+    for kind, row in table.items():
+        print(f"{kind:10s} {row['ok']:4d} hold (largest difference {row['largest']:.1e}), {row['known']} are known not to, {row['FAILED']} failed")
+    return bool(table) and not any(row["FAILED"] for row in table.values())
 
 
 def main():

@@ -25,7 +25,7 @@ SHIPPED = (
     "verification/rings", "verification/rubber_indentation", "verification/shrink_fit", "verification/shrink_fit_spheres",
     "verification/shrink_fit_spheres_3d", "verification/simple_shear_finite", "verification/tension", "verification/tied_beam",
     "verification/tied_patch", "verification/turned_disk", "verification/turned_obstacle", "verification/turned_platens",
-    "verification/turned_rigid_body", "verification/two_cylinders", "verification/two_punches", "verification/uniaxial_finite")
+    "verification/large_increment", "verification/turned_rigid_body", "verification/two_cylinders", "verification/two_punches", "verification/uniaxial_finite")
 
 HEAD = """
 set Kind = {kind}
@@ -198,8 +198,30 @@ WITHOUT_HISTORY = (
     "verification/cone", "verification/shrink_fit", "verification/two_punches", "verification/disk_platen", "own/pressed", "own/rough", "own/stress",
     "own/under pressure", "own/under traction", "own/under force", "own/glued", "own/pressed in space", "own/rough in space", "own/disk", "own/ball", "own/wheel", "own/floor",
     "own/pressed far", "own/glued far", "own/pressed far in space", "own/disk far", "own/wedge far")
-FAR = ("verification/large_increment", "own/half the height", "own/half the height aside", "own/half the height in space", "own/half the radius",
+FAR = ("verification/large_increment", "own/half the height", "own/half the height aside", "own/half the height across a gap", "own/half the height in space", "own/half the radius",
        "own/half the height on a wheel")
+
+# What does not hold yet, and why; a part of the case's name. Take out what holds.
+CORNERS = "a sticking node on an oblique plane of symmetry has a shear along the plane's normal"
+TWO = "two states of the nodes at the edge of the contact converge, by the mean gap that holds an open node open"
+NARROW = "the search for partners is narrowed by the first increment, and the surfaces coupled anew"
+SLIVER = "a face covered by a sliver has a part in the pressure, or is refined"
+CURVED_3D = "overlaps of curved faces in space are integrated to 1e-7 only, other ways by rounding"
+KNOWN = {
+    ("turned", "growing_interference"): CORNERS, ("turned", "rough ball far"): CURVED_3D,
+    ("turned", "crossed_cylinders"): CURVED_3D, ("units", "crossed_cylinders"): CURVED_3D,
+    ("turned", "cross_point"): SLIVER, ("units", "cross_point"): SLIVER, ("slave", "cross_point"): SLIVER, ("units", "punch_moment"): SLIVER,
+    ("units", "nafems_roller_finite L=1e+06"): "the residual stays at 4e-10, above 1e-12 and 1e-9 later",
+    ("slave", "cap_in_seat"): "peaks of the finer side of a conforming contact are 1.3 times as wrong as estimated",
+    ("turning", "glued far"): "normal and shear of tied pairs refer to the normal at the start",
+    ("turning", "turned_disk"): TWO, ("turning", "disk far"): TWO, ("turning", "wheel far"): TWO, ("increments", "disk far"): TWO, ("one", "half the radius"): TWO,
+    ("increments", "hertz_"): NARROW, ("increments", "two_spheres"): NARROW, ("increments", "nafems_roller"): NARROW, ("increments", "cone"): NARROW,
+    ("increments", "own/disk in"): NARROW, ("increments", "own/ball"): NARROW, ("increments", "own/wheel in"): NARROW,
+}
+
+
+def known(kind, name):
+    return next((why for (of, part), why in KNOWN.items() if of == kind and part in name), None)
 
 
 def scene(name):

@@ -186,7 +186,8 @@ def outcome(case, runs, folder):
     """Runs both scenes of a case; the differences that are too large, and the largest."""
     base_folder, base_code = runs.base(text.write(case.scene))
     code = run(runs.program, text.write(case.other), folder)
-    if case.may_fail and base_code == 0 and code == 1 or base_code == code == 1 and "kinematics" not in message(folder):
+    refused = [which == 1 and "kinematics" not in message(place) for which, place in ((base_code, base_folder), (code, folder))]
+    if all(refused) or case.may_fail and any(refused):
         return {}, 0.0, (base_code, code)
     base, other = answer(base_folder, base_code, Back()), answer(folder, code, case.back)
     rows = nodes(base_folder, Back()) if len(base) > 1 else []
@@ -198,7 +199,8 @@ def outcome(case, runs, folder):
         error = max(estimate(base_folder) + estimate(folder), 1e-9)
         # all round its centre the size of a contact is zero
         small = {name for name, (group, value) in base.items() if group == "size" and value[0] < 1e-6 * text.modulus_and_size(case.scene)[1] ** 2}
-        found = {name: value / error * (0.5 if name.endswith("^2") else 1) for name, value in found.items() if name not in small | {"unknowns"}}
+        found = {name: value / error * (0.5 if name.endswith("^2") else 1) for name, value in found.items()
+                 if name not in small and not name.endswith(("unknowns", "peak pressure"))}
     return {name: value for name, value in found.items() if not value <= (case.tolerance or 1)}, max(found.values()), (base_code, code)
 
 
@@ -248,7 +250,7 @@ def order(name, scene):
 
 
 def slave(name, scene):
-    """The other slave is another discretisation: the estimated errors of both runs are the measure of all differences."""
+    """The other slave is another discretisation: the estimated errors of both runs are the measure. They are of norms: peaks (infinite at edges) are left out."""
     sides, flipped = [], []
     for side in ("first", "second"):
         sides.append(copy.deepcopy(scene))
@@ -259,7 +261,7 @@ def slave(name, scene):
                 entries["Slave"] = side
                 flipped.append(pair)
     if flipped:
-        yield Case("slave", name, sides[0], sides[1], Back(flipped=flipped), None, by_node=False)
+        yield Case("slave", name, sides[0], sides[1], Back(flipped=flipped), None, by_node=False, may_fail=True)
 
 
 def in_increments(scene, number):

@@ -208,6 +208,8 @@ namespace Amontons
       add("the active set repeated itself; single nodes were changed for a while (Murty's rule)");
     if (newton.frozen)
       add("the states of friction repeated themselves; its bounds were held for a while (Tresca)");
+    if (newton.pivoted)
+      add("states of friction that the iteration did not find were found by pivoting (Lemke's method)");
     for (const auto &interface : interfaces)
       {
         const auto &slave = *interface.slave;

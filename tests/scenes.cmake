@@ -942,6 +942,21 @@ foreach(side "wall/Slave=automatic" "wall/Slave=first" "wall/Slave=second" "left
                  CHECK "status is converged" "checks.force_balance <= 1e-9" "newton.:.iterations <= 4" "reactions.2.force.0 ~ 10.467 0.01" "reactions.3.force.0 ~ -9.391 0.01")
 endforeach()
 
+# ---- Friction that sets of states go in circles for
+
+# Force of the slope (+-0.0202031 along its normal (-0.98995, 0.141421), 0.141421 along it): (0, 1/7), whatever the mesh.
+foreach(cells "4, 1" "16, 2")
+  string(MAKE_C_IDENTIFIER "steep_slope_${cells}" name)
+  add_scene_test(NAME ${name} SCENE verification/steep_slope.prm SET "Body block/Cells=${cells}"
+                 CHECK "status is converged" "pairs.0.normal_force.0 ~ -0.02 1e-9" "pairs.0.tangential_force.1 ~ 0.14 1e-9" "checks.coulomb_cone <= 1e-9"
+                       "checks.force_balance <= 1e-8" "newton.:.iterations <= 25")
+endforeach()
+# Far beyond what holds the block everywhere.
+foreach(friction 2 5 20)
+  add_scene_test(NAME greco_friction_${friction} SCENE greco.prm SET "Contact base/Friction coefficient=${friction}" "Increments=1"
+                 CHECK "status is converged" "checks.coulomb_cone <= 1e-9" "checks.slip_direction <= 1e-6" "checks.tension <= 1e-9" "checks.force_balance <= 1e-9")
+endforeach()
+
 # ---- Residuals that rounding holds up
 
 # A displacement of 3e-4 is known to 5e-20, which E/(1 - 2 nu) = 5e12 times some ten DoFs turns into a force of 3e-6.

@@ -1,4 +1,5 @@
 #include <amontons/algebra/rigid_body_modes.h>
+#include <amontons/solver/condensed_friction.h>
 #include <amontons/solver/contact_compliance.h>
 #include <amontons/solver/eliminated_step.h>
 
@@ -187,6 +188,66 @@ namespace Amontons
     if (looked_in_vain)
       now.states.update(now.answers, rounding);
     return condensed.n_responses();
+  }
+
+  // The bodies with all nodes open but the tied ones, and what the nodes answer there.
+  template <int dim>
+  bool
+  EliminatedStep<dim>::settle(Iterate<dim> &now, const LA::Vector *springs)
+  {
+    const unsigned int most  = 160; // nodes: each takes two solves, and four rows of a dense problem
+    const auto        &nodes = problem.contact.nodes();
+    if (dim == 3 || !any_friction || problem.penalty != nullptr || nodes.size() > most ||
+        !solver.is_direct(problem.discretization.dof_handler.n_dofs()))
+      return false;
+    TimerOutput::Scope scope(problem.timer, "condensed contact");
+    now.states.forget(); // bounds follow pressures again
+    Iterate<dim> open(now);
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (!nodes[k].tied)
+        open.states.open(k);
+    open.laws.assign(nodes.size(), SlipLaw<dim>());
+    open.constraints = std::make_shared<ContactConstraints>(
+        constraints_of(problem, problem.supports, open.states, &open.first_equation));
+    system.assemble(problem.mechanics.bodies().tangent(), *open.constraints, springs, {});
+    solver.matrix_changed(LinearSolver::all_rows);
+    const auto solved = solve(open, nullptr);
+    open.u += solved.change;
+    auto &u = problem.state.displacement;
+    u       = open.u;
+    std::vector<ShearBound> bounds;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        open.answers[k]     = {};
+        open.answers[k].gap = problem.contact.gap(k, u);
+        bounds.emplace_back();
+        if (!nodes[k].frictional)
+          continue;
+        open.answers[k].slip = problem.contact.slip(k, u);
+        bounds[k]            = now.states.bound(k, now.answers[k].pressure);
+        bounds[k].value -= bounds[k].slope * std::max(0., now.answers[k].pressure);
+      }
+    u = now.u;
+    const BaseSolution<dim> base{nodes, open.states.all(), open.laws, open.answers, movable_nodes(), open.u};
+    const ContactCompliance<dim> responses(problem.discretization,
+                                           problem.mechanics.bodies(),
+                                           problem.supports,
+                                           *open.constraints,
+                                           open.first_equation,
+                                           base,
+                                           system.matrix(),
+                                           solver);
+    const auto                   found = solve_condensed_friction<dim>(
+        base,
+        [&](const unsigned int k, const NodeInput input) { return responses.respond(k, input); },
+        bounds);
+    if (!found)
+      return false;
+    std::vector<ContactStatus> wanted;
+    for (const auto &node : *found)
+      wanted.push_back(node.state);
+    now.states.impose(wanted, *found);
+    return true;
   }
 
   template class EliminatedStep<2>;

@@ -428,6 +428,8 @@ namespace Amontons
         }
     at.report.safeguarded = at.report.safeguarded || at.states.safeguarded();
     at.report.frozen      = at.report.frozen || at.states.frozen();
+    if (at.states.exhausted() && settle())
+      line.n_changes = std::max(1u, line.n_changes);
   }
 
   template <int dim>
@@ -451,7 +453,12 @@ namespace Amontons
         at.report.converged = true;
       }
     else if (rests || (is_linear && stays && at.states.n_held_beyond_friction() > 0))
-      failure = Diagnosis::friction_exceeded(at.states);
+      {
+        if (settle())
+          at.report.iterations.back().n_changes = 1;
+        else
+          failure = Diagnosis::friction_exceeded(at.states);
+      }
     else if (stays && moves_apart())
       {
         failure         = Failure{Failure::Kind::moves_apart};
@@ -461,6 +468,24 @@ namespace Amontons
       failure = Diagnosis::friction_beyond_limit(at.states);
     else if (drag == nullptr && stagnates())
       failure = Diagnosis::no_states_found(at.report, at.states, problem.contact.any_friction());
+  }
+
+  // Once: where all else has failed, or will.
+  template <int dim>
+  bool
+  Newton<dim>::settle()
+  {
+    if (!may_settle)
+      return false;
+    may_settle = false;
+    LA::Vector springs;
+    if (floating.any())
+      {
+        springs = stabilisation.springs;
+        springs *= 1e3; // else the motions that they leave are so large that nothing is left of the strains
+      }
+    at.report.pivoted = step.settle(at, floating.any() ? &springs : nullptr);
+    return at.report.pivoted;
   }
 
   // No node changes, and four steps have not halved a residual that is small: rounding of stiff or nearly

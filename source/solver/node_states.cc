@@ -253,6 +253,20 @@ namespace Amontons
     return q;
   }
 
+  template <int dim>
+  void
+  NodeStates<dim>::impose(const std::vector<ContactStatus> &wanted, const NodalContacts<dim> &answers)
+  {
+    forget();
+    states = wanted;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (nodes[k].frictional && states[k] == ContactStatus::slip)
+        {
+          const double p = answers[k].pressure;
+          laws[k]        = linearise_slip(answers[k].shear, p, bound(k, p), nodes[k].c);
+        }
+  }
+
   // Of the nodes that slip, by (slip v . m/|m|^2, trial/bound), where m is the jump of the motion. The number
   // of nodes if none moves with it.
   template <int dim>
@@ -351,7 +365,8 @@ namespace Amontons
     if (met.insert(key).second)
       return;
     met.clear();
-    single = is_frozen;
+    is_exhausted = is_exhausted || single;
+    single       = is_frozen;
     if (!is_frozen)
       {
         frozen_bounds.assign(nodes.size(), 0.);

@@ -34,6 +34,10 @@ namespace Amontons
     unsigned int
     look_ahead(Iterate<dim> &now, const std::vector<ContactStatus> &before, const double rounding) override;
 
+    /// Plane problems with friction and a direct solver.
+    bool
+    settle(Iterate<dim> &now, const LA::Vector *springs) override;
+
   private:
     double
     forcing(const Iterate<dim> &now) const;

@@ -125,6 +125,8 @@ namespace Amontons
     bool
     is_as_good_as_it_gets() const;
     bool
+    settle();
+    bool
     moves_apart() const;
     bool
     stagnates() const;
@@ -142,6 +144,7 @@ namespace Amontons
     LA::Vector                     balance;      // internal - contact forces - loads
     std::optional<Failure>         inversion;    // the last one
     std::vector<ContactStatus>     previous_set; // before the last change of states
-    unsigned int                   n_waits = 0;
+    unsigned int                   n_waits    = 0;
+    bool                           may_settle = true;
   };
 } // namespace Amontons

@@ -23,6 +23,7 @@ namespace Amontons
         0; // of the first guess, moved on to the constraints, relative to the final forces
     bool        safeguarded = false;
     bool        frozen      = false; // bounds of friction were held for a while, see NodeStates
+    bool        pivoted     = false; // states were found by NewtonStep::settle
     bool        moved       = false; // a damped motion was followed, see PseudoTransient
     bool        unstable    = false; // from an equilibrium that was not stable
     std::string note;

@@ -126,6 +126,15 @@ namespace Amontons
       (void)before, (void)rounding;
       return 0;
     }
+    /// Imposes states that obey all laws, found on the contact nodes alone by pivoting; false: there are
+    /// none, or this cannot look for them. springs: what to add to the diagonal if no node is closed (may be
+    /// null).
+    virtual bool
+    settle(Iterate<dim> &, const LA::Vector *springs)
+    {
+      (void)springs;
+      return false;
+    }
     /// y = (the system of the last linearise())^-1 force, by its factors; null if it has none.
     virtual std::function<bool(LA::Vector &y, const LA::Vector &force)>
     inverse()

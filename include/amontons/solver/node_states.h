@@ -63,12 +63,16 @@ namespace Amontons
       d            = t.norm() > 0 ? t / t.norm() : t;
     }
 
+    // These, with the pressures and shears that they go with.
+    void
+    impose(const std::vector<ContactStatus> &wanted, const NodalContacts<dim> &answers);
+
     // The next set of states has nothing to do with those before: safeguards start anew.
     void
     forget()
     {
       active_set = ActiveSetUpdate();
-      is_frozen = single = false;
+      is_frozen = single = is_exhausted = false;
       met.clear();
     }
 
@@ -121,6 +125,12 @@ namespace Amontons
     }
     ShearBound
     bound(const unsigned int k, const double pressure) const;
+    // States came back although single nodes were changed at given bounds.
+    bool
+    exhausted() const
+    {
+      return is_exhausted;
+    }
     bool
     safeguarded() const
     {
@@ -186,10 +196,11 @@ namespace Amontons
     std::vector<ContactStatus>                states;
     std::vector<SlipLaw<dim>>                 laws;
     std::vector<double>                       frozen_bounds;
-    bool                                      first       = true; // no update yet: directions are guesses
-    bool                                      is_frozen   = false;
-    bool                                      single      = false; // frozen, and states came back even so
-    double                                    last_change = 0;     // of the bounds
+    bool                                      first        = true; // no update yet: directions are guesses
+    bool                                      is_frozen    = false;
+    bool                                      single       = false; // frozen, and states came back even so
+    bool                                      is_exhausted = false; // see exhausted()
+    double                                    last_change  = 0;     // of the bounds
     std::set<std::string>                     met;
     std::vector<unsigned int>                 held, changed; // in the last update
     std::vector<std::vector<double>>          motions_held;

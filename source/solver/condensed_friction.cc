@@ -1,0 +1,140 @@
+#include <amontons/friction/linear_complementarity.h>
+#include <amontons/solver/condensed_friction.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // p, q+, q- and lambda of all nodes, one kind after the other: forces (tractions would make the matrix
+    // unsymmetric), in units of force/c of the largest node.
+    struct Unknowns
+    {
+      std::vector<unsigned int> node;   // by number
+      std::vector<double>       factor; // from these units to tractions over c
+      unsigned int
+      n() const
+      {
+        return node.size();
+      }
+      unsigned int
+      shear(const unsigned int i, const int sign) const
+      {
+        return (sign > 0 ? 1 : 2) * n() + i;
+      }
+      unsigned int
+      slip(const unsigned int i) const
+      {
+        return 3 * n() + i;
+      }
+    };
+
+    template <int dim>
+    double
+    slip_along(const SlaveNode<dim> &node, const NodalContact<dim> &answer)
+    {
+      return node.frictional ? answer.slip * node.tangent() : 0.;
+    }
+
+    template <int dim>
+    void
+    add_columns(const BaseSolution<dim>                         &base,
+                const typename ActiveSetLookahead<dim>::Respond &respond,
+                const Unknowns                                  &unknowns,
+                const unsigned int                               j,
+                FullMatrix<double>                              &M)
+    {
+      const unsigned int k    = unknowns.node[j];
+      const auto         fill = [&](const NodeInput input, const unsigned int column, const double factor) {
+        const auto response = respond(k, input);
+        for (unsigned int i = 0; i < unknowns.n(); ++i)
+          {
+            const auto  &answer = response[unknowns.node[i]];
+            const double v      = factor * slip_along(base.nodes[unknowns.node[i]], answer);
+            M(i, column)        = factor * answer.gap;
+            for (const int sign : {1, -1})
+              M(unknowns.shear(i, sign), column) = -sign * v;
+          }
+      };
+      fill(NodeInput::across, j, unknowns.factor[j]);
+      if (base.nodes[k].frictional && base.movable[k])
+        {
+          fill(NodeInput::along, unknowns.shear(j, 1), unknowns.factor[j]);
+          for (unsigned int i = 0; i < 4 * unknowns.n(); ++i)
+            M(i, unknowns.shear(j, -1)) = -M(i, unknowns.shear(j, 1));
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  std::optional<NodalContacts<dim>>
+  solve_condensed_friction(const BaseSolution<dim>                         &base,
+                           const typename ActiveSetLookahead<dim>::Respond &respond,
+                           const std::vector<ShearBound>                   &bounds)
+  {
+    Unknowns unknowns;
+    for (unsigned int k = 0; k < base.nodes.size(); ++k)
+      if (!base.nodes[k].tied)
+        unknowns.node.push_back(k);
+    const unsigned int n       = unknowns.n();
+    double             largest = 0;
+    for (const unsigned int k : unknowns.node)
+      largest = std::max(largest, base.nodes[k].area * base.nodes[k].c);
+    for (const unsigned int k : unknowns.node)
+      unknowns.factor.push_back(largest / (base.nodes[k].area * base.nodes[k].c));
+    FullMatrix<double> M(4 * n, 4 * n);
+    Vector<double>     q(4 * n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const unsigned int k    = unknowns.node[i];
+        const auto        &node = base.nodes[k];
+        const double       v    = slip_along(node, base.answers[k]);
+        add_columns(base, respond, unknowns, i, M);
+        q[i] = base.answers[k].gap;
+        for (const int sign : {1, -1})
+          q[unknowns.shear(i, sign)] = -sign * v;
+        if (node.frictional && base.movable[k])
+          {
+            q[unknowns.slip(i)]    = bounds[k].value / (node.c * unknowns.factor[i]);
+            M(unknowns.slip(i), i) = bounds[k].slope;
+          }
+      }
+    for (unsigned int i = 0; i < n; ++i)
+      for (const int sign : {1, -1})
+        {
+          M(unknowns.shear(i, sign), unknowns.slip(i)) = 1;
+          M(unknowns.slip(i), unknowns.shear(i, sign)) = -1;
+        }
+    const double size = q.linfty_norm();
+    if (size == 0)
+      return {};
+    q /= size;
+    const auto z = complementary_solution(M, q);
+    if (!z)
+      return {};
+    NodalContacts<dim> result(base.nodes.size());
+    for (unsigned int k = 0; k < base.nodes.size(); ++k)
+      result[k].state = base.states[k];
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const unsigned int k      = unknowns.node[i];
+        const auto        &node   = base.nodes[k];
+        const double       unit   = size * node.c * unknowns.factor[i];
+        auto              &answer = result[k];
+        answer.pressure           = unit * (*z)[i];
+        answer.shear = unit * ((*z)[unknowns.shear(i, 1)] - (*z)[unknowns.shear(i, -1)]) * node.tangent();
+        answer.state = (*z)[i] == 0                                     ? ContactStatus::open
+                       : node.frictional && (*z)[unknowns.slip(i)] == 0 ? ContactStatus::stick
+                                                                        : ContactStatus::slip;
+      }
+    return result;
+  }
+
+  template std::optional<NodalContacts<2>>
+  solve_condensed_friction(const BaseSolution<2> &,
+                           const ActiveSetLookahead<2>::Respond &,
+                           const std::vector<ShearBound> &);
+  template std::optional<NodalContacts<3>>
+  solve_condensed_friction(const BaseSolution<3> &,
+                           const ActiveSetLookahead<3>::Respond &,
+                           const std::vector<ShearBound> &);
+} // namespace Amontons

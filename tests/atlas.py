@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A failure atlas: atlas.py AMONTONS RESULTS.csv [-j N] [--part K/N] [--only FAMILY] [--keep DIR] [--again] [--list]
 
-Runs small scenes (atlas_scenes.py) in which mathematics knows something about the answer, each in a process of its own, and tells the outcomes:
+Runs small scenes (atlas_scenes.py, atlas_held.py, atlas_compared.py) in which mathematics knows something about the answer, each in a process of its own, and tells the outcomes:
   right     converged, and all that is known holds;
   refused   there is no equilibrium, and the program says why;
   failed    there is an answer, but the program says that it has not found it (or there is none, but the message does not say why);
@@ -18,20 +18,50 @@ import collections
 import concurrent.futures
 import csv
 import os
+import random
 import re
 import subprocess
 import sys
 import tempfile
 import time
 
+import atlas_compared
+import atlas_held
 import atlas_scenes
 import launch
-from atlas_oracles import Answer
+from atlas_parts import Answer, Point
 
+# Module: families and their numbers of points.
+FAMILIES = {
+    atlas_scenes: {
+        "patch": 120, "thin": 50, "distorted": 50, "patch_friction": 120, "interference": 80, "column": 50, "tied_pile": 50, "cross": 50, "tee": 40,
+        "patch_3d": 40, "cylinders": 40, "shrink": 50, "rings": 20, "finite_patch": 50, "hertz": 20,
+    },
+    atlas_held: {
+        "slab": 50, "slab_over": 16, "slab_3d": 20, "slab_3d_over": 8, "incline": 40, "incline_over": 16, "tipping": 24, "tipping_over": 16, "pulled_over": 24,
+        "groove": 30, "corner_3d": 12, "bar": 24, "bar_over": 8, "dragged": 30,
+    },
+    atlas_compared: {
+        "turned": 16, "units": 16, "mirrored": 12, "swapped": 12, "steps": 16, "friction_steps": 16, "sides": 20, "rough_is_tied": 12, "stiff_is_rigid": 16,
+        "released": 16, "reversed_shear": 24, "unloaded": 20,
+    },
+}
+CAUSE = r"hold|held|nothing|balance|support"  # what the message of a scene without equilibrium must say
 LIMIT = 120
 OUTCOMES = ["right", "refused", "failed", "wrong", "hang", "crash"]
 GOOD = ("right", "refused")
 COLUMNS = ["family", "name", "outcome", "iterations", "increments", "seconds", "what"]
+
+
+def all_points():
+    """Each has random numbers of its own, from its family and number."""
+    result = []
+    for module, families in FAMILIES.items():
+        for family, count in families.items():
+            for k in range(count):
+                name, scenes, check = getattr(module, family)(random.Random(f"{family} {k}"))
+                result.append(Point(family, f"{k} {name}".replace(" ", "_"), scenes, check))
+    return result
 
 
 def write(scene, folder, name):
@@ -59,7 +89,7 @@ def judge(point, answers):
     if point.check is None:
         if any(answer.converged for answer in answers):
             return "wrong", "converged, but there is no equilibrium"
-        return ("refused" if re.search(point.cause, messages) else "failed"), messages
+        return ("refused" if re.search(CAUSE, messages) else "failed"), messages
     if messages:
         return "failed", messages
     off = point.check(answers)
@@ -76,7 +106,7 @@ def run(program, point, keep):
         outcome, what = "hang", f"no end within {LIMIT} s"
     if keep and outcome not in GOOD:
         for k, scene in enumerate(point.scenes):
-            write(scene, keep, f"{point.family}_{point.name}_{k}".replace("/", "_"))
+            write(scene, os.path.join(keep, f"{point.family}_{point.name}".replace("/", "_")), f"scene_{k}")
     numbers = [sum(answer.iterations for answer in answers), sum(answer.increments for answer in answers)]
     return [point.family, point.name, outcome, *numbers, f"{sum(answer.seconds for answer in answers):.2f}", " ".join(what.split())]
 
@@ -135,7 +165,7 @@ def main():
     parser.add_argument("--list", action="store_true")
     arguments = parser.parse_args()
     part, parts = (int(word) for word in arguments.part.split("/"))
-    points = [point for point in atlas_scenes.points()[part - 1 :: parts] if arguments.only in f"{point.family} {point.name}"]
+    points = [point for point in all_points()[part - 1 :: parts] if arguments.only in f"{point.family} {point.name}"]
     if arguments.list:
         for point in points:
             print(point.family, point.name)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A failure atlas: atlas.py AMONTONS RESULTS.csv [-j N] [--part K/N] [--only FAMILY] [--keep DIR] [--again] [--list]
+"""A failure atlas: atlas.py AMONTONS [RESULTS.csv] [-j N] [--part K/N] [--only FAMILY] [--keep DIR] [--again] [--list]
 
 Runs small scenes (atlas_scenes.py, atlas_held.py, atlas_compared.py) in which mathematics knows something about the answer, each in a process of its own, and tells the outcomes:
   right     converged, and all that is known holds;
@@ -156,7 +156,7 @@ def summarize(rows):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("amontons")
-    parser.add_argument("results")
+    parser.add_argument("results", nargs="?", default=os.devnull)
     parser.add_argument("-j", type=int, default=2)
     parser.add_argument("--part", default="1/1")
     parser.add_argument("--only", default="")

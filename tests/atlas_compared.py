@@ -66,11 +66,19 @@ def press(r, friction_up_to=3, **more):
     return Press(**{**values, **more})
 
 
+def holds(answer, first, digits=1e-5):
+    """What all answers of this scene must be: sound, and the lower support carries the contact force."""
+    (support,) = [reaction["force"] for reaction in answer.summary["reactions"] if reaction["boundary"] == "lower/bottom"]
+    sign = 1 if first.slave == "first" else -1
+    off = near("support", support, [sign * v for v in answer.force()[:2]], answer.size(), digits)
+    return off + sound(answer, None if first.tied else first.mu, applied=(0, 0), digits=digits)
+
+
 def pair(first, second, what, turn=None, scale=(1.0, 1.0), digits=1e-5):
     """Both are sound, and their forces and energies agree; scale: of the second's."""
 
     def check(answers):
-        off = sound(answers[0], first.mu) + sound(answers[1], second.mu)
+        off = holds(answers[0], first) + holds(answers[1], second)
         force = answers[0].force()
         force = turn(force) if turn else force
         off += near("force", answers[1].force(), [scale[0] * v for v in force], scale[0] * answers[0].size(), digits)
@@ -116,7 +124,7 @@ def friction_steps(r):
     second = replace(first, increments=32)
 
     def check(answers):
-        off = sound(answers[0], first.mu) + sound(answers[1], first.mu)
+        off = holds(answers[0], first) + holds(answers[1], first)
         said = sum(max(a.summary["increments"][key] for key in ("normal_force", "tangential_force", "shear", "pressure")) for a in answers)
         return off + near("force", answers[0].force(), answers[1].force(), answers[1].size(), 2 * said + 1e-5)
 
@@ -129,7 +137,7 @@ def sides(r):
     second = replace(first, slave="second")
 
     def check(answers):
-        off = sound(answers[0], first.mu) + sound(answers[1], first.mu)
+        off = holds(answers[0], first) + holds(answers[1], second)
         other = [-v for v in answers[1].force()]
         return off + near("force", other, answers[0].force(), answers[0].size(), sum(estimated(a) for a in answers) + 1e-5)
 
@@ -143,7 +151,7 @@ def rough_is_tied(r):
 
     def check(answers):
         off = ["slips or opens"] if any(row["state"] != "stick" for row in answers[0].rows if not math.isnan(row["gap"])) else []
-        return off + sound(answers[0], first.mu) + near("force", answers[1].force(), answers[0].force(), answers[0].size())
+        return off + holds(answers[0], first) + near("force", answers[1].force(), answers[0].force(), answers[0].size())
 
     return first.name(), [first.scene(), replace(first, tied=True).scene()], check
 
@@ -159,7 +167,7 @@ def stiff_is_rigid(r):
     rigid = (rigid[:start] + rigid[rigid.index("end", start) + 4 :]).replace("lower/top", "lower")
 
     def check(answers):
-        off = sound(answers[0], first.mu, digits=1e-4) + sound(answers[1], first.mu)
+        off = holds(answers[0], first, 1e-4) + sound(answers[1], first.mu)
         return off + near("force", answers[0].force(), answers[1].force(), answers[1].size(), 1e-4)
 
     return first.name(), [first.scene(), Scene(rigid)], check
@@ -173,7 +181,7 @@ def released(r):
         (a,) = answers
         biggest = max(math.hypot(*mesh["pairs"][0]["normal_force"]) for mesh in a.summary["meshes"])
         off = near("force at the end", a.force(), [0, 0, 0], biggest, 1e-4) if not first.mu else []
-        return off + sound(a, first.mu) + laws(a)
+        return off + sound(a, first.mu, least=biggest) + laws(a)
 
     return first.name(), [first.scene()], check
 
@@ -192,7 +200,7 @@ def reversed_shear(r):
 
     def check(answers):
         (a,) = answers
-        return sound(a, first.mu) + laws(a)
+        return holds(a, first) + laws(a)
 
     return f"{first.name()} {first.increments}inc {'cycle' if '1: 0' in way else 'back'}", [first.scene()], check
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """A failure atlas: atlas.py AMONTONS [RESULTS.csv] [-j N] [--part K/N] [--only FAMILY] [--keep DIR] [--again] [--list]
 
-Runs small scenes (atlas_scenes.py, atlas_held.py, atlas_compared.py) in which mathematics knows something about the answer, each in a process of its own, and tells the outcomes:
+Runs small scenes (atlas_scenes.py, atlas_held.py, atlas_compared.py) in which mathematics knows something about the answer, each in a process of its own,
+and tells the outcomes:
   right     converged, and all that is known holds;
   refused   there is no equilibrium, and the program says why;
   failed    there is an answer, but the program says that it has not found it (or there is none, but the message does not say why);
@@ -34,8 +35,8 @@ from atlas_parts import Answer, Point
 # Module: families and their numbers of points.
 FAMILIES = {
     atlas_scenes: {
-        "patch": 120, "thin": 50, "distorted": 50, "patch_friction": 120, "interference": 80, "column": 50, "tied_pile": 50, "cross": 50, "tee": 40,
-        "patch_3d": 40, "cylinders": 40, "shrink": 50, "rings": 20, "finite_patch": 50, "hertz": 20,
+        "patch": 120, "thin": 50, "distorted": 50, "patch_friction": 120, "interference": 80, "column": 50, "brought": 50, "tied_pile": 50, "cross": 50,
+        "tee": 40, "patch_3d": 40, "cylinders": 40, "shrink": 50, "rings": 20, "finite_patch": 50, "hertz": 20,
     },
     atlas_held: {
         "slab": 50, "slab_over": 16, "slab_3d": 20, "slab_3d_over": 8, "incline": 40, "incline_over": 16, "tipping": 24, "tipping_over": 16, "pulled_over": 24,

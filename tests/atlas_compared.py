@@ -52,7 +52,8 @@ class Press:
         return scene(*bodies, *conditions, joint, Kinematics=self.kinematics, Increments=self.increments, degree=self.degree)
 
     def name(self):
-        return f"{self.n[0]}on{self.n[1]} E1:{self.E[1] / self.E[0]:g} nu{self.nu[0]}and{self.nu[1]} mu{self.mu} at{self.left:g} aside{self.aside:.3g} {self.slave} Q{self.degree}"
+        bodies = f"{self.n[0]}on{self.n[1]} E1:{self.E[1] / self.E[0]:g} nu{self.nu[0]}and{self.nu[1]}"
+        return f"{bodies} mu{self.mu} at{self.left:g} aside{self.aside:.3g} {self.slave} Q{self.degree}"
 
 
 def press(r, friction_up_to=3, **more):
@@ -61,13 +62,16 @@ def press(r, friction_up_to=3, **more):
     down = 2e-3
     values = {
         "n": (r.choice([2, 4, 9]), r.choice([3, 6, 15])), "E": E, "nu": nu, "mu": r.choice([mu for mu in [0, 0.1, 0.3, 0.6, 3] if mu <= friction_up_to]),
-        "down": down, "aside": down * r.choice([0, 0.1, 0.5]), "left": r.choice([0.0, -0.6, 0.25]), "slave": r.choice(["first", "second"]), "degree": r.choice([1, 2]),
+        "down": down, "aside": down * r.choice([0, 0.1, 0.5]), "left": r.choice([0.0, -0.6, 0.25]), "slave": r.choice(["first", "second"]),
+        "degree": r.choice([1, 2]),
     }
     return Press(**{**values, **more})
 
 
 def holds(answer, first, digits=1e-5):
-    """What all answers of this scene must be: sound, and the lower support carries the contact force."""
+    """What all answers of this scene must be: sound, and the lower support carries the contact force.
+    On surfaces that bend, the force of a quadratic node follows the normal of its control point, which contact.csv does not hold."""
+    digits = max(digits, 1e-3 if first.kinematics == "finite strain" else 0)
     (support,) = [reaction["force"] for reaction in answer.summary["reactions"] if reaction["boundary"] == "lower/bottom"]
     sign = 1 if first.slave == "first" else -1
     off = near("support", support, [sign * v for v in answer.force()[:2]], answer.size(), digits)

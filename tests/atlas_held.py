@@ -120,7 +120,7 @@ def pulled_over(r):
 
 
 def groove(r):
-    """A block turned by an angle in a groove of two planes at right angles: they carry W cos and W sin where smooth, and all of W always. Its corner is in both."""
+    """A turned block in a groove of two planes at right angles: where smooth they carry W cos and W sin, and always all of W. Its corner is in both pairs."""
     angle, mu, nu = r.choice([1, 10, 30, 45, 60, 80]), r.choice([0, 0, 0, 0.1, 0.5, 3]), r.choice(NU)
     n, m, c, s = r.choice([1, 3, 8]), r.choice([1, 3, 8]), math.cos(math.radians(angle)), math.sin(math.radians(angle))
     text = block("block", (0, 0), (1, 1), (n, m), 1e4, nu, Rotate=angle, Body_force="0; -t")

@@ -74,8 +74,8 @@ def patch_friction(r):
     f = r.choice([0.1, 0.9, 0.999, 1.0 if mu <= 0.6 else 0.5])  # 1: dragged on, past the limit
     p = float("%.6g" % (1e-4 * min(E) / max(1, mu)))
     delta, shear = compliance(h, E, nu, confined_modulus) * p, compliance(h, E, nu, shear_modulus) * mu * p
-    way = f"{f * shear!r}*table(0.5: 0, 1: 1)" if f < 1 else f"{shear!r}*table(0.5: 0, 0.9: 0.999, 1: 1.2)"
-    history = "table(0.5: 0, 1: 1)" if f < 1 else "table(0.5: 0, 0.9: 0.999, 1: 1)"
+    history = r.choice(["table(0.5: 0, 1: 1)", "table(0.5: 0, 0.75: -1, 1: 1)"]) if f < 1 else "table(0.5: 0, 0.9: 0.999, 1: 1)"
+    way = f"{f * shear!r}*{history}" if f < 1 else f"{shear!r}*table(0.5: 0, 0.9: 0.999, 1: 1.2)"
     text += condition("upper/top", "displacement", f"{way}; {-delta!r}*table(0: 0, 0.5: 1)") + condition("lower/bottom", "displacement", "0; 0")
     q = f * mu * p
     text += condition("upper/right, lower/right", "traction", f"0; {q!r}*{history}") + condition("upper/left, lower/left", "traction", f"0; {-q!r}*{history}")
@@ -90,7 +90,8 @@ def patch_friction(r):
         off = uniform(a, p, digits=digits) + near("pressing", abs(y), 2 * p, digits=digits) + sound(a, mu, digits=digits)
         return off + near("shear", abs(x), 2 * q, 2 * p * max(mu, 1), digits)
 
-    return f"{name} mu{mu} f{f} {increments}inc {slave}", [scene(text, Increments=increments)], check
+    name += f" mu{mu} f{f} {'reversed' if '-1' in history else 'straight'} {increments}inc {slave}"
+    return name, [scene(text, Increments=increments)], check
 
 
 def interference(r):
@@ -144,6 +145,32 @@ def column(r):
     return f"{count} E{','.join('%g' % v for v in E)} nu{','.join(str(v) for v in nu)} mu{mu} {slave} Q{degree}", [scene(text, degree=degree)], check
 
 
+def brought(r):
+    """Two confined blocks with gaps below them, pressed by a force: nothing holds them until all has come to touch."""
+    (n1, n2), (E, nu) = faces(r), materials(r, most=1e5)
+    gaps, mu = [r.choice([0.0, 1e-6, 0.01, 0.01, 1.0]) for _ in range(2)], r.choice([0, 0.3])
+    kind = r.choice(["small strain", "small strain", "finite strain"])
+    p, y1 = float("%.6g" % (1e-4 * min(E))), gaps[0] + 1 + gaps[1]
+    load, slave = r.choice(["traction", "platen", "obstacle"]), r.choice(SLAVES)
+    text = plane("floor", (0, 0), (0, 1)) + block("lower", (0, gaps[0]), (2, gaps[0] + 1), (n1, 2), E[0], nu[0])
+    text += block("upper", (0, y1), (2, y1 + 1), (n2, 2), E[1], nu[1]) + condition("lower/left, lower/right, upper/left, upper/right", "symmetry")
+    text += contact("lower/bottom", "floor", name="floor", **friction(mu)) + contact("upper/bottom", "lower/top", Slave=slave, **friction(mu))
+    text += {
+        "traction": condition("upper/top", "traction", f"0; {-p!r}*t"),
+        "platen": condition("upper/top", "platen", Displacement="0; free", Force=f"0; {-2 * p!r}*t"),
+        "obstacle": plane("press", (1, y1 + 1), (0, -1), Force=f"0; {-2 * p!r}*t") + contact("upper/top", "press", name="press"),
+    }[load]
+    digits = max(digits_left(E, nu), 1e-3 if kind == "finite strain" else 1e-4)  # of displacements 1e4 times as large as strains need
+
+    def check(answers):
+        (a,) = answers
+        off = near("floor", a.force("floor")[1], 2 * p, digits=digits) + near("joint", abs(a.force("c")[1]), 2 * p, digits=digits)
+        return off + uniform(a, p, digits=digits) + sound(a, mu, digits=digits)
+
+    name = f"{n1}to{n2} E1:{E[1] / E[0]:g} nu{nu[0]}and{nu[1]} gaps{gaps[0]:g}and{gaps[1]:g} mu{mu} {load} {slave}"
+    return f"{name} {kind}", [scene(text, Kinematics=kind)], check
+
+
 def tied_pile(r):
     """Three confined blocks, joints tied or not, shortened or pulled apart: uniform pressure or tension, or nothing where an untied joint opens."""
     (E, nu), h = materials(r, 3), [power(r, -0.5, 0.3) for _ in range(3)]
@@ -166,8 +193,8 @@ def tied_pile(r):
         off = near("top", top, [-2 * expected], 2 * abs(p), digits)
         return off + sound(a, {f"j{k}": None if tied[k] else mu for k in range(2)}, digits=digits)
 
-    name = f"tied{tied[0]}{tied[1]} {'pressed' if p > 0 else 'pulled'} E{','.join('%g' % v for v in E)} nu{','.join(str(v) for v in nu)} mu{mu} {'and'.join(slaves)}"
-    return name, [scene(text)], check
+    name = f"tied{tied[0]}{tied[1]} {'pressed' if p > 0 else 'pulled'} E{','.join('%g' % v for v in E)} nu{','.join(str(v) for v in nu)}"
+    return f"{name} mu{mu} {'and'.join(slaves)}", [scene(text)], check
 
 
 def shortened(r, bodies, joints, edges):

@@ -86,12 +86,13 @@ def judge(point, answers):
     """Outcome and what was off."""
     if any(answer.code < 0 or answer.code > 1 for answer in answers):
         return "crash", " | ".join(f"exit code {answer.code}: {answer.output[-300:]}" for answer in answers)
-    messages = " | ".join(answer.summary.get("message") or answer.output[-300:] for answer in answers if not answer.converged)
+    missed = [answer.summary.get("message") or answer.output[-300:] for answer in answers if not answer.converged]
+    messages = " | ".join(missed)
     if point.check is None:
-        if any(answer.converged for answer in answers):
+        if len(missed) < len(answers):
             return "wrong", "converged, but there is no equilibrium"
         return ("refused" if re.search(CAUSE, messages) else "failed"), messages
-    if messages:
+    if missed:
         return "failed", messages
     off = point.check(answers)
     return ("wrong" if off else "right"), "; ".join(off[:3])

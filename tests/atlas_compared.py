@@ -193,7 +193,7 @@ def released(r):
 def laws(answer):
     """Friction takes work and gives none, from one increment to the next."""
     works = [mesh.get("dissipation", 0) for mesh in answer.summary["meshes"]]
-    size = max(abs(v) for v in works + [answer.summary["energy"], 1e-300])
+    size = max([mesh["energy"] for mesh in answer.summary["meshes"]] + works)
     return [f"friction gives work: {a:.6e} then {b:.6e}" for a, b in zip(works, works[1:]) if b < a - 1e-6 * size][:1]
 
 

@@ -39,7 +39,7 @@ FAMILIES = {
         "tee": 40, "patch_3d": 40, "cylinders": 40, "shrink": 50, "rings": 20, "finite_patch": 50, "hertz": 20,
     },
     atlas_held: {
-        "slab": 50, "slab_over": 16, "slab_3d": 20, "slab_3d_over": 8, "incline": 40, "incline_over": 16, "tipping": 24, "tipping_over": 16, "pulled_over": 24,
+        "slab": 50, "slab_over": 16, "slab_3d": 20, "slab_3d_over": 8, "incline": 40, "incline_over": 16, "tipping": 60, "tipping_over": 16, "pulled_over": 24,
         "groove": 30, "corner_3d": 12, "bar": 24, "bar_over": 8, "dragged": 30,
     },
     atlas_compared: {

@@ -934,6 +934,17 @@ foreach(slave first second)
   add_scene_test(NAME cross_point_tied_${slave} SCENE verification/cross_point.prm CHECK ${CROSS}
                  SET "Contact upper/Tied=true" "Contact left/Friction coefficient=0.3" "Contact upper/Slave=${slave}" "Contact left/Slave=${slave}")
 endforeach()
+# Each part of a slave face under two masters keeps a node, whatever the mesh and the order of the pairs' names.
+foreach(cells "4, 3" "5, 3" "7, 3" "9, 3")
+  string(MAKE_C_IDENTIFIER "split_slave_${cells}" name)
+  add_scene_test(NAME ${name} SCENE verification/split_slave.prm SET "Body base/Cells=${cells}"
+                 CHECK "status is converged" "reactions.0.force.1 ~ -0.2333333333333333 1e-10" "reactions.1.force.1 ~ -0.2333333333333333 1e-10"
+                       "pairs.1.peak_pressure ~ 0.2333333333333333 1e-9" "pairs.2.peak_pressure ~ 0.2333333333333333 1e-9")
+endforeach()
+foreach(degree 1 2)
+  add_scene_test(NAME split_slave_finite_q${degree} SCENE verification/split_slave.prm SET "Kinematics=finite strain" "Discretization/Degree=${degree}"
+                 CHECK "status is converged" "reactions.0.force.1 ~ -0.23333 1e-3" "reactions.1.force.1 ~ -0.23333 1e-3")
+endforeach()
 # Corners where two pairs meet, with friction: whichever sides are slaves, within 1 % of the forces of a mesh eight times as fine (10.467
 # and -9.391 +- 0.001 across, with either slave).
 foreach(side "wall/Slave=automatic" "wall/Slave=first" "wall/Slave=second" "left foot/Slave=second" "right foot/Slave=first")

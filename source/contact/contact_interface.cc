@@ -162,7 +162,7 @@ namespace Amontons
     struct Claim
     {
       unsigned int    interface, node;
-      double          gap;
+      double          gap, area;
       Tensor<1, dim>  normal;
       const PairData *pair;
 
@@ -173,17 +173,26 @@ namespace Amontons
       }
     };
 
-    // Tied pairs go first, as they leave contact no freedom, then the closer one. Names decide between equal
-    // ones, whatever the order of the pairs. no_distance: iterates must not take a node from one pair to the
-    // other.
     template <int dim>
     bool
-    goes_before(const Claim<dim> &a, const Claim<dim> &b, const double no_distance)
+    same_normal(const Claim<dim> &a, const Claim<dim> &b)
+    {
+      return a.normal * b.normal > 0.99;
+    }
+
+    // Tied pairs go first, as they leave contact no freedom, then clearly closer ones (iterates must not take
+    // a node from one to the other). Of masters side by side the one that covers more of the node: so each
+    // part of a face keeps a node. Names decide between equal ones, whatever the order of the pairs.
+    template <int dim>
+    bool
+    goes_before(const Claim<dim> &a, const Claim<dim> &b, const double size)
     {
       if (a.pair->tied != b.pair->tied)
         return a.pair->tied;
-      if (std::abs(a.gap - b.gap) > no_distance)
+      if (std::abs(a.gap - b.gap) > 0.1 * size)
         return a.gap < b.gap;
+      if (same_normal(a, b) && std::abs(a.area - b.area) > 0.01 * std::max(a.area, b.area))
+        return a.area > b.area;
       return a.pair->name < b.pair->name;
     }
 
@@ -201,7 +210,7 @@ namespace Amontons
       for (unsigned int i = 0; i < interfaces.size(); ++i)
         for (const auto &row : interfaces[i].coupling.rows)
           claims[interfaces[i].slave->nodes[row.node].dofs[0]].push_back(
-              {i, row.node, row.gap, row.normal / row.normal.norm(), interfaces[i].pair});
+              {i, row.node, row.gap, row.area, row.normal / row.normal.norm(), interfaces[i].pair});
       for (auto &[dof, rivals] : claims)
         {
           (void)dof;
@@ -211,13 +220,11 @@ namespace Amontons
           for (unsigned int k = 1; k < rivals.size(); ++k)
             for (unsigned int j = 0; j < k; ++j)
               {
-                const auto  &a = rivals[j], &b = rivals[k];
-                const bool   same_normal = a.normal * b.normal > 0.99;
-                const double size        = interfaces[a.interface].slave->mean_size;
+                const auto &a = rivals[j], &b = rivals[k];
                 if (!carries[a.interface][a.node] || !carries[b.interface][b.node] ||
-                    !(same_normal || a.may_hold_all() || b.may_hold_all()))
+                    !(same_normal(a, b) || a.may_hold_all() || b.may_hold_all()))
                   continue;
-                const auto &loser = goes_before(a, b, (same_normal ? 1e-12 : 0.1) * size) ? b : a;
+                const auto &loser = goes_before(a, b, interfaces[a.interface].slave->mean_size) ? b : a;
                 carries[loser.interface][loser.node] = false;
                 again[loser.interface]               = true;
               }

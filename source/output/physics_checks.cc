@@ -79,7 +79,7 @@ namespace Amontons
             peak = std::max(peak, node.pressure);
           for (const auto &node : answer.state.contact[i])
             {
-              penetration = std::max(penetration, -node.gap / h);
+              penetration     = std::max(penetration, -node.gap / h);
               tension         = std::max(tension, -node.pressure / peak);
               complementarity = std::max(complementarity, std::abs(node.pressure * node.gap) / (peak * h));
             }

@@ -63,6 +63,54 @@ namespace Amontons
             M(i, unknowns.shear(j, -1)) = -M(i, unknowns.shear(j, 1));
         }
     }
+
+    template <int dim>
+    Unknowns
+    number_unknowns(const BaseSolution<dim> &base)
+    {
+      Unknowns unknowns;
+      double   largest = 0;
+      for (unsigned int k = 0; k < base.nodes.size(); ++k)
+        if (!base.nodes[k].tied)
+          {
+            unknowns.node.push_back(k);
+            largest = std::max(largest, base.nodes[k].area * base.nodes[k].c);
+          }
+      for (const unsigned int k : unknowns.node)
+        unknowns.factor.push_back(largest / (base.nodes[k].area * base.nodes[k].c));
+      return unknowns;
+    }
+
+    // M and q of the inequalities.
+    template <int dim>
+    void
+    fill_problem(const BaseSolution<dim>                         &base,
+                 const typename ActiveSetLookahead<dim>::Respond &respond,
+                 const std::vector<ShearBound>                   &bounds,
+                 const Unknowns                                  &unknowns,
+                 FullMatrix<double>                              &M,
+                 Vector<double>                                  &q)
+    {
+      for (unsigned int i = 0; i < unknowns.n(); ++i)
+        {
+          const unsigned int k    = unknowns.node[i];
+          const auto        &node = base.nodes[k];
+          const double       v    = slip_along(node, base.answers[k]);
+          add_columns(base, respond, unknowns, i, M);
+          q[i] = base.answers[k].gap;
+          if (node.frictional && base.movable[k])
+            {
+              q[unknowns.slip(i)]    = bounds[k].value / (node.c * unknowns.factor[i]);
+              M(unknowns.slip(i), i) = bounds[k].slope;
+            }
+          for (const int sign : {1, -1})
+            {
+              q[unknowns.shear(i, sign)]                   = -sign * v;
+              M(unknowns.shear(i, sign), unknowns.slip(i)) = 1;
+              M(unknowns.slip(i), unknowns.shear(i, sign)) = -1;
+            }
+        }
+    }
   } // namespace
 
   template <int dim>
@@ -71,39 +119,11 @@ namespace Amontons
                            const typename ActiveSetLookahead<dim>::Respond &respond,
                            const std::vector<ShearBound>                   &bounds)
   {
-    Unknowns unknowns;
-    for (unsigned int k = 0; k < base.nodes.size(); ++k)
-      if (!base.nodes[k].tied)
-        unknowns.node.push_back(k);
-    const unsigned int n       = unknowns.n();
-    double             largest = 0;
-    for (const unsigned int k : unknowns.node)
-      largest = std::max(largest, base.nodes[k].area * base.nodes[k].c);
-    for (const unsigned int k : unknowns.node)
-      unknowns.factor.push_back(largest / (base.nodes[k].area * base.nodes[k].c));
+    const auto         unknowns = number_unknowns(base);
+    const unsigned int n        = unknowns.n();
     FullMatrix<double> M(4 * n, 4 * n);
     Vector<double>     q(4 * n);
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        const unsigned int k    = unknowns.node[i];
-        const auto        &node = base.nodes[k];
-        const double       v    = slip_along(node, base.answers[k]);
-        add_columns(base, respond, unknowns, i, M);
-        q[i] = base.answers[k].gap;
-        for (const int sign : {1, -1})
-          q[unknowns.shear(i, sign)] = -sign * v;
-        if (node.frictional && base.movable[k])
-          {
-            q[unknowns.slip(i)]    = bounds[k].value / (node.c * unknowns.factor[i]);
-            M(unknowns.slip(i), i) = bounds[k].slope;
-          }
-      }
-    for (unsigned int i = 0; i < n; ++i)
-      for (const int sign : {1, -1})
-        {
-          M(unknowns.shear(i, sign), unknowns.slip(i)) = 1;
-          M(unknowns.slip(i), unknowns.shear(i, sign)) = -1;
-        }
+    fill_problem(base, respond, bounds, unknowns, M, q);
     const double size = q.linfty_norm();
     if (size == 0)
       return {};

@@ -190,7 +190,35 @@ namespace Amontons
     return condensed.n_responses();
   }
 
-  // The bodies with all nodes open but the tied ones, and what the nodes answer there.
+  // The system and the bodies with all nodes open but the tied ones, and what the nodes answer there.
+  template <int dim>
+  Iterate<dim>
+  EliminatedStep<dim>::with_open_nodes(const Iterate<dim> &now, const LA::Vector *springs)
+  {
+    const auto  &nodes = problem.contact.nodes();
+    auto        &u     = problem.state.displacement;
+    Iterate<dim> open(now);
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (!nodes[k].tied)
+        open.states.open(k);
+    open.laws.assign(nodes.size(), SlipLaw<dim>());
+    open.constraints = std::make_shared<ContactConstraints>(
+        constraints_of(problem, problem.supports, open.states, &open.first_equation));
+    system.assemble(problem.mechanics.bodies().tangent(), *open.constraints, springs, {});
+    solver.matrix_changed(LinearSolver::all_rows);
+    open.u += solve(open, nullptr).change;
+    u = open.u;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        open.answers[k]     = {};
+        open.answers[k].gap = problem.contact.gap(k, u);
+        if (nodes[k].frictional)
+          open.answers[k].slip = problem.contact.slip(k, u);
+      }
+    u = now.u;
+    return open;
+  }
+
   template <int dim>
   bool
   EliminatedStep<dim>::settle(Iterate<dim> &now, const LA::Vector *springs)
@@ -202,32 +230,14 @@ namespace Amontons
       return false;
     TimerOutput::Scope scope(problem.timer, "condensed contact");
     now.states.forget(); // bounds follow pressures again
-    Iterate<dim> open(now);
+    std::vector<ShearBound> bounds(nodes.size());
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (!nodes[k].tied)
-        open.states.open(k);
-    open.laws.assign(nodes.size(), SlipLaw<dim>());
-    open.constraints = std::make_shared<ContactConstraints>(
-        constraints_of(problem, problem.supports, open.states, &open.first_equation));
-    system.assemble(problem.mechanics.bodies().tangent(), *open.constraints, springs, {});
-    solver.matrix_changed(LinearSolver::all_rows);
-    const auto solved = solve(open, nullptr);
-    open.u += solved.change;
-    auto &u = problem.state.displacement;
-    u       = open.u;
-    std::vector<ShearBound> bounds;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      {
-        open.answers[k]     = {};
-        open.answers[k].gap = problem.contact.gap(k, u);
-        bounds.emplace_back();
-        if (!nodes[k].frictional)
-          continue;
-        open.answers[k].slip = problem.contact.slip(k, u);
-        bounds[k]            = now.states.bound(k, now.answers[k].pressure);
-        bounds[k].value -= bounds[k].slope * std::max(0., now.answers[k].pressure);
-      }
-    u = now.u;
+      if (const double p = now.answers[k].pressure; nodes[k].frictional)
+        {
+          bounds[k] = now.states.bound(k, p);
+          bounds[k].value -= bounds[k].slope * std::max(0., p);
+        }
+    const auto              open = with_open_nodes(now, springs);
     const BaseSolution<dim> base{nodes, open.states.all(), open.laws, open.answers, movable_nodes(), open.u};
     const ContactCompliance<dim> responses(problem.discretization,
                                            problem.mechanics.bodies(),
@@ -241,13 +251,9 @@ namespace Amontons
         base,
         [&](const unsigned int k, const NodeInput input) { return responses.respond(k, input); },
         bounds);
-    if (!found)
-      return false;
-    std::vector<ContactStatus> wanted;
-    for (const auto &node : *found)
-      wanted.push_back(node.state);
-    now.states.impose(wanted, *found);
-    return true;
+    if (found)
+      now.states.impose(*found);
+    return found.has_value();
   }
 
   template class EliminatedStep<2>;

@@ -313,35 +313,12 @@ namespace Amontons
   double
   Newton<dim>::relative_residual()
   {
-    at.force_scale     = problem.mechanics.force_scale(what_rounding_sees(), problem.parameters.tolerance);
+    at.force_scale =
+        problem.mechanics.force_scale(what_rounding_sees(problem, at), problem.parameters.tolerance);
     const auto *excess = problem.mechanics.forces_of_excess();
     return std::max({relative_residual_of(balance),
                      largest_violation(),
                      excess == nullptr || at.force_scale == 0 ? 0. : excess->l2_norm() / at.force_scale});
-  }
-
-  // Displacements, readable. Those of pivots are differences of the other terms of their equations, whose
-  // rounding stiff slaves turn into forces.
-  template <int dim>
-  LA::Vector
-  Newton<dim>::what_rounding_sees() const
-  {
-    const auto &u      = problem.state.displacement;
-    LA::Vector  result = at.u, readable = problem.discretization.make_relevant_vector();
-    const auto &pivots = at.constraints->pivots();
-    for (unsigned int e = 0; e < pivots.size(); ++e)
-      if (pivots[e] && problem.discretization.locally_owned.is_element(*pivots[e]))
-        {
-          const auto &equation = at.constraints->equations()[e].equation;
-          double      sum      = std::abs(equation.value);
-          for (const auto &[dof, weight] : equation.coefficients)
-            sum += std::abs(weight * u(dof));
-          sum /= std::abs(equation.coefficients.at(*pivots[e]));
-          result(*pivots[e]) = std::max(sum, std::abs(u(*pivots[e])));
-        }
-    result.compress(VectorOperation::insert);
-    readable = result;
-    return readable;
   }
 
   template <int dim>
@@ -444,7 +421,8 @@ namespace Amontons
       failure = Failure{Failure::Kind::not_a_number};
     else if (rests && at.states.n_held_beyond_friction() == 0)
       at.report.converged = true;
-    else if (drag == nullptr && is_as_good_as_it_gets())
+    else if (drag == nullptr && at.free_modes.empty() && at.states.n_held_beyond_friction() == 0 &&
+             !at.states.frozen() && at.report.has_stalled(1e3 * problem.parameters.tolerance))
       {
         std::ostringstream text;
         text << "the residual stays at " << last.residual << " of the forces where "
@@ -466,7 +444,7 @@ namespace Amontons
       }
     else if (is_linear && at.report.iterations.size() == 1)
       failure = Diagnosis::friction_beyond_limit(at.states);
-    else if (drag == nullptr && stagnates())
+    else if (drag == nullptr && !is_linear && at.report.stagnates(problem.parameters.tolerance))
       failure = Diagnosis::no_states_found(at.report, at.states, problem.contact.any_friction());
   }
 
@@ -488,21 +466,6 @@ namespace Amontons
     return at.report.pivoted;
   }
 
-  // No node changes, and four steps have not halved a residual that is small: rounding of stiff or nearly
-  // incompressible bodies, or at finite strain of their places. The laws are checked afterwards as always.
-  template <int dim>
-  bool
-  Newton<dim>::is_as_good_as_it_gets() const
-  {
-    const auto        &steps = at.report.iterations;
-    const unsigned int last  = 4;
-    return steps.size() > last && at.free_modes.empty() && at.states.n_held_beyond_friction() == 0 &&
-           !at.states.frozen() && steps.back().residual <= 1e3 * problem.parameters.tolerance &&
-           std::all_of(steps.end() - last, steps.end(), [&](const auto &step) {
-             return step.n_changes == 0 && step.residual > 0.5 * (steps.end() - last - 1)->residual;
-           });
-  }
-
   // Small strain: weak springs are all that holds a motion, and they are not coming to rest.
   template <int dim>
   bool
@@ -511,24 +474,6 @@ namespace Amontons
     const unsigned int n = at.report.iterations.size();
     return problem.mechanics.is_linear() && n > 1 && !at.free_modes.empty() &&
            at.report.iterations[n - 1].residual > 0.5 * at.report.iterations[n - 2].residual;
-  }
-
-  // Finite strain: a shorter increment helps more than further iterations, unless bounds of friction were
-  // held or bodies are in equilibrium: states settle slowly then, but they do.
-  template <int dim>
-  bool
-  Newton<dim>::stagnates() const
-  {
-    const auto        &steps = at.report.iterations;
-    const unsigned int last  = 12;
-    if (problem.mechanics.is_linear() || steps.size() < 25 || at.report.frozen ||
-        steps.back().residual <= problem.parameters.tolerance)
-      return false;
-    const auto   smaller = [](const auto &a, const auto &b) { return a.residual < b.residual; };
-    const auto   middle  = steps.end() - last;
-    const double before  = std::min_element(steps.begin(), middle, smaller)->residual,
-                 now     = std::min_element(middle, steps.end(), smaller)->residual;
-    return now > 0.3 * before;
   }
 
   template <int dim>

@@ -75,6 +75,28 @@ namespace Amontons
     return forces;
   }
 
+  template <int dim>
+  LA::Vector
+  what_rounding_sees(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now)
+  {
+    const auto &u      = problem.state.displacement;
+    LA::Vector  result = now.u, readable = problem.discretization.make_relevant_vector();
+    const auto &pivots = now.constraints->pivots();
+    for (unsigned int e = 0; e < pivots.size(); ++e)
+      if (pivots[e] && problem.discretization.locally_owned.is_element(*pivots[e]))
+        {
+          const auto &equation = now.constraints->equations()[e].equation;
+          double      sum      = std::abs(equation.value);
+          for (const auto &[dof, weight] : equation.coefficients)
+            sum += std::abs(weight * u(dof));
+          sum /= std::abs(equation.coefficients.at(*pivots[e]));
+          result(*pivots[e]) = std::max(sum, std::abs(u(*pivots[e])));
+        }
+    result.compress(VectorOperation::insert);
+    readable = result;
+    return readable;
+  }
+
   template ContactConstraints
   constraints_of(const ContactEquilibrium<2> &,
                  const Constraints &,
@@ -89,4 +111,8 @@ namespace Amontons
   known_contact_forces(const ContactEquilibrium<2> &, const Iterate<2> &);
   template LA::Vector
   known_contact_forces(const ContactEquilibrium<3> &, const Iterate<3> &);
+  template LA::Vector
+  what_rounding_sees(const ContactEquilibrium<2> &, const Iterate<2> &);
+  template LA::Vector
+  what_rounding_sees(const ContactEquilibrium<3> &, const Iterate<3> &);
 } // namespace Amontons

@@ -255,16 +255,15 @@ namespace Amontons
 
   template <int dim>
   void
-  NodeStates<dim>::impose(const std::vector<ContactStatus> &wanted, const NodalContacts<dim> &answers)
+  NodeStates<dim>::impose(const NodalContacts<dim> &answers)
   {
     forget();
-    states = wanted;
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (nodes[k].frictional && states[k] == ContactStatus::slip)
-        {
-          const double p = answers[k].pressure;
-          laws[k]        = linearise_slip(answers[k].shear, p, bound(k, p), nodes[k].c);
-        }
+      {
+        states[k] = answers[k].state;
+        if (const double p = answers[k].pressure; nodes[k].frictional && states[k] == ContactStatus::slip)
+          laws[k] = linearise_slip(answers[k].shear, p, bound(k, p), nodes[k].c);
+      }
   }
 
   // Of the nodes that slip, by (slip v . m/|m|^2, trial/bound), where m is the jump of the motion. The number

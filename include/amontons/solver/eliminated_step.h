@@ -39,6 +39,8 @@ namespace Amontons
     settle(Iterate<dim> &now, const LA::Vector *springs) override;
 
   private:
+    Iterate<dim>
+    with_open_nodes(const Iterate<dim> &now, const LA::Vector *springs);
     double
     forcing(const Iterate<dim> &now) const;
     std::vector<LocalMatrix>

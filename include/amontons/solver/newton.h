@@ -110,8 +110,6 @@ namespace Amontons
     count_states(NewtonReport::Iteration &step) const;
     LA::Vector
     balance_with_drag() const;
-    LA::Vector
-    what_rounding_sees() const;
     double
     relative_residual();
     double
@@ -123,13 +121,9 @@ namespace Amontons
     void
     update_states(NewtonReport::Iteration &step);
     bool
-    is_as_good_as_it_gets() const;
-    bool
     settle();
     bool
     moves_apart() const;
-    bool
-    stagnates() const;
 
     const ContactEquilibrium<dim> &problem;
     NewtonStep<dim>               &step;

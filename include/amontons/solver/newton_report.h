@@ -33,5 +33,13 @@ namespace Amontons
     {
       return !converged && !failure;
     }
+    /// No node changes, and four steps have not halved a residual of at most `small`: rounding of stiff or
+    /// nearly incompressible bodies, or at finite strain of their places.
+    bool
+    has_stalled(const double small) const;
+    /// Finite strain: a shorter increment helps more than further iterations, unless bounds of friction were
+    /// held or bodies are in equilibrium: states settle slowly then, but they do.
+    bool
+    stagnates(const double tolerance) const;
   };
 } // namespace Amontons

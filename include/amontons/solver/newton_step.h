@@ -156,4 +156,10 @@ namespace Amontons
   template <int dim>
   LA::Vector
   known_contact_forces(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now);
+
+  /// Displacements, readable. Those of pivots are differences of the other terms of their equations, whose
+  /// rounding stiff slaves turn into forces: the sum of their sizes.
+  template <int dim>
+  LA::Vector
+  what_rounding_sees(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now);
 } // namespace Amontons

@@ -63,9 +63,9 @@ namespace Amontons
       d            = t.norm() > 0 ? t / t.norm() : t;
     }
 
-    // These, with the pressures and shears that they go with.
+    // The states of these, with the laws that their pressures and shears make.
     void
-    impose(const std::vector<ContactStatus> &wanted, const NodalContacts<dim> &answers);
+    impose(const NodalContacts<dim> &answers);
 
     // The next set of states has nothing to do with those before: safeguards start anew.
     void

@@ -405,6 +405,15 @@ namespace Amontons
           return fields.symmetry_factor > 1;
         }))
       note("symmetry planes cut the contact: forces are those of the meshed part");
+    if (ending.converged && error.decisive() > 0.2)
+      {
+        std::ostringstream text;
+        text.precision(2);
+        text << "warning: the pressure is known to " << 100 * error.decisive()
+             << " % only (estimated). If no edge makes it infinite, the mesh is too coarse for this contact, "
+                "and forces that displacements cause are off, too: refine ('Cycles', 'Target error')";
+        note(text.str());
+      }
   }
 
   template <int dim>

@@ -1013,6 +1013,11 @@ add_scene_test(NAME small_strain_history SCENE verification/patch_confined.prm
 add_scene_test(NAME small_strain_moved_away SCENE hertz_cylinder.prm FAILS SET "Obstacle cylinder/Displacement=-0.6*t|free"
                CHECK "checks.neglected_contact ~ 1.991 0.02" "energy ~ 3.030 1e-3" "message has kinematics: small strain leaves out")
 
+# A mesh that is too coarse for its contact says so (peak pressure 45 and 5 % off).
+add_scene_test(NAME coarse_contact_warning SCENE hertz_sphere.prm SET "Refinement/Cycles=0"
+               CHECK "status is converged" "notes.2 has warning: the pressure is known to" "reference.errors.peak_pressure >= 0.2")
+add_scene_test(NAME fine_contact_no_warning SCENE hertz_sphere.prm SET "Refinement/Cycles=2" CHECK "status is converged" "notes.-1 has symmetry planes")
+
 # Above the target a warning, above 10 % no answer; 'auto' finds the one of finite strain.
 add_scene_test(NAME small_strain_warning SCENE hertz_sphere_axisymmetric.prm
                CHECK "status is converged" "notes.0 has warning: small strain leaves out 0.014" "error_estimate.kinematics ~ 0.0139 0.1")

@@ -980,6 +980,11 @@ foreach(slave first second)
                  CHECK "status is converged" "reference.errors.pressure_l2 <= 0.02" "newton.:.iterations <= 8")
 endforeach()
 
+# Where a law ends, the message says so. (One step, too large; it would fail at t = 0.8 in any.)
+add_scene_test(NAME law_ends SCENE verification/rubber_indentation.prm FAILS
+               SET "Body block/Law=St. Venant-Kirchhoff" "Body block/Poisson ratio=0.3" "Increments=1" "Minimum increment=1" "Refinement/Cycles=0"
+               CHECK "message has takes no more load beyond a compression by 42 %")
+
 # ---- What faces what, growing interferences, facets
 
 # A pair that touches nothing is told, also where surfaces may come to face each other later; what faces each other far away is found.

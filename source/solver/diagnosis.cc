@@ -178,9 +178,14 @@ namespace Amontons
     Failure
     inverted(const Discretization<dim> &discretization, const InvertedCell<dim> &cell)
     {
+      const auto        &body = discretization.scene.bodies[cell.body];
       std::ostringstream text;
-      text << "a cell of body '" << discretization.scene.bodies[cell.body].name << "' near (" << cell.centre
+      text << "a cell of body '" << body.name << "' near (" << cell.centre
            << ") is turned inside out (its volume becomes " << cell.smallest_jacobian << " of what it was)";
+      // P = M (l^3 - l)/2 of the stretch l is largest at l = 1/sqrt(3).
+      if (body.material.law == Law::st_venant_kirchhoff)
+        text << "; St. Venant-Kirchhoff's law takes no more load beyond a compression by 42 %: say 'Law = "
+                "neo-Hookean' where strains are large";
       Failure failure{Failure::Kind::inverted_cell};
       failure.cell = text.str();
       return failure;

@@ -968,6 +968,17 @@ foreach(friction 2 5 20)
                  CHECK "status is converged" "checks.coulomb_cone <= 1e-9" "checks.slip_direction <= 1e-6" "checks.tension <= 1e-9" "checks.force_balance <= 1e-9")
 endforeach()
 
+# ---- Gaps that forces close
+
+# The motion over 300 sizes leaves 300 x 1e-16 x the stiffness of rounding, some 1e-5 of the force.
+foreach(gap 1 300)
+  math(EXPR bottom "1 + ${gap}")
+  math(EXPR top "2 + ${gap}")
+  add_scene_test(NAME far_gap_${gap} SCENE verification/far_gap.prm
+                 SET "Body upper/Lower corner=0, ${bottom}" "Body upper/Upper corner=2, ${top}" "Obstacle press/Centre=1, ${top}"
+                 CHECK "status is converged" "pairs.:2.normal_force.1 ~ 0.2 2e-5" "newton.:.iterations <= 6")
+endforeach()
+
 # ---- Residuals that rounding holds up
 
 # A displacement of 3e-4 is known to 5e-20, which E/(1 - 2 nu) = 5e12 times some ten DoFs turns into a force of 3e-6.

@@ -145,10 +145,11 @@ namespace Amontons
     const auto solved = solve();
     if (!solved || (try_it && !try_it(*solved)) || !advance(solved->change, n_tries) || (stay && !stay()))
       return false;
+    last_change = solved->change;
     NewtonReport::Iteration line{};
     line.krylov = solved->krylov;
     recover_contact();
-    count_states(line);
+    count_states(problem, at.states, line);
     line.residual = relative_residual();
     update_states(line);
     at.report.iterations.push_back(line);
@@ -295,17 +296,6 @@ namespace Amontons
                             &multipliers[e]);
   }
 
-  template <int dim>
-  void
-  Newton<dim>::count_states(NewtonReport::Iteration &line) const
-  {
-    for (unsigned int k = 0; k < at.answers.size(); ++k)
-      if (problem.contact.is_opposite(k))
-        (at.states[k] == ContactStatus::open    ? line.n_open
-         : at.states[k] == ContactStatus::stick ? line.n_stick
-                                                : line.n_slip) += 1;
-  }
-
   // Of equilibrium, relative to the forces, and of the closed nodes' equations, relative to the faces. Forces
   // of the excess that balance each other, as under uniform stress, are seen by none of the free rows; but
   // supports and closed nodes carry them.
@@ -437,7 +427,7 @@ namespace Amontons
         else
           failure = Diagnosis::friction_exceeded(at.states);
       }
-    else if (stays && moves_apart())
+    else if (stays && moves_apart() && !reach_contact())
       {
         failure         = Failure{Failure::Kind::moves_apart};
         failure->motion = at.states.describe(at.free_modes);
@@ -474,6 +464,19 @@ namespace Amontons
     const unsigned int n = at.report.iterations.size();
     return problem.mechanics.is_linear() && n > 1 && !at.free_modes.empty() &&
            at.report.iterations[n - 1].residual > 0.5 * at.report.iterations[n - 2].residual;
+  }
+
+  template <int dim>
+  bool
+  Newton<dim>::reach_contact()
+  {
+    const auto turns = turns_to_contact(problem, at, last_change);
+    if (!turns)
+      return false;
+    at.u.add(*turns, last_change);
+    problem.state.displacement            = at.u;
+    at.report.iterations.back().n_changes = 1;
+    return evaluate();
   }
 
   template <int dim>

@@ -97,6 +97,34 @@ namespace Amontons
     return readable;
   }
 
+  template <int dim>
+  std::optional<double>
+  turns_to_contact(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now, const LA::Vector &change)
+  {
+    LA::Vector readable = problem.discretization.make_relevant_vector();
+    readable            = change;
+    std::optional<double> turns;
+    for (unsigned int k = 0; k < now.answers.size(); ++k)
+      if (now.states[k] == ContactStatus::open)
+        if (const double nearer = evaluate(problem.contact.nodes()[k].closing.equation, readable);
+            nearer > 1e-6 * change.linfty_norm())
+          turns = std::min(turns.value_or(std::numeric_limits<double>::max()), now.answers[k].gap / nearer);
+    return turns;
+  }
+
+  template <int dim>
+  void
+  count_states(const ContactEquilibrium<dim> &problem,
+               const NodeStates<dim>         &states,
+               NewtonReport::Iteration       &line)
+  {
+    for (unsigned int k = 0; k < problem.contact.nodes().size(); ++k)
+      if (problem.contact.is_opposite(k))
+        (states[k] == ContactStatus::open    ? line.n_open
+         : states[k] == ContactStatus::stick ? line.n_stick
+                                             : line.n_slip) += 1;
+  }
+
   template ContactConstraints
   constraints_of(const ContactEquilibrium<2> &,
                  const Constraints &,
@@ -115,4 +143,12 @@ namespace Amontons
   what_rounding_sees(const ContactEquilibrium<2> &, const Iterate<2> &);
   template LA::Vector
   what_rounding_sees(const ContactEquilibrium<3> &, const Iterate<3> &);
+  template std::optional<double>
+  turns_to_contact(const ContactEquilibrium<2> &, const Iterate<2> &, const LA::Vector &);
+  template void
+  count_states(const ContactEquilibrium<2> &, const NodeStates<2> &, NewtonReport::Iteration &);
+  template std::optional<double>
+  turns_to_contact(const ContactEquilibrium<3> &, const Iterate<3> &, const LA::Vector &);
+  template void
+  count_states(const ContactEquilibrium<3> &, const NodeStates<3> &, NewtonReport::Iteration &);
 } // namespace Amontons

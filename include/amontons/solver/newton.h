@@ -106,8 +106,6 @@ namespace Amontons
     recover_contact();
     NodalContact<dim>
     answer(const unsigned int k, const std::vector<double> &multipliers) const;
-    void
-    count_states(NewtonReport::Iteration &step) const;
     LA::Vector
     balance_with_drag() const;
     double
@@ -123,6 +121,8 @@ namespace Amontons
     bool
     settle();
     bool
+    reach_contact();
+    bool
     moves_apart() const;
 
     const ContactEquilibrium<dim> &problem;
@@ -135,6 +135,7 @@ namespace Amontons
     RigidModeStabilisation         stabilisation;
     const Drag                    *drag = nullptr;
     LA::Vector                     push;         // see first_push()
+    LA::Vector                     last_change;  // of u
     LA::Vector                     balance;      // internal - contact forces - loads
     std::optional<Failure>         inversion;    // the last one
     std::vector<ContactStatus>     previous_set; // before the last change of states

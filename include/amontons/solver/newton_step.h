@@ -162,4 +162,17 @@ namespace Amontons
   template <int dim>
   LA::Vector
   what_rounding_sees(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now);
+
+  /// Bodies that only springs hold come nearer by some part of their gap in each turn, like the last `change`
+  /// of u: how many such turns until the first open node touches; nothing if none comes nearer.
+  template <int dim>
+  std::optional<double>
+  turns_to_contact(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now, const LA::Vector &change);
+
+  /// Of the nodes with something opposite.
+  template <int dim>
+  void
+  count_states(const ContactEquilibrium<dim> &problem,
+               const NodeStates<dim>         &states,
+               NewtonReport::Iteration       &line);
 } // namespace Amontons

@@ -538,12 +538,15 @@ foreach(nu 0 0.3)
                  CHECK ${LAWS} "newton.:4.iterations <= 10" "newton.4:.iterations <= 5" "reference.errors.stick_size <= 0.02"
                        "reference.errors.dissipation <= 0.03" "reference.errors.tangential_force <= 1e-8"
                        "checks.slip_direction <= 1e-6")
+  # Superlinear is Newton's method, if linear systems are solved far enough: the last residual is theirs else.
   set(superlinear)
+  set(tight)
   if(nu EQUAL 0)
     set(superlinear "newton.:.iterations <= 5" "slowdown <= 0.1")
+    set(tight "Contact solver/Tolerance=1e-11" "Linear solver/Tolerance=1e-12")
   endif()
   # The traction of the skew is a projected one, for which the mean is exact and single nodes of the edge are not.
-  add_scene_test(NAME oblique_drag_nu_${nu} SCENE verification/oblique_drag.prm SET ${material}
+  add_scene_test(NAME oblique_drag_nu_${nu} SCENE verification/oblique_drag.prm SET ${material} ${tight}
                  CHECK ${LAWS} "newton.:2.iterations <= 10" "newton.2:.iterations <= 5" "pairs.0.n_stick == 0" "skew <= 1e-3" "checks.slip_direction <= 1e-9"
                        "pairs.0.tangential_force.0 ~ 259.808 1e-4" "pairs.0.tangential_force.1 ~ 150 1e-4" ${superlinear})
 endforeach()

@@ -286,6 +286,7 @@ namespace Amontons
     summary.ranks     = Utilities::MPI::n_mpi_processes(communicator);
     if (has_answer())
       add_answer(answer, ending);
+    note_rough_pressure(ending);
     note_untouched_pairs();
     note_facets(answer.interfaces, ending.evaluation.error);
     note_limits(answer, ending);
@@ -389,6 +390,21 @@ namespace Amontons
         }
   }
 
+  template <int dim>
+  void
+  RunReport<dim>::note_rough_pressure(const Ending &ending)
+  {
+    const double error = ending.evaluation.error.decisive();
+    if (!ending.converged || !(error > 0.2))
+      return;
+    std::ostringstream text;
+    text.precision(2);
+    text << "warning: the pressure is known to " << 100 * error
+         << " % only (estimated). If no edge makes it infinite, the mesh is too coarse for this contact, and "
+            "forces that displacements cause are off, too: refine ('Cycles', 'Target error')";
+    note(text.str());
+  }
+
   // What the answer is not, or not the whole of.
   template <int dim>
   void
@@ -405,15 +421,6 @@ namespace Amontons
           return fields.symmetry_factor > 1;
         }))
       note("symmetry planes cut the contact: forces are those of the meshed part");
-    if (ending.converged && error.decisive() > 0.2)
-      {
-        std::ostringstream text;
-        text.precision(2);
-        text << "warning: the pressure is known to " << 100 * error.decisive()
-             << " % only (estimated). If no edge makes it infinite, the mesh is too coarse for this contact, "
-                "and forces that displacements cause are off, too: refine ('Cycles', 'Target error')";
-        note(text.str());
-      }
   }
 
   template <int dim>

@@ -150,6 +150,8 @@ namespace Amontons
     void
     add_energy_checks(const LoadHistory<dim> &history, const bool finite_strain);
     void
+    note_rough_pressure(const Ending &ending);
+    void
     note_untouched_pairs();
     void
     note_facets(const std::vector<ContactInterface<dim>> &interfaces, const ErrorEstimate<dim> &error);

@@ -79,7 +79,9 @@ namespace Amontons
   LA::Vector
   what_rounding_sees(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now)
   {
-    const auto &u      = problem.state.displacement;
+    const auto &u = problem.state.displacement;
+    if (!problem.mechanics.is_linear())
+      return u;
     LA::Vector  result = now.u, readable = problem.discretization.make_relevant_vector();
     const auto &pivots = now.constraints->pivots();
     for (unsigned int e = 0; e < pivots.size(); ++e)

@@ -159,6 +159,7 @@ namespace Amontons
 
   /// Displacements, readable. Those of pivots are differences of the other terms of their equations, whose
   /// rounding stiff slaves turn into forces: the sum of their sizes.
+  /// (Finite strain: u, as equations are those of its changes.)
   template <int dim>
   LA::Vector
   what_rounding_sees(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now);

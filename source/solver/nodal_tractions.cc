@@ -10,7 +10,7 @@ namespace Amontons
     for (unsigned int d = 0; d < dim; ++d)
       traction += multipliers[d] / node.area * node.directions[d];
     answer.pressure = traction * node.normal / node.normal.norm_square();
-    answer.shear    = node.tangential(traction);
+    answer.shear    = traction - answer.pressure * node.normal; // all of it, where normals lean out of planes
   }
 
   template <int dim>

@@ -23,7 +23,7 @@ error_of(const Matrix &M, const Vector &q, const Vector &z)
 }
 
 // n nodes with compliance A = B^T B (normal and tangential parts mixed), forces that push and drag; see
-// EliminatedStep::settle for the order of the unknowns.
+// solver/condensed_friction.h for the inequalities; unknowns are p, q+, q-, lambda.
 void
 friction(const unsigned int n, const double mu, const unsigned int seed)
 {

@@ -12,7 +12,7 @@ namespace Amontons
   /// lexicographic rule, which makes it finite (Cottle, Pang and Stone, The Linear Complementarity Problem,
   /// section 4.4). For copositive M it finds a solution if q . z >= 0 for all z >= 0 with M z >= 0, z . M z =
   /// 0: so it does for dry friction on bodies that are held, whatever the coefficient (see
-  /// EliminatedStep::settle). Dense: some 2 n steps of 2 n^2 operations.
+  /// solver/condensed_friction.h). Dense: some 2 n steps of 2 n^2 operations.
   std::optional<dealii::Vector<double>>
   complementary_solution(const dealii::FullMatrix<double> &M, const dealii::Vector<double> &q);
 } // namespace Amontons

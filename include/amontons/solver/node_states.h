@@ -9,6 +9,13 @@
 
 namespace Amontons
 {
+  // What counts as none where bodies are in equilibrium: the tension of a closed node (a force), the overlap
+  // of an open one. Rounding and the tolerance decide about less, and nodes would change for ever.
+  struct Neutral
+  {
+    double force = 0, gap = 0;
+  };
+
   // Open or closed as ActiveSetUpdate says. A closed node with friction slips along trial/|trial|, trial =
   // shear + c slip, where |trial| exceeds the bound phi(p), and sticks elsewhere; nodes whose slip turns
   // round stick first (but for directions that were guessed). Two things keep this from running in circles or
@@ -20,13 +27,6 @@ namespace Amontons
   // - when a set of states comes back, bounds are frozen: with given bounds (Tresca) the problem is that of
   //   minimising a convex energy; each time it is solved, the bounds follow the pressures, until they agree.
   //   If states come back even then, nodes change one by one.
-  // What counts as none where bodies are in equilibrium: the tension of a closed node (a force), the overlap
-  // of an open one. Rounding and the tolerance decide about less, and nodes would change for ever.
-  struct Neutral
-  {
-    double force = 0, gap = 0;
-  };
-
   template <int dim>
   class NodeStates
   {

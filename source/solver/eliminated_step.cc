@@ -1,6 +1,5 @@
 #include <amontons/algebra/rigid_body_modes.h>
 #include <amontons/solver/condensed_friction.h>
-#include <amontons/solver/contact_compliance.h>
 #include <amontons/solver/eliminated_step.h>
 
 namespace Amontons
@@ -151,6 +150,21 @@ namespace Amontons
     return result;
   }
 
+  // Of the system as it stands, with the constraints of `at`.
+  template <int dim>
+  ContactCompliance<dim>
+  EliminatedStep<dim>::compliance(const Iterate<dim> &at, const BaseSolution<dim> &base)
+  {
+    return {problem.discretization,
+            problem.mechanics.bodies(),
+            problem.supports,
+            *at.constraints,
+            at.first_equation,
+            base,
+            system.matrix(),
+            solver};
+  }
+
   // Where this ends where it began, rounding speaks differently here and there: systems of the bodies decide
   // from now on.
   template <int dim>
@@ -164,15 +178,8 @@ namespace Amontons
     TimerOutput::Scope      scope(problem.timer, "condensed contact");
     const BaseSolution<dim> base{
         problem.contact.nodes(), before, now.laws, now.answers, movable_nodes(), now.u};
-    const ContactCompliance<dim> responses(problem.discretization,
-                                           problem.mechanics.bodies(),
-                                           problem.supports,
-                                           *now.constraints,
-                                           now.first_equation,
-                                           base,
-                                           system.matrix(),
-                                           solver);
-    ActiveSetLookahead<dim>      condensed(
+    const auto              responses = compliance(now, base);
+    ActiveSetLookahead<dim> condensed(
         base,
         [&](const unsigned int k, const NodeInput input) { return responses.respond(k, input); },
         most_responses(problem.discretization.dof_handler.n_dofs()));
@@ -239,15 +246,8 @@ namespace Amontons
         }
     const auto              open = with_open_nodes(now, springs);
     const BaseSolution<dim> base{nodes, open.states.all(), open.laws, open.answers, movable_nodes(), open.u};
-    const ContactCompliance<dim> responses(problem.discretization,
-                                           problem.mechanics.bodies(),
-                                           problem.supports,
-                                           *open.constraints,
-                                           open.first_equation,
-                                           base,
-                                           system.matrix(),
-                                           solver);
-    const auto                   found = solve_condensed_friction<dim>(
+    const auto              responses = compliance(open, base);
+    const auto              found     = solve_condensed_friction<dim>(
         base,
         [&](const unsigned int k, const NodeInput input) { return responses.respond(k, input); },
         bounds);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <amontons/algebra/eliminated_system.h>
+#include <amontons/solver/contact_compliance.h>
 #include <amontons/solver/newton_step.h>
 
 namespace Amontons
@@ -39,6 +40,8 @@ namespace Amontons
     settle(Iterate<dim> &now, const LA::Vector *springs) override;
 
   private:
+    ContactCompliance<dim>
+    compliance(const Iterate<dim> &at, const BaseSolution<dim> &base);
     Iterate<dim>
     with_open_nodes(const Iterate<dim> &now, const LA::Vector *springs);
     double

@@ -165,7 +165,7 @@ namespace
     if (summary.converged)
       return 0;
     if (is_root && line.quiet)
-      std::cerr << line.scene << ": not converged: " << summary.message << std::endl;
+      std::cerr << line.scene + ": not converged: " + summary.message + "\n";
     return 1;
   }
   // An error that all ranks meet is printed once, and they end in peace. Where others may wait for a rank in
@@ -204,7 +204,7 @@ namespace
       {
         remove_new_output_folder();
         std::cout << std::flush;
-        std::cerr << message << std::endl;
+        std::cerr << message + "\n"; // one write: what mpirun says of the abort may not come between
       }
     if (n_failed == n_ranks)
       return code;

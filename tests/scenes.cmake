@@ -999,6 +999,18 @@ add_scene_test(NAME law_ends SCENE verification/rubber_indentation.prm FAILS
                SET "Body block/Law=St. Venant-Kirchhoff" "Body block/Poisson ratio=0.3" "Increments=1" "Minimum increment=1" "Refinement/Cycles=0"
                CHECK "message has takes no more load beyond a compression by 42 %")
 
+# ---- Rubber between several walls, with friction
+
+# To full squeeze, wherever a wall stands that the ring does not reach. On a mesh twice as fine with twice the increments: 405.047, and without any wall
+# 405.05; the half: 439.4 on a mesh four times as fine with 20 increments.
+foreach(wall 22.4 40)
+  add_scene_test(NAME o_ring_wall_${wall} SCENE verification/o_ring.prm SET "Obstacle wall/Centre=${wall}, 0"
+                 CHECK "status is converged" "pairs.0.normal_force.1 ~ 405.05 1e-3" "newton.:.iterations <= 20" "checks.coulomb_cone <= 1e-6"
+                       "error_estimate.contact <= 0.1")
+endforeach()
+add_scene_test(NAME o_ring_half SCENE verification/o_ring_half.prm
+               CHECK "status is converged" "pairs.0.normal_force.1 ~ 439.4 0.005" "pairs.1.peak_pressure >= 0.5" "checks.coulomb_cone <= 1e-6")
+
 # ---- What faces what, growing interferences, facets
 
 # A pair that touches nothing is told, also where surfaces may come to face each other later; what faces each other far away is found.

@@ -210,7 +210,7 @@ namespace Amontons
       for (unsigned int i = 0; i < interfaces.size(); ++i)
         for (const auto &row : interfaces[i].coupling.rows)
           claims[interfaces[i].slave->nodes[row.node].dofs[0]].push_back(
-              {i, row.node, row.gap, row.area, row.normal / row.normal.norm(), interfaces[i].pair});
+              {i, row.node, row.mean_gap, row.area, row.normal / row.normal.norm(), interfaces[i].pair});
       for (auto &[dof, rivals] : claims)
         {
           (void)dof;

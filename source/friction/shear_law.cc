@@ -78,10 +78,21 @@ namespace Amontons
     return law;
   }
 
+  template <int dim>
+  Tensor<1, dim>
+  ClosingSlip<dim>::where(const Tensor<1, dim> &slip)
+  {
+    rests = !rests && slip * last < 0;
+    last  = slip;
+    return rests ? Tensor<1, dim>() : slip;
+  }
+
   template SlipLaw<2>
   linearise_closing(const Tensor<1, 2> &, const double, const ShearBound &, const double);
   template SlipLaw<3>
   linearise_closing(const Tensor<1, 3> &, const double, const ShearBound &, const double);
+  template class ClosingSlip<2>;
+  template class ClosingSlip<3>;
   template struct SlipLaw<2>;
   template struct SlipLaw<3>;
   template SlipLaw<2>

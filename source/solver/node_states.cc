@@ -11,7 +11,7 @@ namespace Amontons
       : nodes(nodes), interfaces(interfaces), floating(floating), t(t),
         any_friction(
             std::any_of(nodes.begin(), nodes.end(), [](const auto &node) { return node.frictional; })),
-        states(nodes.size(), ContactStatus::open), laws(nodes.size())
+        states(nodes.size(), ContactStatus::open), laws(nodes.size()), closing_slips(nodes.size())
   {
   }
 
@@ -144,7 +144,8 @@ namespace Amontons
             if (nodes[k].old_gap > 0)
               {
                 states[k] = ContactStatus::slip;
-                laws[k]   = linearise_closing(answers[k].slip, p, limit, nodes[k].old_gap);
+                laws[k] =
+                    linearise_closing(closing_slips[k].where(answers[k].slip), p, limit, nodes[k].old_gap);
                 continue;
               }
             const auto   q      = trial(k, answers[k]);

@@ -103,9 +103,40 @@ check_closing(const Tensor<1, dim> &v, const Tensor<1, dim> &dv, const std::stri
     }
 }
 
+// A closing node on a spring, stiffness v + phi v/sqrt(v^2 + d^2) = force: Newton's iteration with force <
+// phi and a stiffness that lets it overshoot. The potential is convex, so that there is one solution, found
+// here by bisection.
+void
+check_swinging(const double stiffness, const double force, const double distance)
+{
+  const ShearBound bound{1., 0.};
+  const auto       excess = [&](const double v) {
+    return stiffness * v + bound.value * v / std::hypot(v, distance) - force;
+  };
+  double lower = 0, upper = force / stiffness;
+  for (unsigned int n = 0; n < 200; ++n)
+    (excess((lower + upper) / 2) < 0 ? lower : upper) = (lower + upper) / 2;
+
+  ClosingSlip<2> slip;
+  Tensor<1, 2>   v({force / stiffness, 0.});
+  unsigned int   n = 0;
+  for (; n < 100 && std::abs(excess(v[0])) > 1e-10 * force; ++n)
+    {
+      const auto law = linearise_closing(slip.where(v), 1., bound, distance);
+      // (stiffness + along) v = force - constant along the direction
+      const double q0 = law.traction(1., Tensor<1, 2>())[0];
+      v[0]            = (force - q0) / (stiffness + (law.direction.norm() > 0 ? law.along : law.stiffness));
+    }
+  check::is_true(n < 40, "a closing node comes to rest, after " + std::to_string(n) + " iterations");
+  check::is_close(v[0], lower, 1e-8, "its slip", force / stiffness);
+}
+
 int
 main()
 {
+  for (const double distance : {1e-1, 1e-3, 1e-6})
+    for (const double force : {0.01, 0.5, 0.9, 0.99, 1.1})
+      check_swinging(1e-2, force, distance);
   check_bounds();
   for (const std::string mu : {"0.3", "0.2 + 0.1*p"})
     {

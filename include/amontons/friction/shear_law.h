@@ -46,4 +46,21 @@ namespace Amontons
                     const double          pressure,
                     const ShearBound     &bound,
                     const double          distance);
+
+  // Where the law of a closing node is linearised. Its derivative is next to nothing for slips beyond the
+  // distance, so that a node that hardly slips in the end swings between large slips to and fro. A node that
+  // turns round is linearised at rest. From there Newton's iteration does not overshoot: the law is concave,
+  // and its tangents lie above it.
+  template <int dim>
+  class ClosingSlip
+  {
+  public:
+    // The slip to linearise at, for that of each iterate.
+    Tensor<1, dim>
+    where(const Tensor<1, dim> &slip);
+
+  private:
+    Tensor<1, dim> last;
+    bool           rests = false;
+  };
 } // namespace Amontons

@@ -195,6 +195,7 @@ namespace Amontons
     ActiveSetUpdate                           active_set;
     std::vector<ContactStatus>                states;
     std::vector<SlipLaw<dim>>                 laws;
+    std::vector<ClosingSlip<dim>>             closing_slips;
     std::vector<double>                       frozen_bounds;
     bool                                      first        = true; // no update yet: directions are guesses
     bool                                      is_frozen    = false;

@@ -1011,6 +1011,11 @@ endforeach()
 add_scene_test(NAME o_ring_half SCENE verification/o_ring_half.prm
                CHECK "status is converged" "pairs.0.normal_force.1 ~ 439.4 0.005" "pairs.1.peak_pressure >= 0.5" "checks.coulomb_cone <= 1e-6")
 
+# A thin ring comes to lie on a plate, and leaves it from the middle on: half of the load of its elastica is
+# P/2 = 1.43554/2 EI/H^2, H = 3, but for (0.1/3)^2 of shear and stretch. Node by node the set took up to 60 iterations and cuts.
+add_scene_test(NAME thin_ring SCENE verification/thin_ring.prm
+               CHECK "status is converged" "pairs.0.normal_force.1 ~ -6.6460 1e-3" "newton.:.iterations <= 20")
+
 # ---- What faces what, growing interferences, facets
 
 # A pair that touches nothing is told, also where surfaces may come to face each other later; what faces each other far away is found.

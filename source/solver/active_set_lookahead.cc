@@ -156,6 +156,21 @@ namespace Amontons
     return result;
   }
 
+  template <int dim>
+  bool
+  ActiveSetLookahead<dim>::lead(NodeStates<dim>   &states,
+                                const double       rounding,
+                                const unsigned int n_most_updates)
+  {
+    bool goes_on = true;
+    for (unsigned int n = 0; n < n_most_updates && goes_on && states.free_rigid_modes().empty(); ++n)
+      {
+        const auto next = answers(states);
+        goes_on         = next && (states.update(*next, rounding) > 0 || states.frozen());
+      }
+    return !is_base(states);
+  }
+
   template class ActiveSetLookahead<2>;
   template class ActiveSetLookahead<3>;
 } // namespace Amontons

@@ -183,15 +183,7 @@ namespace Amontons
         base,
         [&](const unsigned int k, const NodeInput input) { return responses.respond(k, input); },
         most_responses(problem.discretization.dof_handler.n_dofs()));
-    bool goes_on = true;
-    for (unsigned int n = 0;
-         n < problem.parameters.max_iterations && goes_on && now.states.free_rigid_modes().empty();
-         ++n)
-      {
-        const auto next = condensed.answers(now.states);
-        goes_on         = next && (now.states.update(*next, rounding) > 0 || now.states.frozen());
-      }
-    looked_in_vain = condensed.is_base(now.states);
+    looked_in_vain = !condensed.lead(now.states, rounding, problem.parameters.max_iterations);
     if (looked_in_vain)
       now.states.update(now.answers, rounding);
     return condensed.n_responses();

@@ -1,4 +1,5 @@
 #include <amontons/algebra/rigid_body_modes.h>
+#include <amontons/solver/contact_compliance.h>
 #include <amontons/solver/row_step.h>
 
 namespace Amontons
@@ -268,6 +269,77 @@ namespace Amontons
       }
     result.change += owned_part(change, rhs);
     return result;
+  }
+
+  template <int dim>
+  bool
+  RowStep<dim>::looks_ahead(const Iterate<dim> &now) const
+  {
+    const auto &steps = now.report.iterations;
+    return dim == 2 && !contact.any_friction() && problem.penalty == nullptr && !has_drag &&
+           !is_iterative() && now.free_modes.empty() && steps.size() >= 7 && steps.back().residual < 1e-3 &&
+           now.constraints->pivots() == assembled->pivots();
+  }
+
+  // To a unit of gap of a closed node, or to the pressure node.c of an open one. Surfaces keep their normals:
+  // enough to choose a set, which the next step puts to the test.
+  template <int dim>
+  NodalContacts<dim>
+  RowStep<dim>::respond(const Iterate<dim> &now, const BaseSolution<dim> &base, const unsigned int k)
+  {
+    const auto        &owned = problem.discretization.locally_owned;
+    const auto        &nodes = contact.nodes();
+    LA::Vector         force = problem.discretization.make_owned_vector(), y = force, rhs = force;
+    NodalContacts<dim> result(nodes.size());
+    const bool         was_open = base.states[k] == ContactStatus::open;
+    if (was_open)
+      {
+        for (const auto &[dof, weight] : nodes[k].closing.equation.coefficients)
+          if (owned.is_element(dof))
+            force(dof) -= nodes[k].area * nodes[k].c * weight;
+        force.compress(VectorOperation::add);
+        rhs = condense(force, assembled->test(), force);
+        zero_constrained(assembled->test(), owned, rhs);
+      }
+    else if (const auto row = pivots_of(now, k)[0]; row && owned.is_element(*row))
+      rhs(*row) = -system.row_scale(*row);
+    rhs.compress(VectorOperation::insert);
+    solver.solve(system.matrix(), y, rhs, 0.);
+    homogeneous.distribute(y);
+    LA::Vector readable = problem.discretization.make_relevant_vector();
+    readable            = y;
+
+    LA::Vector unbalanced = forces_of(readable);
+    unbalanced -= force;
+    const auto multipliers = multipliers_of(unbalanced, homogeneous, *assembled);
+    for (unsigned int j = 0; j < nodes.size(); ++j)
+      if (base.states[j] == ContactStatus::open)
+        result[j].gap = -evaluate(nodes[j].closing.equation, readable);
+      else if (nodes[j].area > 0)
+        result[j].pressure = multipliers[now.first_equation[j]] / nodes[j].area;
+    if (was_open)
+      result[k].pressure += nodes[k].c;
+    else
+      result[k].gap = 1;
+    return result;
+  }
+
+  template <int dim>
+  unsigned int
+  RowStep<dim>::look_ahead(Iterate<dim> &now, const std::vector<ContactStatus> &before, const double rounding)
+  {
+    if (!looks_ahead(now))
+      return 0;
+    const unsigned int      n_most = 200, n_most_updates = 1000; // which are dense and small
+    TimerOutput::Scope      scope(problem.timer, "condensed contact");
+    const BaseSolution<dim> base{
+        contact.nodes(), before, now.laws, now.answers, std::vector<bool>(before.size(), true), now.u};
+    ActiveSetLookahead<dim> condensed(
+        base, [&](const unsigned int k, const NodeInput) { return respond(now, base, k); }, n_most);
+    now.states.forget();
+    if (!condensed.lead(now.states, rounding, n_most_updates))
+      now.states.update(now.answers, rounding);
+    return condensed.n_responses();
   }
 
   template <int dim>

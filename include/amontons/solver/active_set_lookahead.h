@@ -52,6 +52,11 @@ namespace Amontons
     // n_most: of responses that may be asked for.
     ActiveSetLookahead(const BaseSolution<dim> &base, const Respond &respond, const unsigned int n_most);
 
+    // Updates the states by what the nodes answer in them, until they stay or take too many responses (or
+    // updates, or leave a rigid motion). False if that ends in the base.
+    bool
+    lead(NodeStates<dim> &states, const double rounding, const unsigned int n_most_updates);
+
     // What all nodes answer in these states; nothing if that takes too many responses.
     std::optional<NodalContacts<dim>>
     answers(const NodeStates<dim> &states);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <amontons/algebra/row_system.h>
+#include <amontons/solver/active_set_lookahead.h>
 #include <amontons/solver/moving_contact.h>
 #include <amontons/solver/newton_step.h>
 #include <amontons/solver/tangent_reuse.h>
@@ -31,10 +32,18 @@ namespace Amontons
     linearise(Iterate<dim> &now, const LA::Vector *springs, const Drag *drag) override;
     Solved
     solve(const Iterate<dim> &now, const Drag *drag) override;
+    /// Without friction, in the plane, where the set keeps changing near equilibrium: thin bodies that come
+    /// to lie on something let go node by node.
+    unsigned int
+    look_ahead(Iterate<dim> &now, const std::vector<ContactStatus> &before, const double rounding) override;
     std::function<bool(LA::Vector &y, const LA::Vector &force)>
     inverse() override;
 
   private:
+    bool
+    looks_ahead(const Iterate<dim> &now) const;
+    NodalContacts<dim>
+    respond(const Iterate<dim> &now, const BaseSolution<dim> &base, const unsigned int k);
     LA::Vector
     forces_of(const LA::Vector &x) const;
     bool

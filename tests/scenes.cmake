@@ -999,6 +999,9 @@ add_scene_test(NAME law_ends SCENE verification/rubber_indentation.prm FAILS
                SET "Body block/Law=St. Venant-Kirchhoff" "Body block/Poisson ratio=0.3" "Increments=1" "Minimum increment=1" "Refinement/Cycles=0"
                CHECK "message has takes no more load beyond a compression by 42 %")
 
+# A body that is slave in two pairs takes both states to a finer mesh: all of its nodes began open there, 5 to 8 iterations.
+add_scene_test(NAME three_spheres SCENE verification/three_spheres.prm CHECK "status is converged" "newton.:.iterations <= 3" "pairs.1.normal_force.2 ~ 250 1e-6")
+
 # ---- Rubber between several walls, with friction
 
 # To full squeeze, wherever a wall stands that the ring does not reach. On a mesh twice as fine with twice the increments: 405.047, and without any wall

@@ -25,6 +25,38 @@ namespace Amontons
     }
   } // namespace
 
+  namespace
+  {
+    // What the pairs of which a node is a slave say across the surface. Far from the contact of one of them
+    // its values are large and negative: they may not hide that another one touches there.
+    template <int dim>
+    struct Edge
+    {
+      NodeDofs<dim>  dofs;
+      Tensor<1, dim> inside, outside;
+      double         nearest = std::numeric_limits<double>::lowest(); // of the values outside
+      bool           touches = false;
+
+      void
+      add(const double value, const Tensor<1, dim> &normal)
+      {
+        touches = touches || value > 0;
+        if (value > 0)
+          inside += value * normal;
+        else if (value > nearest)
+          {
+            nearest = value;
+            outside = value * normal;
+          }
+      }
+      Tensor<1, dim>
+      sum() const
+      {
+        return touches ? inside : outside;
+      }
+    };
+  } // namespace
+
   template <int dim>
   void
   make_traction_field(const Discretization<dim>                &discretization,
@@ -34,6 +66,12 @@ namespace Amontons
   {
     LA::Vector traction = discretization.make_owned_vector();
     state.peaks.clear();
+    std::map<types::global_dof_index, Edge<dim>> edges; // by the first DoF of the node
+    const auto                                   add = [&](const auto &dofs, const Tensor<1, dim> &value) {
+      for (unsigned int c = 0; c < dim; ++c)
+        if (discretization.locally_owned.is_element(dofs[c]))
+          traction(dofs[c]) += value[c];
+    };
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         const auto  &nodes = interfaces[i].slave->nodes;
@@ -43,10 +81,15 @@ namespace Amontons
         const auto   shear = trial_shears(interfaces[i], state.contact[i]);
         state.peaks.push_back(peak);
         for (unsigned int n = 0; n < nodes.size(); ++n)
-          for (unsigned int c = 0; c < dim; ++c)
-            if (const auto dof = nodes[n].dofs[c]; discretization.locally_owned.is_element(dof))
-              traction(dof) += scale * edge[n] * fields[i].normal[n][c] + shear[n][c];
+          {
+            auto &of_node = edges[nodes[n].dofs[0]];
+            of_node.dofs  = nodes[n].dofs;
+            of_node.add(scale * edge[n], fields[i].normal[n]);
+            add(nodes[n].dofs, shear[n]);
+          }
       }
+    for (const auto &entry : edges)
+      add(entry.second.dofs, entry.second.sum());
     traction.compress(VectorOperation::add);
     state.traction = discretization.make_relevant_vector();
     state.traction = traction;

@@ -5,6 +5,7 @@ import re
 import scorecard_findings as findings
 
 NOTE = re.compile(r"^- \*\*(?P<case>[^*]+)\*\*, (?P<quantity>.+?): (?P<why>\S.*)$", re.M)
+UNKNOWN = "not explained."
 COMMAND = "python3 tests/scorecard.py build/amontons --write doc/scorecard.md"
 
 
@@ -71,8 +72,13 @@ def table(results):
 
 
 def notes(results):
-    red = [(result.case.name, row.quantity) for result in results for row in result.rows if not row.green]
-    return [f"- **{name}**, {quantity}: {findings.explanation(name, quantity) or 'not explained.'}" for name, quantity in red]
+    """A line for each red row; what was said before is not said again."""
+    lines, said = [], {}
+    for name, quantity in [(result.case.name, row.quantity) for result in results for row in result.rows if not row.green]:
+        why = findings.explanation(name, quantity) or UNKNOWN
+        lines.append(f"- **{name}**, {quantity}: " + (f"as for {said[why]}." if why in said and why != UNKNOWN else why))
+        said.setdefault(why, f"{name}, {quantity}")
+    return lines
 
 
 def page(results, cores):
@@ -100,4 +106,4 @@ def page(results, cores):
 def explained(path):
     """(case, quantity) of the red rows that a page explains."""
     text = path.read_text() if path.exists() else ""
-    return {(match["case"], match["quantity"]) for match in NOTE.finditer(text) if match["why"] != "not explained."}
+    return {(match["case"], match["quantity"]) for match in NOTE.finditer(text) if match["why"] != UNKNOWN}

@@ -1,19 +1,24 @@
 #!/usr/bin/env python3
-"""Do the tests see small changes of the source? mutation.py [--scratch DIR] [-j N] [--only NUMBER|NAME,...] [--unchecked] [--list]
+"""Do the tests see small changes of the source? mutation.py [--lot N] [--seed S] [--nets N] [--scratch DIR] [-j N] [--only NUMBER|NAME,...] [--unchecked] [--list]
 
 Tries the changes below, one at a time: replaces the text in a copy of this tree, builds what the change's tests need, runs them until one fails, and says
 which. A change that no test notices is a test to write. By hand; not part of ctest.
 
+--lot:     instead of those below, so many that are drawn by lot from all of the source (mutation_lot.py); what does not compile is drawn again. All of ctest is
+           thrown after a change, in nets: what sees the most first. --seed: of the lot (default 1); --nets: the first so many nets only.
 --scratch: the copy, with its own build folder (default: amontons-mutation in the folder of temporary files). It is kept, so that the next run builds less.
            Files that differ are copied anew each time; the working tree is never touched.
 -j:        jobs of ninja, and tests at a time (default 2).
 --only:    some of the changes, by number (3, 7-9) or part of the name.
 --unchecked: do not run the tests without any change first.
+--list:    say what would be tried.
 """
 import argparse
 import concurrent.futures
+import contextlib
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -21,8 +26,13 @@ import sys
 import tempfile
 import time
 
+import mutation_lot
+
 TREE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-SECONDS = 300  # for one test
+# For one process, since a changed loop may not end: of the processor, whatever else runs on this machine, and of the clock, where it waits for ever.
+SECONDS, PATIENCE = 300, 3000
+MEMORY = 8 << 30
+LATE = re.compile(rf"-{int(signal.SIGXCPU)}\b|signal {int(signal.SIGXCPU)}\b")  # how tests tell of a program that has used up its seconds
 
 # Tests that much of the code stands behind: cheap scenes, each with closed forms.
 PLANE = "scenes/(patch_q2_first_10_to_1|patch_q1_second_hanging_nodes|patch_q2_first_punch|two_punches_q1|tied_patch|disk_platen|half_plane_box)$"
@@ -140,17 +150,18 @@ CHANGES = [
 ]
 
 
-def chosen(only):
+def chosen(only, names):
+    """Indices of the changes with these names that are wanted."""
     if not only:
-        return list(range(len(CHANGES)))
+        return list(range(len(names)))
     result = []
     for word in only.split(","):
         numbers = re.fullmatch(r"(\d+)(?:-(\d+))?", word.strip())
         if numbers:
             first, last = int(numbers.group(1)), int(numbers.group(2) or numbers.group(1))
-            result += range(first - 1, min(last, len(CHANGES)))
+            result += range(first - 1, min(last, len(names)))
         else:
-            result += [i for i, change in enumerate(CHANGES) if word.strip() in change[0]]
+            result += [i for i, name in enumerate(names) if word.strip() in name]
     return result
 
 
@@ -176,13 +187,19 @@ def synchronise(scratch):
                     os.remove(os.path.join(scratch, name))
 
 
+def limit():
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 5))
+
+
 class Scratch:
     def __init__(self, folder, jobs):
         self.folder, self.build, self.jobs = folder, os.path.join(folder, "build"), jobs
 
-    def run(self, command, timeout=None):
+    def run(self, command, timeout=None, environment=()):
         """Exit code (None: not done in time) and output; nothing is left running."""
-        process = subprocess.Popen(command, cwd=self.build, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+        process = subprocess.Popen(command, cwd=self.build, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True, env=dict(os.environ, **dict(environment)),
+                                   preexec_fn=limit)
         try:
             text = process.communicate(timeout=timeout)[0]
         except subprocess.TimeoutExpired:
@@ -192,16 +209,18 @@ class Scratch:
         return process.returncode, text.decode(errors="replace")
 
     def tests(self, regex):
-        """[(name, command, target)], unit tests first."""
+        """[(name, command, target, environment)], unit tests first."""
         with open(os.path.join(self.build, "tests", "CTestTestfile.cmake")) as stream:  # ctest itself says no commands of what is not built yet
-            lines = re.findall(r'(?m)^add_test\((?:\[=\[)?(.*?)(?:\]=\])? ("(?:[^"\\]|\\.)*"(?: "(?:[^"\\]|\\.)*")*)\)$', stream.read())
+            text = stream.read()
+        environments = {name: [pair.split("=", 1) for pair in words.split(";")]
+                        for name, words in re.findall(r'(?m)^set_tests_properties\((?:\[=\[)?(\S*?)(?:\]=\])? PROPERTIES  .*?\bENVIRONMENT "(.*?)"', text)}
         result = []
-        for name, words in lines:
+        for name, words in re.findall(r'(?m)^add_test\((?:\[=\[)?(.*?)(?:\]=\])? ("(?:[^"\\]|\\.)*"(?: "(?:[^"\\]|\\.)*")*)\)$', text):
             if not re.search(regex, name):
                 continue
             command = [re.sub(r"\\(.)", r"\1", word) for word in re.findall(r'"((?:[^"\\]|\\.)*)"', words)]
             programs = [word for word in command if os.path.dirname(word) in (self.build, os.path.join(self.build, "tests"))]
-            result.append((name, command, os.path.basename(programs[0]) if programs else None))
+            result.append((name, command, os.path.basename(programs[0]) if programs else None, environments.get(name, ())))
         return sorted(result, key=lambda test: (test[0].startswith("scenes/"), test[0]))
 
     def make(self, targets):
@@ -210,82 +229,187 @@ class Scratch:
     def first_failure(self, tests):
         """Name of a test that fails, or None."""
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
-            running = {pool.submit(self.run, command, SECONDS): name for name, command, _ in tests}
+            running = {pool.submit(self.run, command, PATIENCE, environment): name for name, command, _, environment in tests}
             for done in concurrent.futures.as_completed(running):
                 if not done.cancelled() and done.result()[0] != 0:
                     for other in running:
                         other.cancel()
-                    return running[done]
+                    code, text = done.result()
+                    return running[done] + (" (not done in time)" if code is None or LATE.search(f"{code} {text}") else "")
         return None
 
+    def objects(self):
+        """(compiled file, where a copy of it is kept)."""
+        for folder, _, files in os.walk(self.build):
+            for path in (os.path.join(folder, file) for file in files if file.endswith(".o")):
+                yield path, os.path.join(self.folder, "kept", os.path.relpath(path, self.build))
 
-def try_change(scratch, change):
-    """(verdict, what): noticed, unnoticed, "does not compile", "no longer there", "no tests"."""
-    _, file, old, new, regex = change
-    path = os.path.join(scratch.folder, "source", file)
-    with open(path) as stream:
-        text = stream.read()
-    if text.count(old) != 1:
-        return "no longer there", f"{text.count(old)} times in {file}"
-    tests = scratch.tests(regex)
-    if not tests:
-        return "no tests", regex
-    with open(path, "w") as stream:
-        stream.write(text.replace(old, new))
-    try:
-        # unit tests alone, as long as they notice
-        for part in [t for t in tests if not t[0].startswith("scenes/")], [t for t in tests if t[0].startswith("scenes/")]:
-            code, output = scratch.make(t[2] for t in part) if part else (0, "")
-            if code != 0:
-                return "does not compile", output[-1500:]
-            failure = scratch.first_failure(part)
-            if failure:
-                return "noticed", failure
-        return "unnoticed", f"{len(tests)} tests"
-    finally:
+    def keep_objects(self):
+        """What the unchanged tree was compiled to."""
+        for path, kept in self.objects():
+            if not os.path.exists(kept) or os.path.getmtime(kept) != os.path.getmtime(path):
+                os.makedirs(os.path.dirname(kept), exist_ok=True)
+                shutil.copy2(path, kept)
+
+    def put_back_objects(self, since):
+        """Those that were compiled since. ninja wants the times that it has noted; what was linked of them is to be linked again."""
+        for path, kept in list(self.objects()):
+            times = os.stat(path)
+            if times.st_mtime >= since and os.path.exists(kept):
+                shutil.copy(kept, path)
+                os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
+            elif times.st_mtime >= since:
+                os.remove(path)
+        for folder in self.build, os.path.join(self.build, "tests"):
+            for entry in list(os.scandir(folder)):
+                if entry.is_file() and entry.stat().st_mtime >= since and (entry.name.endswith(".a") or os.access(entry.path, os.X_OK)):
+                    os.remove(entry.path)
+
+    @contextlib.contextmanager
+    def changed(self, file, text):
+        """The file, relative to the tree, reads so for a while; afterwards all is as it was, so that nothing but links is to be made again."""
+        path, since = os.path.join(self.folder, file), time.time()
+        times = os.stat(path)
+        with open(path) as stream:
+            before = stream.read()
         with open(path, "w") as stream:
             stream.write(text)
+        try:
+            yield
+        finally:
+            with open(path, "w") as stream:
+                stream.write(before)
+            os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
+            self.put_back_objects(since)
+
+    def first_noticed(self, parts):
+        """(verdict, what) of the lists of tests, each built and thrown as long as those before notice nothing."""
+        for part in parts:
+            code, output = self.make(t[2] for t in part) if part else (0, "")
+            if code != 0:
+                return "does not compile", output[-1500:]
+            failure = self.first_failure(part)
+            if failure:
+                return "noticed", failure
+        return "unnoticed", f"{sum(len(part) for part in parts)} tests"
 
 
-def main():
+class Listed:
+    """The changes above, each with its tests."""
+
+    def __init__(self):
+        self.names = [change[0] for change in CHANGES]
+
+    def told(self, i):
+        return f"{CHANGES[i][0]:45} {CHANGES[i][1]}"
+
+    def tests(self, scratch, i):
+        """Unit tests alone, as long as they notice."""
+        tests = scratch.tests(CHANGES[i][4])
+        return [[t for t in tests if not t[0].startswith("scenes/")], [t for t in tests if t[0].startswith("scenes/")]]
+
+    def attempt(self, scratch, i):
+        """(verdict, what): noticed, unnoticed, "does not compile", "no longer there", "no tests"."""
+        _, file, old, new, regex = CHANGES[i]
+        file = os.path.normpath(os.path.join("source", file))
+        with open(os.path.join(scratch.folder, file)) as stream:
+            text = stream.read()
+        if text.count(old) != 1:
+            return "no longer there", f"{text.count(old)} times in {file}"
+        parts = self.tests(scratch, i)
+        if not any(parts):
+            return "no tests", regex
+        with scratch.changed(file, text.replace(old, new)):
+            return scratch.first_noticed(parts)
+
+
+class Lot:
+    """Changes that are drawn by lot, after which all tests are thrown; more of them than are wanted, since some do not compile."""
+
+    def __init__(self, tree, seed, n_nets):
+        self.tree, self.n_nets = tree, n_nets
+        self.places = mutation_lot.drawn(tree, seed)
+        self.names = [place.file for place in self.places]
+
+    def text(self, i):
+        with open(os.path.join(self.tree, self.places[i].file)) as stream:
+            return stream.read()
+
+    def told(self, i):
+        return mutation_lot.told(self.places[i], self.text(i))
+
+    def tests(self, scratch, i):
+        return [tests for _, tests in mutation_lot.tests_of_nets(scratch.tests(""), mutation_lot.folder_of(self.places[i].file))][:self.n_nets]
+
+    def attempt(self, scratch, i):
+        place, text = self.places[i], self.text(i)
+        with scratch.changed(place.file, text[:place.begin] + place.new + text[place.end:]):
+            return scratch.first_noticed(self.tests(scratch, i))
+
+
+def arguments_of_command():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--lot", type=int, default=0)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--nets", type=int, default=None)
     parser.add_argument("--scratch", default=os.path.join(tempfile.gettempdir(), "amontons-mutation"))
     parser.add_argument("-j", type=int, default=2)
     parser.add_argument("--only", default="")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--unchecked", action="store_true")
-    arguments = parser.parse_args()
-    numbers = chosen(arguments.only)
-    if arguments.list:
-        for i in numbers:
-            print(f"{i + 1:3} {CHANGES[i][0]:45} {CHANGES[i][1]}")
-        return
-    folder = os.path.abspath(arguments.scratch)
+    return parser.parse_args()
+
+
+def made_ready(folder, jobs):
+    """The scratch copy, configured."""
     if os.path.exists(folder) and os.path.samefile(folder, TREE) or folder.startswith(TREE + os.sep):
         sys.exit("the scratch copy must lie outside of the working tree")
-    scratch = Scratch(folder, arguments.j)
+    scratch = Scratch(folder, jobs)
     os.makedirs(scratch.build, exist_ok=True)
     synchronise(folder)
     code, text = scratch.run(["cmake", "-S", folder, "-B", scratch.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DAMONTONS_UNITY=OFF", "-DAMONTONS_OPTIMISATION=-O1"])
     if code != 0:
         sys.exit(text)
-    # what stands in the list must pass unchanged
-    every = {test[0]: test for i in numbers for test in scratch.tests(CHANGES[i][4])}
+    return scratch
+
+
+def prepare(scratch, changes, numbers, unchecked):
+    """What is thrown after the changes is built, and must pass without them."""
+    every = {test[0]: test for i in numbers for part in changes.tests(scratch, i) for test in part}
     code, text = scratch.make(test[2] for test in every.values())
     if code != 0:
         sys.exit(text)
-    failure = None if arguments.unchecked else scratch.first_failure(list(every.values()))
+    scratch.keep_objects()
+    failure = None if unchecked else scratch.first_failure(list(every.values()))
     if failure:
         sys.exit(f"{failure} fails without any change")
+
+
+def main():
+    arguments = arguments_of_command()
+    changes = Lot(TREE, arguments.seed, arguments.nets) if arguments.lot else Listed()
+    numbers = chosen(arguments.only, changes.names)
+    wanted = min(arguments.lot or len(numbers), len(numbers))
+    if arguments.list:
+        for i in numbers[:wanted]:
+            print(f"{i + 1:3} {changes.told(i)}")
+        return
+    scratch = made_ready(os.path.abspath(arguments.scratch), arguments.j)
+    prepare(scratch, changes, numbers[:wanted], arguments.unchecked)
     score = {}
     for i in numbers:
         start = time.time()
-        verdict, what = try_change(scratch, CHANGES[i])
+        verdict, what = changes.attempt(scratch, i)
         score.setdefault(verdict, []).append(i)
-        print(f"{verdict.upper() if verdict != 'noticed' else verdict:16} {i + 1:3} {CHANGES[i][0]:45} {what} ({time.time() - start:.0f} s)", flush=True)
+        print(f"{verdict.upper() if verdict != 'noticed' else verdict:16} {i + 1:3} {changes.told(i)} {what} ({time.time() - start:.0f} s)", flush=True)
+        if arguments.lot and verdict == "does not compile":
+            continue
+        wanted -= 1
+        if wanted == 0:
+            break
     tried = len(score.get("noticed", [])) + len(score.get("unnoticed", []))
     print(f"\n{len(score.get('noticed', []))} of {tried} changes noticed" + "".join(f"; {len(v)} {k}" for k, v in score.items() if k not in ("noticed", "unnoticed")))
-    sys.exit(0 if len(score.get("noticed", [])) == len(numbers) else 1)
+    sys.exit(0 if len(score.get("noticed", [])) == tried == sum(len(v) for k, v in score.items() if not arguments.lot or k != "does not compile") else 1)
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
@@ -79,12 +80,23 @@ namespace Amontons
       return result;
     }
 
+    // Of processor time, in whole seconds: SIGXCPU ends what uses more.
+    void
+    limit_processor_time(const double seconds)
+    {
+      struct rlimit limit = {};
+      limit.rlim_cur      = static_cast<rlim_t>(std::ceil(seconds));
+      limit.rlim_max      = limit.rlim_cur + 1;
+      setrlimit(RLIMIT_CPU, &limit);
+    }
+
     // In a process group of its own. Between fork and exec only what is safe in a program with threads.
     pid_t
     start(const std::string       &program,
           std::vector<std::string> arguments,
           std::vector<std::string> environment,
-          const std::string       &errors)
+          const std::string       &errors,
+          const double             time_limit)
     {
       const auto  argv = pointers(arguments), envp = pointers(environment);
       const pid_t parent = getpid(), child = fork();
@@ -97,6 +109,9 @@ namespace Amontons
         }
       setpgid(0, 0);
       prctl(PR_SET_PDEATHSIG, SIGKILL);
+      limit_processor_time(time_limit);
+      const struct rlimit no_core = {};
+      setrlimit(RLIMIT_CORE, &no_core);
       if (getppid() != parent)
         _exit(127);
       for (const int number : signals_to_stop)
@@ -109,6 +124,9 @@ namespace Amontons
       execve(program.c_str(), argv.data(), envp.data());
       _exit(127);
     }
+
+    // What waits in vain uses no processor time: on the clock a run may take longer by this factor.
+    const double patience = 10;
 
     // Looks every few milliseconds whether it has ended.
     RunEnd
@@ -125,7 +143,7 @@ namespace Amontons
         {
           if (found < 0 && errno != EINTR)
             throw std::runtime_error(std::string("a run of the study was lost: ") + std::strerror(errno));
-          if (!killed && (signal_that_came != 0 || seconds() > time_limit))
+          if (!killed && (signal_that_came != 0 || seconds() > patience * time_limit))
             {
               end.kind = signal_that_came != 0 ? RunEnd::Kind::stopped : RunEnd::Kind::time_limit;
               killed   = true;
@@ -142,6 +160,9 @@ namespace Amontons
         {
           end.kind = WIFSIGNALED(status) ? RunEnd::Kind::signal : RunEnd::Kind::ended;
           end.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+          if (end.kind == RunEnd::Kind::signal &&
+              (end.code == SIGXCPU || (end.code == SIGKILL && end.processor_seconds >= time_limit)))
+            end.kind = RunEnd::Kind::time_limit;
         }
       return end;
     }
@@ -189,15 +210,19 @@ namespace Amontons
         arguments.emplace_back("--set");
         arguments.push_back(text);
       }
-    const pid_t child = start(order.program, arguments, environment_of_run(temporary.path), words);
-    RunEnd      end   = wait_for(child, order.time_limit);
-    end.last_words    = last_line(words);
+    const pid_t child =
+        start(order.program, arguments, environment_of_run(temporary.path), words, order.time_limit);
+    RunEnd end     = wait_for(child, order.time_limit);
+    end.last_words = last_line(words);
     if (std::ifstream in(output + "/summary.json"); end.kind == RunEnd::Kind::ended && in)
-      {
-        boost::property_tree::ptree tree;
-        boost::property_tree::read_json(in, tree);
-        end.summary = tree;
-      }
+      try
+        {
+          read_json(in, end.summary.emplace());
+        }
+      catch (const boost::property_tree::json_parser_error &)
+        {
+          end.summary.reset();
+        }
     fs::remove_all(order.folder, error);
     return end;
   }

@@ -127,8 +127,8 @@ namespace Amontons
     {
       const bool is_line = study.sweep.size() < 2;
       out << "set title " << in_gnuplot(panel.title)
-          << (panel.title.rfind("Amontons", 0) == 0 ? " font ':Bold'" : "") << " noenhanced\nset xlabel "
-          << in_gnuplot(study.sweep[0].label) << " noenhanced\nset ylabel "
+          << (panel.title.rfind("Amontons", 0) == 0 ? " font ':Bold'" : " font ':Normal'")
+          << " noenhanced\nset xlabel " << in_gnuplot(study.sweep[0].label) << " noenhanced\nset ylabel "
           << in_gnuplot(is_line ? "" : study.sweep[1].label) << " noenhanced\n";
       write_ticks("x", study.sweep[0].values, out);
       write_ticks("y", is_line ? std::vector<std::string>{""} : study.sweep[1].values, out);
@@ -171,16 +171,18 @@ namespace Amontons
     }
   } // namespace
 
-  // Panels side by side, at most three, under the title and over the legend.
+  // Panels side by side under the title and over the legend.
   void
   write_map_script(const RunStudy &study, const std::vector<StudyResult> &results, std::ostream &out)
   {
-    const auto         panels    = map_panels(study, results);
-    const unsigned int n_columns = std::min<std::size_t>(panels.size(), 3),
-                       n_rows    = (panels.size() + n_columns - 1) / n_columns;
+    const auto   panels          = map_panels(study, results);
     const double wide            = std::max(330., 90. + 34 * study.sweep[0].values.size()),
-                 high = 110. + 26 * panels[0].cells.size(), canvas = std::max(560., wide * n_columns),
-                 top = 44, legend = 64, height = top + legend + high * n_rows;
+                 high            = 110. + 26 * panels[0].cells.size();
+    const unsigned int most      = wide * 4 < 1500 ? 4 : panels.size() == 4 ? 2 : 3;
+    const unsigned int n_columns = std::min<std::size_t>(panels.size(), most),
+                       n_rows    = (panels.size() + n_columns - 1) / n_columns;
+    const double canvas = std::max(560., wide * n_columns), top = 44, legend = 64,
+                 height = top + legend + high * n_rows;
     out << std::setprecision(8);
     write_terminal(study.file, study.stem(), canvas, height, out);
     for (unsigned int i = 0; i < panels.size(); ++i)

@@ -1,4 +1,5 @@
 #include <amontons/output/files.h>
+#include <amontons/scene/text.h>
 #include <amontons/verification/gnuplot.h>
 #include <amontons/verification/work_precision.h>
 
@@ -112,7 +113,8 @@ namespace Amontons
     {
       for (unsigned int q = 0; q < study.quantities.size() && !study.targets.empty(); ++q)
         {
-          out << "\nThe cheapest run that reaches an error of " << study.quantities[q].path.label << " of\n";
+          out << "\nThe cheapest run that reaches these errors of " << study.quantities[q].path.label
+              << ":\n";
           TextTable table = {{""}};
           for (const double target : study.targets)
             table[0].push_back(short_text(target, 3));
@@ -198,8 +200,7 @@ namespace Amontons
     print_targets(study, results, out);
     for (const StudyResult &result : results)
       if (!has_answer(result))
-        out << (result.record.ending == "not converged" ? "" : "\n")
-            << "Without an answer: " << study.series[result.point.series].name << ": "
+        out << "Without an answer: " << join(key_of(study, result.point), ", ") << ": "
             << result.record.message << '\n';
     out << std::endl;
   }

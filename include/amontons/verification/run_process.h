@@ -16,7 +16,7 @@ namespace Amontons
     {
       ended,      // `code` is its exit code
       signal,     // `code` is the signal that it died of
-      time_limit, // killed
+      time_limit, // killed: too much processor time, or ten times as much on the clock
       stopped     // killed with the study
     };
     Kind        kind         = Kind::ended;
@@ -31,8 +31,8 @@ namespace Amontons
   {
     std::string              scene;
     std::vector<std::string> overrides;
-    std::string              folder; // for output; made, and removed in the end
-    double                   time_limit = 60;
+    std::string              folder;          // for output; made, and removed in the end
+    double                   time_limit = 60; // seconds of the processor, rounded up
     std::string              program    = "/proc/self/exe";
   };
 

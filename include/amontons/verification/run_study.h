@@ -8,7 +8,7 @@
 //   set Overrides  = Refinement/Cycles = 0    # of all runs; neither VTU nor report are written
 //   set Quantities = reference.errors.contact_size        # errors: numbers of summary.json
 //   set Expected   = pairs.0.normal_force.1 = 800 | pairs.0.tangential_force.0 = -60*x  # numbers, and what they should be
-//   set Time limit = 60                       # seconds for each run
+//   set Time limit = 60                       # processor seconds for each run
 //   subsection Sweep                          # x and y are the values of 1 and 2 (z: of 3)
 //     set 1       = Contact base/Friction coefficient: 0.01, 0.1, 1
 //     set 2       = Boundary condition weight/Value = {}*t & Boundary condition push/Value = 0.3*{}*t: 1 | 10 | 100

@@ -125,12 +125,9 @@ namespace Amontons
       _exit(127);
     }
 
-    // What waits in vain uses no processor time: on the clock a run may take longer by this factor.
-    const double patience = 10;
-
     // Looks every few milliseconds whether it has ended.
     RunEnd
-    wait_for(const pid_t child, const double time_limit)
+    wait_for(const pid_t child, const double time_limit, const double clock_limit)
     {
       using Clock           = std::chrono::steady_clock;
       const auto    begin   = Clock::now();
@@ -143,7 +140,7 @@ namespace Amontons
         {
           if (found < 0 && errno != EINTR)
             throw std::runtime_error(std::string("a run of the study was lost: ") + std::strerror(errno));
-          if (!killed && (signal_that_came != 0 || seconds() > patience * time_limit))
+          if (!killed && (signal_that_came != 0 || seconds() > clock_limit))
             {
               end.kind = signal_that_came != 0 ? RunEnd::Kind::stopped : RunEnd::Kind::time_limit;
               killed   = true;
@@ -212,7 +209,7 @@ namespace Amontons
       }
     const pid_t child =
         start(order.program, arguments, environment_of_run(temporary.path), words, order.time_limit);
-    RunEnd end     = wait_for(child, order.time_limit);
+    RunEnd end     = wait_for(child, order.time_limit, order.patience + 10 * order.time_limit);
     end.last_words = last_line(words);
     if (std::ifstream in(output + "/summary.json"); end.kind == RunEnd::Kind::ended && in)
       try

@@ -22,6 +22,7 @@ namespace
     order.overrides  = {"A/B = 1"};
     order.folder     = "runs/0";
     order.time_limit = time_limit;
+    order.patience   = 1;
     order.program    = "/bin/sh";
     const RunEnd end = run_process(order);
     check::is_true(!fs::exists("runs/0"), "its folder is gone");

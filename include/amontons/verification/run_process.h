@@ -16,7 +16,7 @@ namespace Amontons
     {
       ended,      // `code` is its exit code
       signal,     // `code` is the signal that it died of
-      time_limit, // killed: too much processor time, or ten times as much on the clock
+      time_limit, // killed: too much processor time, or ten times as much on the clock and a minute
       stopped     // killed with the study
     };
     Kind        kind         = Kind::ended;
@@ -33,6 +33,7 @@ namespace Amontons
     std::vector<std::string> overrides;
     std::string              folder;          // for output; made, and removed in the end
     double                   time_limit = 60; // seconds of the processor, rounded up
+    double                   patience   = 60; // on the clock: so many seconds, and ten times the time limit
     std::string              program    = "/proc/self/exe";
   };
 

@@ -158,7 +158,7 @@ namespace Amontons
           end.kind = WIFSIGNALED(status) ? RunEnd::Kind::signal : RunEnd::Kind::ended;
           end.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
           if (end.kind == RunEnd::Kind::signal &&
-              (end.code == SIGXCPU || (end.code == SIGKILL && end.processor_seconds >= time_limit)))
+              (end.code == SIGXCPU || (end.code == SIGKILL && end.processor_seconds > 0.8 * time_limit)))
             end.kind = RunEnd::Kind::time_limit;
         }
       return end;

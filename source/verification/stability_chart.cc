@@ -136,7 +136,7 @@ namespace Amontons
           << " using 1:2:(0.5):(0.5):3 with boxxyerror fs solid border lc rgb 'white' lc rgb variable "
              "notitle, "
              "\\\n     $panel_"
-          << number << " using 1:2:4:5 with labels font ',9' tc rgb variable notitle";
+          << number << " using 1:2:4:5 with labels font ',8' tc rgb variable notitle";
       for (unsigned int i = 0; i < study.thresholds.size(); ++i)
         out << ", \\\n     $threshold_" << i << " using 1:2 with lines lw 3 dt " << i + 1
             << " lc rgb '#000000' notitle";

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace Amontons
@@ -99,26 +100,40 @@ namespace Amontons
       return text.str().empty() ? "" : text.str().substr(2);
     }
 
-    // What is wrong, and what ended against the rules, with commands.
+    double
+    largest_error(const StudyResult &result)
+    {
+      double largest = 0;
+      for (const double error : result.errors)
+        largest = std::isfinite(error) ? std::max(largest, error) : std::numeric_limits<double>::max();
+      return largest;
+    }
+
+    // Of each series the worst point that is wrong, and a crash, with commands.
     void
     print_worst(const RunStudy &study, const std::vector<StudyResult> &results, std::ostream &out)
     {
-      const unsigned int most = 12;
-      unsigned int       n    = 0;
-      for (const StudyResult &result : results)
-        {
-          const Outcome outcome = outcome_of(study, result);
-          if ((outcome != Outcome::wrong && outcome != Outcome::crash) || ++n > most)
-            continue;
-          out << (n == 1 ? "\n" : "") << style_of(study, result).name << ": "
-              << (outcome == Outcome::wrong ? what_is_off(study, result) : result.record.message)
-              << "\n    amontons " << study.scene;
-          for (const std::string &text : overrides_of(study, result.point))
-            out << " --set \"" << text << '"';
-          out << '\n';
-        }
-      if (n > most)
-        out << "and " << n - most << " more, see the CSV\n";
+      for (const Outcome outcome : {Outcome::wrong, Outcome::crash})
+        for (unsigned int series = 0; series < study.series.size(); ++series)
+          {
+            const StudyResult *worst = nullptr;
+            unsigned int       n     = 0;
+            for (const StudyResult &result : results)
+              if (result.point.series == series && outcome_of(study, result) == outcome && ++n > 0 &&
+                  (worst == nullptr || largest_error(result) > largest_error(*worst)))
+                worst = &result;
+            if (worst == nullptr)
+              continue;
+            const std::string &name = study.series[series].name;
+            out << '\n'
+                << name << (name.empty() ? "" : ": ") << n << ' ' << style_of(study, *worst).name
+                << ", the worst: "
+                << (outcome == Outcome::wrong ? what_is_off(study, *worst) : worst->record.message)
+                << "\n    amontons " << study.scene;
+            for (const std::string &text : overrides_of(study, worst->point))
+              out << " --set \"" << text << '"';
+            out << '\n';
+          }
     }
   } // namespace
 

@@ -25,11 +25,26 @@ namespace Amontons
             upper = std::max(upper, value);
           }
       }
+      // Ticks at 1, 2 and 5 where there are less than two decades.
       void
       write(const std::string &axis, const double margin, std::ostream &out) const
       {
-        out << "set " << axis << "range [" << (upper > 0 ? lower / margin : 0.1) << ":"
-            << (upper > 0 ? upper * margin : 10) << "]\n";
+        const double from = upper > 0 ? lower / margin : 0.1, to = upper > 0 ? upper * margin : 10;
+        out << "set " << axis << "range [" << from << ":" << to << "]\n";
+        if (to / from > 100)
+          {
+            out << "set " << axis << "tics autofreq\nset format " << axis << " '10^{%L}'\n";
+            return;
+          }
+        out << "set format " << axis << " '%g'\nset " << axis << "tics (";
+        std::string separator;
+        for (double decade = std::pow(10., std::floor(std::log10(from))); decade < to; decade *= 10)
+          for (const double digit : {1., 2., 5.})
+            {
+              out << separator << digit * decade;
+              separator = ", ";
+            }
+        out << ")\n";
       }
     };
 
@@ -130,13 +145,27 @@ namespace Amontons
       out << "\n\n";
     }
 
+    // Rows of a legend of so many columns as there is room for.
+    unsigned int
+    legend_rows(const std::vector<WorkCurve> &curves, const double width)
+    {
+      std::size_t longest = 20;
+      for (const WorkCurve &curve : curves)
+        longest = std::max(longest, curve.label.size());
+      const unsigned int n = curves.size() + 2, n_columns = std::max(1., width / (7.5 * longest + 90));
+      return (n + n_columns - 1) / n_columns;
+    }
+
     void
-    write_work_legend(const RunStudy &study, const std::vector<WorkCurve> &curves, std::ostream &out)
+    write_work_legend(const RunStudy               &study,
+                      const std::vector<WorkCurve> &curves,
+                      const unsigned int            n_rows,
+                      std::ostream                 &out)
     {
       out << "unset logscale\nunset border\nunset tics\nunset xlabel\nunset ylabel\nset lmargin 0\nset "
              "rmargin 0\nset tmargin 0\nset bmargin 0\nset key center center Left reverse noenhanced "
              "samplen 3 maxrows "
-          << (curves.size() + 2 + 2) / 3 << " width 2\nset xrange [0:1]\nset yrange [0:1]\nplot ";
+          << n_rows << " width 2\nset xrange [0:1]\nset yrange [0:1]\nplot ";
       const auto all = styles(curves);
       for (unsigned int c = 0; c < curves.size(); ++c)
         out << "NaN " << all[c] << " title "
@@ -151,17 +180,18 @@ namespace Amontons
   void
   write_work_script(const RunStudy &study, const std::vector<StudyResult> &results, std::ostream &out)
   {
-    const auto   curves = work_curves(study, results);
-    const double n_rows = study.quantities.size(), n_columns = cost_kinds.size();
-    const double wide = 300, high = 300, top = 44, legend = 24. * ((curves.size() + 4) / 3) + 12;
-    const double canvas = wide * n_columns, height = top + legend + high * n_rows;
+    const auto         curves = work_curves(study, results);
+    const double       n_rows = study.quantities.size(), n_columns = cost_kinds.size();
+    const double       wide = 300, high = 280, top = 44, canvas = wide * n_columns;
+    const unsigned int n_legend = legend_rows(curves, canvas);
+    const double       legend = 22. * n_legend + 12, height = top + legend + high * n_rows;
     out << std::setprecision(8);
     write_terminal(study.file, study.stem(), canvas, height, out);
     write_runs(curves, out);
     for (unsigned int q = 0; q < study.quantities.size(); ++q)
       for (unsigned int k = 0; k < cost_kinds.size(); ++k)
         write_front(results, q, k, out);
-    out << "set multiplot\nset logscale xy\nset format xy '10^{%L}'\nset mxtics 1\nset mytics 1\n"
+    out << "set multiplot\nset logscale xy\nset mxtics 1\nset mytics 1\n"
         << "set border 3 lw 1 lc rgb '#606060'\nset tics nomirror textcolor rgb '#303030'\nunset key\n"
         << "set label 1 " << in_gnuplot(study.title) << " at screen 0.5, screen " << 1 - top / 2 / height
         << " center noenhanced font ',15'\n";
@@ -174,7 +204,7 @@ namespace Amontons
           out << "unset label\n";
         }
     out << "set size 1, " << legend / height << "\nset origin 0, 0\n";
-    write_work_legend(study, curves, out);
+    write_work_legend(study, curves, n_legend, out);
     out << "unset multiplot\n";
   }
 } // namespace Amontons

@@ -56,7 +56,7 @@ main()
   check::is_true(std::system("sleep 4") == 0 && !fs::exists("left"), "with what it started");
 
   end = shell("while :; do :; done", 1);
-  check::is_true(end.kind == RunEnd::Kind::time_limit && end.processor_seconds >= 0.9, "works for too long");
+  check::is_true(end.kind == RunEnd::Kind::time_limit && end.processor_seconds > 0.5, "works for too long");
 
   end = shell("i=0; while [ $i -lt 100000 ]; do i=$((i+1)); done");
   check::is_true(end.processor_seconds > 0.01 && end.processor_seconds < 1.5 * end.wall_seconds + 0.1,

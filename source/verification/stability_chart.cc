@@ -143,6 +143,17 @@ namespace Amontons
       out << "\n\n";
     }
 
+    // So that neither the values along the axis nor its name run into others.
+    double
+    panel_width(const SweptParameter &x)
+    {
+      std::size_t longest = 3;
+      for (const std::string &value : x.values)
+        longest = std::max(longest, value.size());
+      return std::max(
+          {300., 100. + std::max(36., 9. * longest) * x.values.size(), 80. + 8. * x.label.size()});
+    }
+
     void
     write_legend(const RunStudy &study, const std::vector<StudyResult> &results, std::ostream &out)
     {
@@ -175,9 +186,8 @@ namespace Amontons
   void
   write_map_script(const RunStudy &study, const std::vector<StudyResult> &results, std::ostream &out)
   {
-    const auto   panels          = map_panels(study, results);
-    const double wide            = std::max(330., 90. + 34 * study.sweep[0].values.size()),
-                 high            = 110. + 26 * panels[0].cells.size();
+    const auto         panels = map_panels(study, results);
+    const double       wide = panel_width(study.sweep[0]), high = 110. + 26 * panels[0].cells.size();
     const unsigned int most      = wide * 4 < 1500 ? 4 : panels.size() == 4 ? 2 : 3;
     const unsigned int n_columns = std::min<std::size_t>(panels.size(), most),
                        n_rows    = (panels.size() + n_columns - 1) / n_columns;

@@ -95,7 +95,7 @@ namespace Amontons
         moved > 1e3)
       text << "; it moves bodies by " << moved
            << " times their size, which leaves nothing but rounding of their strain";
-    report.fail(text.str());
+    report.fail(text.str(), "broken laws");
     return false;
   }
 
@@ -168,7 +168,7 @@ namespace Amontons
         report.announce("warning: " + small_strain.description() + small_strain.allowance() + advice);
         return true;
       }
-    report.fail("kinematics: " + small_strain.description() + advice);
+    report.fail("kinematics: " + small_strain.description() + advice, "small strain");
     return false;
   }
 

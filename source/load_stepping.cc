@@ -326,7 +326,8 @@ namespace Amontons
       {
         evaluation.collect_fields(*model, state);
         report.fail("after refinement at t = " + std::to_string(state.t) + ": " +
-                    Diagnosis::sentence(*result.failure));
+                        Diagnosis::sentence(*result.failure),
+                    Diagnosis::kind(*result.failure));
         return false;
       }
     history.transfer_residual = std::max(history.transfer_residual, result.start_residual);

@@ -3,8 +3,10 @@
 #include <amontons/contact_problem.h>
 #include <amontons/output/files.h>
 #include <amontons/scene/scene_reader.h>
+#include <amontons/scene/text.h>
 #include <amontons/verification/comparison.h>
 #include <amontons/verification/convergence_study.h>
+#include <amontons/verification/process_study.h>
 #include <amontons/verification/reference_solution.h>
 
 #include <deal.II/base/mpi.templates.h>
@@ -12,9 +14,11 @@
 #include <boost/property_tree/json_parser.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <thread>
 
 namespace
@@ -26,15 +30,35 @@ namespace
     std::string              scene;
     std::vector<std::string> overrides;
     std::string              output;
+    unsigned int             n_jobs = std::max(1u, std::thread::hardware_concurrency());
     bool parameters = false, quiet = false, help = false, version = false, is_study = false;
   };
 
   const char *usage =
       "usage: amontons SCENE.prm [--set \"Section/Name = value\"]... [--output DIR] [--quiet]\n"
-      "       amontons study STUDY.prm\n"
+      "       amontons study STUDY.prm [--jobs N] [--output DIR]\n"
       "       amontons --parameters\n"
       "       amontons --version\n"
       "       mpirun -np 4 amontons SCENE.prm\n";
+
+  unsigned int
+  number_of_jobs(const std::string &text)
+  {
+    const std::optional<double> number = as_number(text);
+    if (!number || *number < 1 || *number > 1024 || *number != std::floor(*number))
+      throw InputError(
+          {"command line", 0, "--jobs"}, "found '" + text + "'", "a number of runs at once, 1 to 1024");
+    return static_cast<unsigned int>(*number);
+  }
+
+  void
+  check_study(const CommandLine &line)
+  {
+    if (line.is_study && (!line.overrides.empty() || line.scene.empty()))
+      throw InputError({"command line", 0, "study"},
+                       line.scene.empty() ? "no study file is given" : "--set has no meaning for a study",
+                       "amontons study STUDY.prm [--jobs N] [--output DIR]; what it varies is in the file");
+  }
 
   CommandLine
   parse(const int argc, char **argv)
@@ -52,6 +76,8 @@ namespace
           line.overrides.push_back(next());
         else if (argument == "--output")
           line.output = next();
+        else if (argument == "--jobs")
+          line.n_jobs = number_of_jobs(next());
         else if (argument == "--parameters")
           line.parameters = true;
         else if (argument == "--quiet")
@@ -67,17 +93,15 @@ namespace
               {"command line", 0, argument},
               argument[0] == '-'
                   ? "unknown argument" +
-                        suggestion(argument,
-                                   {"--set", "--output", "--quiet", "--parameters", "--version", "--help"})
+                        suggestion(
+                            argument,
+                            {"--set", "--output", "--quiet", "--jobs", "--parameters", "--version", "--help"})
                   : "a second file",
               "see 'amontons --help'");
         else
           line.scene = argument;
       }
-    if (line.is_study && (!line.overrides.empty() || line.scene.empty()))
-      throw InputError({"command line", 0, "study"},
-                       line.scene.empty() ? "no study file is given" : "--set has no meaning for a study",
-                       "amontons study STUDY.prm [--output DIR]; what it varies is in the file");
+    check_study(line);
     return line;
   }
 
@@ -123,9 +147,19 @@ namespace
   }
 
   int
-  run_study(const std::string &file, const std::string &output)
+  run_study(const CommandLine &line)
   {
-    unsigned int n_runs = 0;
+    const std::string &file = line.scene;
+    if (const StudyEntries entries(file); entries.kind != StudyKind::convergence)
+      {
+        if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+          throw InputError(entries.where("", "Kind"),
+                           "a study whose runs are processes of their own, on several ranks",
+                           "one rank; --jobs N runs N scenes at once");
+        return run_process_study(entries, {line.output, line.n_jobs}, run_process, std::cout);
+      }
+    const std::string output = line.output.empty() ? default_output(file) : line.output;
+    unsigned int      n_runs = 0;
     return run_convergence_study(
         file,
         [&](const std::string &scene, const std::vector<std::string> &overrides) {
@@ -160,7 +194,7 @@ namespace
         return 0;
       }
     if (line.is_study)
-      return run_study(line.scene, line.output.empty() ? default_output(line.scene) : line.output);
+      return run_study(line);
     const RunSummary summary = run_scene(line.scene, line.overrides, line.output, line.quiet);
     if (summary.converged)
       return 0;

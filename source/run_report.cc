@@ -99,9 +99,11 @@ namespace Amontons
 
   template <int dim>
   void
-  RunReport<dim>::fail(const std::string &message)
+  RunReport<dim>::fail(const std::string &message, const std::string &kind)
   {
     summary.message = message;
+    if (!kind.empty())
+      summary.failure = kind;
   }
 
   template <int dim>
@@ -168,10 +170,11 @@ namespace Amontons
     if (scene.has_friction() || answer.elasticity.finite_strain())
       mesh.external_work = mesh.contact_work = mesh.dissipation = unknown;
     summary.meshes.push_back(mesh);
-    summary.one_linear_solve_seconds = solve.newton.one_linear_solve_seconds;
-    summary.finest_mesh_seconds      = solve.seconds;
+    summary.cost.one_linear_solve_seconds = solve.newton.one_linear_solve_seconds;
+    summary.cost.finest_mesh_seconds      = solve.seconds;
     add_notes(solve.newton, answer.interfaces);
     summary.message = solve.newton.failure ? Diagnosis::sentence(*solve.newton.failure) : "";
+    summary.failure = solve.newton.failure ? Diagnosis::kind(*solve.newton.failure) : "";
   }
 
   template <int dim>
@@ -280,10 +283,13 @@ namespace Amontons
   RunReport<dim>::finish(const Answer<dim> &answer, const Ending &ending)
   {
     summary.converged = ending.converged;
-    summary.scene     = scene.file;
-    summary.title     = scene.title;
-    summary.kind      = scene.kind;
-    summary.ranks     = Utilities::MPI::n_mpi_processes(communicator);
+    if (ending.converged)
+      summary.failure.clear();
+    summary.n_cut_backs = ending.history.n_cut_backs;
+    summary.scene       = scene.file;
+    summary.title       = scene.title;
+    summary.kind        = scene.kind;
+    summary.ranks       = Utilities::MPI::n_mpi_processes(communicator);
     if (has_answer())
       add_answer(answer, ending);
     note_rough_pressure(ending);
@@ -291,8 +297,11 @@ namespace Amontons
     note_facets(answer.interfaces, ending.evaluation.error);
     note_limits(answer, ending);
     for (const auto &[name, seconds] : phases.get_summary_data(TimerOutput::total_wall_time))
-      summary.timing[name] = seconds;
-    summary.wall_seconds = wall.wall_time();
+      summary.cost.timing[name] = seconds;
+    const auto calls           = phases.get_summary_data(TimerOutput::n_calls);
+    const auto linear_solves   = calls.find("linear solve");
+    summary.cost.linear_solves = linear_solves == calls.end() ? 0 : linear_solves->second;
+    summary.cost.wall_seconds  = wall.wall_time();
     write_files(answer, ending.evaluation.recovery.get());
     terminal.answer(summary);
     return summary;

@@ -500,6 +500,12 @@ foreach(case "0.1 0.20202020202020204" "0.2 0.3061224489795919" "0.3 0.412371134
   endif()
 endforeach()
 
+# The same by a weight that leans by 30 degrees: held above tan(30) = 0.57735. The map over angles and coefficients is a study.
+add_scene_test(NAME leaning_weight SCENE verification/leaning_weight.prm SET "Contact base/Friction coefficient=0.578"
+               CHECK ${LAWS} "pairs.0.normal_force.1 ~ 0.8660254 1e-6" "pairs.0.tangential_force.0 ~ -0.5 1e-6" "linear_solves >= 1")
+add_scene_test(NAME leaning_weight_slides SCENE verification/leaning_weight.prm FAILS SET "Contact base/Friction coefficient=0.577"
+               CHECK "status has not converged" "failure has friction beyond limit")
+
 # NAFEMS R0094-1 and -2 with mu = 0.1. The stick zone ends between two nodes, 0.2 apart; shear has its peak there, on one node.
 add_scene_test(NAME roller_friction_20_increments SCENE nafems_roller_friction.prm
                CHECK ${LAWS} "newton.:20.iterations <= 10" "newton.22:.iterations <= 5" "pairs.0.peak_pressure ~ 3663 2e-3"

@@ -497,6 +497,22 @@ def scenes():
     case("two scenes", BASE, "second file", arguments=["scene.prm", "scene.prm"])
     case("study without a file", {}, "no study file", arguments=["study"])
     case("study of a missing file", {}, "nothing.prm", arguments=["study", "nothing.prm"], ranks=2)
+    map_of = "set Kind = stability\nset Scene = scene.prm\n%s\nsubsection Sweep\n  set 1 = Body upper/Poisson ratio: 0.2, 0.3\n  set 2 = Increments: 1, 2\nend\n"
+
+    def study(name, text, words, **more):
+        case(name, {"scene.prm": BASE, "study.prm": text}, words, arguments=["study", "study.prm", "--output", "made"], **more)
+
+    study("kind of a study", "set Kind = stabilty\n", r"^study\.prm:1: Kind: found 'stabilty' \(did you mean 'stability'\?\); allowed: convergence, work precision, stability")
+    study("entry of another kind of study", map_of % "set Per mesh = true", r"^study\.prm:3: Per mesh: it has no meaning in a study of the kind stability; allowed: .*Expected")
+    study("time limit of a study", map_of % "set Time limit = 0", r"^study\.prm:3: Time limit: found '0'; allowed: a positive number")
+    study("threshold of a map", map_of % "set Threshold = limit: 3*y", r"^study\.prm:3: Threshold: found '3\*y'; allowed: an expression of x giving y")
+    study("expected value of a study", map_of % "set Expected = energy", r"^study\.prm:3: Expected: found 'energy'; allowed: PATH IN SUMMARY.JSON = EXPRESSION")
+    study("expression of a study", map_of % "set Expected = energy = 3*t", r"^study\.prm:3: Expected: '3\*t' has the variable t")
+    study("targets of a map", map_of % "set Targets = 0.1", r"^study\.prm:3: Targets: it has no meaning in a study of the kind stability")
+    study("targets of a study", (map_of % "set Quantities = energy\nset Targets = 0.1, -1").replace("stability", "work precision"), r"^study\.prm:4: Targets: found '-1'")
+    study("work precision without quantities", (map_of % "").replace("stability", "work precision"), r"^study\.prm: Quantities: no quantity is given")
+    study("study on two ranks", map_of % "", r"^study\.prm:1: Kind: .*on several ranks; allowed: one rank; --jobs N", ranks=2)
+    case("number of jobs", {"study.prm": map_of % ""}, r"^command line: --jobs: found '0'; allowed: a number of runs", arguments=["study", "study.prm", "--jobs", "0"])
     case("output is a file", {"scene.prm": BASE, "taken": "mine"}, "taken.*cannot be made", arguments=["scene.prm", "--output", "taken"], ranks=2, keep=["taken"])
     case("output below a file", {"scene.prm": BASE, "taken": "mine"}, "taken.*cannot be made", arguments=["scene.prm", "--output", "taken/a/b"], keep=["taken"])
     case("no arguments", {}, "usage", arguments=[])

@@ -69,9 +69,10 @@ namespace Amontons
       return !summary.meshes.empty();
     }
 
-    /// Why the run is not converged, until the next solve. The last one counts.
+    /// Why the run is not converged, until the next solve. The last one counts. `kind`: where the last solve
+    /// did not fail.
     void
-    fail(const std::string &message);
+    fail(const std::string &message, const std::string &kind = "");
     const std::string &
     message() const
     {

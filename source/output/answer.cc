@@ -237,8 +237,8 @@ namespace Amontons
       add_reference(lines, *summary.reference);
     lines.emplace_back("finest mesh",
                        std::to_string(summary.cells) + " cells, " + std::to_string(summary.dofs) + " DoFs");
-    if (!std::isnan(summary.wall_seconds))
-      lines.emplace_back("time", short_number(summary.wall_seconds) + " s");
+    if (!std::isnan(summary.cost.wall_seconds))
+      lines.emplace_back("time", short_number(summary.cost.wall_seconds) + " s");
     for (const std::string &note : summary.notes)
       lines.emplace_back("note", note);
     return lines;

@@ -270,7 +270,7 @@ namespace Amontons
                    section("Convergence", pictures(convergence) + convergence_table(summary)) +
                    section("Probes", probe_tables(summary)) +
                    section("Checks", number_table("check", "value", summary.checks)) +
-                   section("Time", number_table("phase", "seconds", summary.timing)) +
+                   section("Time", number_table("phase", "seconds", summary.cost.timing)) +
                    "</main></body></html>\n");
   }
 } // namespace Amontons

@@ -182,6 +182,7 @@ namespace Amontons
       json.add("version", version)
           .add("commit", commit)
           .add("status", summary.status())
+          .add("failure", summary.failure)
           .add("message", summary.message)
           .add("scene", summary.scene)
           .add("title", summary.title)
@@ -190,10 +191,12 @@ namespace Amontons
           .add("dofs", summary.dofs)
           .add("cells", summary.cells)
           .add("ranks", summary.ranks)
-          .add("wall_seconds", summary.wall_seconds)
-          .add("timing", to_json(summary.timing))
-          .add("one_linear_solve_seconds", summary.one_linear_solve_seconds)
-          .add("finest_mesh_seconds", summary.finest_mesh_seconds);
+          .add("cut_backs", summary.n_cut_backs)
+          .add("wall_seconds", summary.cost.wall_seconds)
+          .add("timing", to_json(summary.cost.timing))
+          .add("linear_solves", summary.cost.linear_solves)
+          .add("one_linear_solve_seconds", summary.cost.one_linear_solve_seconds)
+          .add("finest_mesh_seconds", summary.cost.finest_mesh_seconds);
     }
 
     void

@@ -92,6 +92,38 @@ namespace Amontons
     }
 
     std::string
+    kind(const Failure &failure)
+    {
+      switch (failure.kind)
+        {
+          case Failure::Kind::not_a_number:
+            return "not a number";
+          case Failure::Kind::linear_solver:
+            return "linear solver";
+          case Failure::Kind::inverted_cell:
+            return "inverted cell";
+          case Failure::Kind::passed_through:
+            return "passed through";
+          case Failure::Kind::moves_apart:
+            return "moves apart";
+          case Failure::Kind::friction_beyond_limit:
+            return "friction beyond limit";
+          case Failure::Kind::friction_exceeded:
+            return "friction exceeded";
+          case Failure::Kind::friction_slides:
+            return "friction slides";
+          case Failure::Kind::no_states:
+            return "no states";
+          case Failure::Kind::still_moving:
+            return "still moving";
+          case Failure::Kind::motion_lost:
+            return "motion lost";
+        }
+      Assert(false, ExcInternalError());
+      return "";
+    }
+
+    std::string
     snapped(const std::vector<Snap> &all, const bool far)
     {
       const unsigned int most = 6;

@@ -1,4 +1,5 @@
 // The chart of a study as a gnuplot script: colours tell series apart, line types and marks the quantities.
+#include <amontons/verification/gnuplot.h>
 #include <amontons/verification/study_output.h>
 
 #include <algorithm>
@@ -31,15 +32,6 @@ namespace Amontons
               break;
             }
       return panels;
-    }
-
-    std::string
-    in_gnuplot(const std::string &text)
-    {
-      std::string result = "'";
-      for (const char c : text)
-        result += c == '\'' ? std::string("''") : std::string(1, c == '_' ? ' ' : c);
-      return result + "'";
     }
 
     struct Range
@@ -194,11 +186,8 @@ namespace Amontons
     const double       height = 400 + 24. * n_rows, legend = (24. * n_rows + 12) / height;
     const double       top = 36 / height, width = 1. / panels.size();
 
-    out << std::setprecision(8) << "# Written by `amontons study " << study.file << "`; run with gnuplot.\n"
-        << "set terminal svg size " << canvas << ", " << height
-        << " font 'Helvetica, Arial, sans-serif, 13' background 'white' rounded\n"
-        << "set output "
-        << "'" << stem << ".svg'\n";
+    out << std::setprecision(8);
+    write_terminal(study.file, stem, canvas, height, out);
     write_data(study, all_series, out);
     out << "set multiplot\nset logscale xy\nset format xy '10^{%L}'\nset mxtics 1\nset mytics 1\n"
         << "set border 3 lw 1 lc rgb '#606060'\nset tics nomirror textcolor rgb '#303030'\n";

@@ -1,9 +1,9 @@
+#include <amontons/verification/gnuplot.h>
 #include <amontons/verification/study_output.h>
 
 #include <deal.II/base/convergence_table.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -75,15 +75,6 @@ namespace Amontons
       for (const char c : text)
         result += c == '"' ? std::string("\"\"") : std::string(1, c);
       return result + "\"";
-    }
-
-    std::string
-    in_shell(const std::string &text)
-    {
-      std::string result = "'";
-      for (const char c : text)
-        result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-      return result + "'";
     }
 
     void
@@ -162,16 +153,6 @@ namespace Amontons
         out << "Could not write to the directory " << dir << std::endl;
         return false;
       }
-    out << "Wrote " << (dir / (stem + ".csv")).string() << " and " << (dir / (stem + ".gp")).string();
-    if (std::system("command -v gnuplot >/dev/null 2>&1") != 0)
-      {
-        out << "; no chart, since there is no gnuplot." << std::endl;
-        return true;
-      }
-    const int status =
-        std::system(("cd " + in_shell(dir.string()) + " && gnuplot " + in_shell(stem + ".gp")).c_str());
-    out << (status == 0 ? ", and the chart " + (dir / (stem + ".svg")).string() : "; gnuplot failed") << '.'
-        << std::endl;
-    return status == 0;
+    return draw(dir.string(), stem, out);
   }
 } // namespace Amontons

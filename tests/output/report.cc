@@ -176,10 +176,10 @@ numbered_history()
       mesh.probes            = {{"tip", {{{7, 8}, {-0.6 * t, 0.8 * t}, {1.5, 2.5, 3.5, 4.5}, 5.5}}}};
       summary.meshes.push_back(mesh);
     }
-  summary.probes            = summary.meshes.back().probes;
-  summary.pairs             = summary.meshes.back().pairs;
-  summary.checks["balance"] = 0.375;
-  summary.timing["mesh"]    = 0.625;
+  summary.probes              = summary.meshes.back().probes;
+  summary.pairs               = summary.meshes.back().pairs;
+  summary.checks["balance"]   = 0.375;
+  summary.cost.timing["mesh"] = 0.625;
   return summary;
 }
 

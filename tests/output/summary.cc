@@ -90,26 +90,25 @@ int
 main()
 {
   RunSummary summary;
-  summary.converged                = true;
-  summary.message                  = "a message";
-  summary.scene                    = "scene.prm";
-  summary.title                    = "A title";
-  summary.kind                     = ProblemType::axisymmetric;
-  summary.dofs                     = 20;
-  summary.cells                    = 21;
-  summary.ranks                    = 22;
-  summary.wall_seconds             = 23.5;
-  summary.timing["mesh"]           = 24.5;
-  summary.one_linear_solve_seconds = 25.5;
-  summary.finest_mesh_seconds      = 26.5;
-  summary.energy                   = 27.5;
-  summary.error_estimate           = {28.5, 29.5};
-  summary.pairs                    = {numbered_pair()};
-  summary.reactions                = {{"wall", "b/left", {30.5, 31.5}, {32.5}}};
-  summary.checks["force_balance"]  = 33.5;
-  summary.notes                    = {"one note"};
-  summary.probes                   = {{"p", {{{34.5, 35.5}, {36.5, 37.5}, {38.5, 39.5, 40.5, 41.5}, 42.5}}},
-                                      {"outside", {{{1, 1}, {}, {}}}}};
+  summary.converged               = true;
+  summary.message                 = "a message";
+  summary.scene                   = "scene.prm";
+  summary.title                   = "A title";
+  summary.kind                    = ProblemType::axisymmetric;
+  summary.dofs                    = 20;
+  summary.cells                   = 21;
+  summary.ranks                   = 22;
+  summary.failure                 = "a kind";
+  summary.n_cut_backs             = 76;
+  summary.cost                    = {23.5, {{"mesh", 24.5}}, 77, 25.5, 26.5};
+  summary.energy                  = 27.5;
+  summary.error_estimate          = {28.5, 29.5};
+  summary.pairs                   = {numbered_pair()};
+  summary.reactions               = {{"wall", "b/left", {30.5, 31.5}, {32.5}}};
+  summary.checks["force_balance"] = 33.5;
+  summary.notes                   = {"one note"};
+  summary.probes                  = {{"p", {{{34.5, 35.5}, {36.5, 37.5}, {38.5, 39.5, 40.5, 41.5}, 42.5}}},
+                                     {"outside", {{{1, 1}, {}, {}}}}};
   NewtonSummary newton;
   newton.increment          = 50;
   newton.mesh               = 51;
@@ -155,6 +154,9 @@ main()
   expect(tree, "ranks", "22");
   expect(tree, "wall_seconds", "23.5");
   expect(tree, "timing.mesh", "24.5");
+  expect(tree, "failure", "a kind");
+  expect(tree, "cut_backs", "76");
+  expect(tree, "linear_solves", "77");
   expect(tree, "one_linear_solve_seconds", "25.5");
   expect(tree, "finest_mesh_seconds", "26.5");
   expect(tree, "energy", "27.5");

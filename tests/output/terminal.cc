@@ -83,7 +83,7 @@ check_answer()
   summary.reference                = reference;
   summary.cells                    = 100;
   summary.dofs                     = 222;
-  summary.wall_seconds             = 1.5;
+  summary.cost.wall_seconds        = 1.5;
   summary.notes                    = {"a note"};
   const Lines wanted               = {{"status", "not converged: why"},
                                       {"pair one", ""},

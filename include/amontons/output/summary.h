@@ -104,19 +104,27 @@ namespace Amontons
     std::vector<double> force, moment;       // by the support on the body; moment: 1 component in 2D, 3 in 3D
   };
 
+  struct CostSummary
+  {
+    double                        wall_seconds = unknown;
+    std::map<std::string, double> timing;                       // seconds by phase
+    unsigned int                  linear_solves            = 0; // all, of repeated and failed increments, too
+    double                        one_linear_solve_seconds = unknown;
+    double                        finest_mesh_seconds      = unknown;
+  };
+
   struct RunSummary
   {
     bool        converged = false;
+    std::string failure;      // its kind, of Diagnosis::kind; empty if converged
     std::string message;      // why not
     std::string scene, title; // scene: the file
     ProblemType kind = ProblemType::plane_strain;
 
-    unsigned long long            dofs = 0, cells = 0; // of the finest mesh
-    unsigned int                  ranks        = 1;
-    double                        wall_seconds = unknown;
-    std::map<std::string, double> timing; // seconds by phase
-    double                        one_linear_solve_seconds = unknown;
-    double                        finest_mesh_seconds      = unknown;
+    unsigned long long dofs = 0, cells = 0; // of the finest mesh
+    unsigned int       ranks       = 1;
+    unsigned int       n_cut_backs = 0; // of increments
+    CostSummary        cost;
 
     std::vector<NewtonSummary>      newton;
     std::vector<MeshSummary>        meshes;

@@ -14,6 +14,10 @@ namespace Amontons
     std::string
     sentence(const Failure &failure);
 
+    /// For programs: "no states", "friction beyond limit", ..., the names of Failure::Kind.
+    std::string
+    kind(const Failure &failure);
+
     /// Of the state after the last iteration.
     template <int dim>
     Failure

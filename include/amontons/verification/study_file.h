@@ -1,27 +1,14 @@
-// What a study file says: a scene, the parameters to sweep, and what to show. An example is in
-// convergence_study.h.
+/// What the file of a convergence study says: a scene, the parameters to sweep, and what to show. An example
+/// is in convergence_study.h.
 #pragma once
+
+#include <amontons/verification/study_entries.h>
 
 #include <string>
 #include <vector>
 
-#include <amontons/base/input_error.h>
-
 namespace Amontons
 {
-  // "Body a/Refinements & Body b/Refinements: 1, 2, 3": all `names` take the same value.
-  struct SweptParameter
-  {
-    std::vector<std::string> names, values;
-    std::string              label; // "Refinements"
-  };
-
-  // A number of summary.json.
-  struct SummaryPath
-  {
-    std::string path, label; // "reference.errors.contact_size", "contact_size"
-  };
-
   struct Study
   {
     std::string                 file, title, scene, output_directory;

@@ -29,12 +29,12 @@ namespace Amontons
   void
   print_tables(const Study &study, const std::vector<StudySeries> &all_series, std::ostream &out);
 
-  // STEM.csv, STEM.gp and, if gnuplot is there, STEM.svg in the study's output directory; says on `out` what
-  // it wrote. Returns whether all could be written (a missing gnuplot is no failure).
+  // STEM.csv, STEM.gp and, if gnuplot is there, STEM.svg and STEM.png in the study's output directory; says
+  // on `out` what it wrote. Returns whether all could be written (a missing gnuplot is no failure).
   bool
   write_study_files(const Study &study, const std::vector<StudySeries> &all_series, std::ostream &out);
 
-  // A gnuplot script that draws STEM.svg: errors against cells, DoFs and seconds.
+  // A gnuplot script (gnuplot.h): errors against cells, DoFs and seconds.
   void
   write_gnuplot_script(const Study                    &study,
                        const std::vector<StudySeries> &all_series,

@@ -1,0 +1,25 @@
+/// What the charts of all studies share. A script draws STEM.svg, and STEM.png with `gnuplot -e "png = 1"`.
+#pragma once
+
+#include <ostream>
+#include <string>
+
+namespace Amontons
+{
+  /// As a text of gnuplot in quotes; underscores are blanks.
+  std::string
+  in_gnuplot(const std::string &text);
+
+  /// The beginning of a script: `study` says which one wrote it. Sizes in pixels.
+  void
+  write_terminal(const std::string &study,
+                 const std::string &stem,
+                 const double       width,
+                 const double       height,
+                 std::ostream      &out);
+
+  /// Runs STEM.gp in `folder` for both pictures, and says on `out` what was written there. Returns whether
+  /// they could be drawn; a missing gnuplot is no failure.
+  bool
+  draw(const std::string &folder, const std::string &stem, std::ostream &out);
+} // namespace Amontons

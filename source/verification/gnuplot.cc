@@ -1,0 +1,62 @@
+#include <amontons/verification/gnuplot.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace Amontons
+{
+  namespace
+  {
+    std::string
+    in_shell(const std::string &text)
+    {
+      std::string result = "'";
+      for (const char c : text)
+        result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+      return result + "'";
+    }
+  } // namespace
+
+  std::string
+  in_gnuplot(const std::string &text)
+  {
+    std::string result = "'";
+    for (const char c : text)
+      result += c == '\'' ? std::string("''") : std::string(1, c == '_' ? ' ' : c);
+    return result + "'";
+  }
+
+  void
+  write_terminal(const std::string &study,
+                 const std::string &stem,
+                 const double       width,
+                 const double       height,
+                 std::ostream      &out)
+  {
+    out << "# Written by `amontons study " << study << "`; run with gnuplot, or gnuplot -e 'png = 1'.\n"
+        << "if (exists('png')) set terminal pngcairo size " << width << ", " << height
+        << " font 'Helvetica, Arial, sans-serif, 10' background rgb 'white' rounded; set output '" << stem
+        << ".png'\n"
+        << "if (!exists('png')) set terminal svg size " << width << ", " << height
+        << " font 'Helvetica, Arial, sans-serif, 13' background 'white' rounded; set output '" << stem
+        << ".svg'\n";
+  }
+
+  bool
+  draw(const std::string &folder, const std::string &stem, std::ostream &out)
+  {
+    const std::filesystem::path path = std::filesystem::path(folder) / stem;
+    out << "Wrote " << path.string() << ".csv and " << path.string() << ".gp";
+    if (std::system("command -v gnuplot >/dev/null 2>&1") != 0)
+      {
+        out << "; no chart, since there is no gnuplot." << std::endl;
+        return true;
+      }
+    const std::string script = in_shell(stem + ".gp");
+    const int         status = std::system(
+        ("cd " + in_shell(folder) + " && gnuplot " + script + " && gnuplot -e 'png = 1' " + script).c_str());
+    out << (status == 0 ? ", and the chart " + path.string() + ".svg and .png" : "; gnuplot failed") << '.'
+        << std::endl;
+    return status == 0;
+  }
+} // namespace Amontons

@@ -161,6 +161,36 @@ check_lines()
   check::is_true(text.str() == wanted, text.str());
 }
 
+// The table of long load programs: one for each mesh, with a blank line before it.
+void
+check_brief_lines()
+{
+  Scene scene;
+  scene.n_increments = 13;
+  std::ostringstream text;
+  Terminal           terminal(MPI_COMM_WORLD, false, &text);
+  terminal.scene(scene, 1);
+  const std::size_t begin = text.str().size();
+  IterationLine     line;
+  line.residual          = 0.00125;
+  line.n_open            = 5;
+  line.n_stick           = 6;
+  line.n_slip            = 7;
+  line.krylov_iterations = 9;
+  terminal.mesh(3, 0.5, 1, 10, 20);
+  terminal.iteration(line);
+  terminal.iteration(line);
+  terminal.estimate({0.5, 0.25});
+  const std::string found = text.str().substr(begin);
+  const std::string wanted =
+      "\nMesh 1: 10 cells, 20 DoFs\n"
+      "  increment            t  iterations   residual     open    stick     slip   "
+      "krylov  pressure error\n"
+      "          3          0.5           2   1.25e-03        5        6        7       "
+      "18            0.25\n";
+  check::is_true(found == wanted, found);
+}
+
 int
 main(int argc, char **argv)
 {
@@ -174,5 +204,6 @@ main(int argc, char **argv)
   check::is_true(run(13, true, true).empty(), "quiet");
   check_answer();
   check_lines();
+  check_brief_lines();
   return check::result();
 }

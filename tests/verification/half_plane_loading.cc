@@ -187,6 +187,9 @@ namespace
     fails({"halfplane_elliptic", {{"P", 1}, {"a", 1}, {"Q", .1}, {"friction", .3}}, {}},
           "Q and friction",
           true);
+    for (const double c : {-.1, 1., 1.1})
+      fails({"halfplane_elliptic", {{"P", 1}, {"a", 1}, {"Q", .1}, {"c", c}}, {}}, "0 <= c < a", true);
+    fails({"halfplane_elliptic", {{"P", 1}, {"a", 1}, {"side", 0}}, {}}, "the side is neither", true);
   }
 } // namespace
 

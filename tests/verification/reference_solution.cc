@@ -223,6 +223,14 @@ main()
   const auto cone =
       make_reference_solution({"cone", {{"P", 1000}, {"flank", 5}, {"E", 200e3}, {"nu", .3}}, {}}, plane);
   check::is_close(*cone.contact_size, .1819575, 1e-6, "cone");
+
+  // What is compared does not depend on the unit of length: the part of a punch where its pressure is finite.
+  const auto range = [&](const double a) {
+    return make_reference_solution({"flat_punch_line", {{"P", 1000}, {"a", a}}, {}}, plane).pressure_range;
+  };
+  check::is_true(range(1) > .5 && range(1) < 1, "punch: most of it is compared");
+  check::is_close(range(10), 10 * range(1), 1e-12, "punch: ten times as wide");
+
   const auto fit = make_reference_solution({"shrink_fit_cylinders",
                                             {{"ri", 20},
                                              {"rc", 40},

@@ -1,0 +1,61 @@
+// Pictures of the report: the same wherever the body lies, what is thin without edges, what is tiny once, the
+// colours beside it; charts of nothing but zeros.
+#include "check.h"
+
+#include <amontons/output/mesh_picture.h>
+#include <amontons/output/svg_chart.h>
+
+using namespace Amontons;
+
+unsigned int
+count(const std::string &text, const std::string &part)
+{
+  unsigned int n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++n;
+  return n;
+}
+
+CellPicture
+rectangle(const float x, const float y, const float width, const float height, const float value)
+{
+  return {{x, y, x + width, y, x + width, y + height, x, y + height}, value};
+}
+
+// 8 x 4 in 420 pixels, one to 1/52.5: a square, a sliver of 2 pixels and two cells of the same pixel.
+std::string
+picture(const float x, const float y)
+{
+  MeshPicture cells = {rectangle(x, y, 7.5, 4, 1), rectangle(x + 7.5, y, 0.03125, 4, 2)};
+  for (const float h : {0.f, 0.0078125f})
+    cells.push_back(rectangle(x + 8 - 0.015625f, y + 4 - 0.0078125f - h, 0.0078125f, 0.0078125f, 3));
+  cells.push_back(rectangle(x + 7.96875f, y, 0.03125, 2, 4));
+  return svg_mesh(cells, Window(), "title");
+}
+
+void
+check_pictures()
+{
+  const std::string here = picture(0, 0);
+  check::is_true(!here.empty() && here == picture(1024, -512), "a picture does not tell where the body lies");
+  check::is_close(count(here, "stroke-opacity"), 1, 0, "one cell is wide enough for edges");
+  check::is_close(count(here, "h1v1h-1Z"), 1, 0, "two cells of one pixel");
+  // The picture ends at 12 + 420, the bar begins 14 beside it.
+  check::is_close(count(here, "<rect x=\"446.0\""), 24, 0, "colours beside the picture");
+}
+
+void
+check_chart_of_zeros()
+{
+  Chart chart;
+  chart.curves = {{"nothing", {0, 1, 2}, {0, 0, 0}}};
+  check::is_close(count(svg_chart(chart), "nan"), 0, 0, "a curve of zeros has its place", 1);
+}
+
+int
+main()
+{
+  check_pictures();
+  check_chart_of_zeros();
+  return check::result();
+}

@@ -151,7 +151,7 @@ namespace Amontons
       for (const std::string &value : x.values)
         longest = std::max(longest, value.size());
       return std::max(
-          {300., 100. + std::max(36., 9. * longest) * x.values.size(), 80. + 8. * x.label.size()});
+          {300., 100. + std::max(36., 11. * longest + 4) * x.values.size(), 80. + 8. * x.label.size()});
     }
 
     void

@@ -977,6 +977,12 @@ foreach(friction 2 5 20)
                  CHECK "status is converged" "checks.coulomb_cone <= 1e-9" "checks.slip_direction <= 1e-6" "checks.tension <= 1e-9" "checks.force_balance <= 1e-9")
 endforeach()
 
+# Klarbring's example in closed form: 5.5/10 of the pressure left where it slips; beyond a coefficient of 19/9 slip would be unstable. (Where three solutions
+# stand side by side: parameters/studies/map_klarbring.prm.)
+add_scene_test(NAME klarbring_slips SCENE verification/klarbring.prm CHECK "pairs.0.normal_force.1 ~ 0.55 1e-9" "pairs.0.tangential_force.0 ~ -0.55 1e-9")
+add_scene_test(NAME klarbring_sticks SCENE verification/klarbring.prm SET "Contact base/Friction coefficient=4"
+               CHECK "pairs.0.normal_force.1 ~ 1 1e-9" "pairs.0.tangential_force.0 ~ -1.5 1e-9" "pairs.0.n_stick >= 1")
+
 # ---- Gaps that forces close
 
 # The motion over 300 sizes leaves 300 x 1e-16 x the stiffness of rounding, some 1e-5 of the force.

@@ -31,7 +31,7 @@ namespace Amontons
       {
         const double from = upper > 0 ? lower / margin : 0.1, to = upper > 0 ? upper * margin : 10;
         out << "set " << axis << "range [" << from << ":" << to << "]\n";
-        if (to / from > 100)
+        if (to / from > 25)
           {
             out << "set " << axis << "tics autofreq\nset format " << axis << " '10^{%L}'\n";
             return;
@@ -152,7 +152,7 @@ namespace Amontons
       std::size_t longest = 20;
       for (const WorkCurve &curve : curves)
         longest = std::max(longest, curve.label.size());
-      const unsigned int n = curves.size() + 2, n_columns = std::max(1., width / (7.5 * longest + 90));
+      const unsigned int n = curves.size() + 2, n_columns = std::max(1., width / (8.5 * longest + 110));
       return (n + n_columns - 1) / n_columns;
     }
 

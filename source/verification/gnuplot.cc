@@ -1,5 +1,8 @@
+#include <amontons/output/files.h>
 #include <amontons/verification/gnuplot.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -58,5 +61,35 @@ namespace Amontons
     out << (status == 0 ? ", and the chart " + path.string() + ".svg and .png" : "; gnuplot failed") << '.'
         << std::endl;
     return status == 0;
+  }
+
+  bool
+  draw(const std::string &folder, const std::string &stem, const std::string &script, std::ostream &out)
+  {
+    write_file((std::filesystem::path(folder) / (stem + ".gp")).string(), script);
+    return draw(folder, stem, out);
+  }
+
+  void
+  LogRange::add(const double value)
+  {
+    if (value > 0 && std::isfinite(value))
+      {
+        lower = std::min(lower, value);
+        upper = std::max(upper, value);
+      }
+  }
+
+  bool
+  LogRange::is_empty() const
+  {
+    return !(upper > 0);
+  }
+
+  void
+  LogRange::widen(const double factor)
+  {
+    lower /= factor;
+    upper *= factor;
   }
 } // namespace Amontons

@@ -1,10 +1,8 @@
-#include <amontons/output/files.h>
 #include <amontons/verification/gnuplot.h>
 #include <amontons/verification/stability_map.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -207,8 +205,6 @@ namespace Amontons
     print_maps(study, results, out);
     std::ostringstream script;
     write_map_script(study, results, script);
-    write_file((std::filesystem::path(study.output_directory) / (study.stem() + ".gp")).string(),
-               script.str());
-    return draw(study.output_directory, study.stem(), out);
+    return draw(study.output_directory, study.stem(), script.str(), out);
   }
 } // namespace Amontons

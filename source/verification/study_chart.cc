@@ -34,35 +34,9 @@ namespace Amontons
       return panels;
     }
 
-    struct Range
-    {
-      double lower = std::numeric_limits<double>::max(), upper = 0;
-
-      void
-      add(const double value)
-      {
-        if (value > 0 && std::isfinite(value))
-          {
-            lower = std::min(lower, value);
-            upper = std::max(upper, value);
-          }
-      }
-      bool
-      is_empty() const
-      {
-        return !(upper > 0);
-      }
-      void
-      widen(const double factor)
-      {
-        lower /= factor;
-        upper *= factor;
-      }
-    };
-
     // Grey lines of orders 1 and 2 from the upper left corner of the data, to where they leave it.
     void
-    write_guides(const Range &x, const Range &y, const unsigned int dim, std::ostream &out)
+    write_guides(const LogRange &x, const LogRange &y, const unsigned int dim, std::ostream &out)
     {
       for (const unsigned int order : {1, 2})
         {
@@ -140,7 +114,7 @@ namespace Amontons
                 const Panel                    &panel,
                 std::ostream                   &out)
     {
-      Range        x, y;
+      LogRange     x, y;
       unsigned int dim = 2;
       for (const StudySeries &series : all_series)
         for (const StudyRow &row : series.rows)

@@ -12,41 +12,31 @@ namespace Amontons
 {
   namespace
   {
-    struct WorkRange
+    // Ticks at 1, 2 and 5 where there is less than a decade and a half.
+    void
+    write_axis(const std::string &axis, LogRange range, const double margin, std::ostream &out)
     {
-      double lower = std::numeric_limits<double>::max(), upper = 0;
-
-      void
-      add(const double value)
-      {
-        if (value > 0 && std::isfinite(value))
+      if (range.is_empty())
+        range = {0.1, 10};
+      else
+        range.widen(margin);
+      out << "set " << axis << "range [" << range.lower << ":" << range.upper << "]\n";
+      if (range.upper / range.lower > 25)
+        {
+          out << "set " << axis << "tics autofreq\nset format " << axis << " '10^{%L}'\n";
+          return;
+        }
+      out << "set format " << axis << " '%g'\nset " << axis << "tics (";
+      std::string separator;
+      for (double decade = std::pow(10., std::floor(std::log10(range.lower))); decade < range.upper;
+           decade *= 10)
+        for (const double digit : {1., 2., 5.})
           {
-            lower = std::min(lower, value);
-            upper = std::max(upper, value);
+            out << separator << digit * decade;
+            separator = ", ";
           }
-      }
-      // Ticks at 1, 2 and 5 where there are less than two decades.
-      void
-      write(const std::string &axis, const double margin, std::ostream &out) const
-      {
-        const double from = upper > 0 ? lower / margin : 0.1, to = upper > 0 ? upper * margin : 10;
-        out << "set " << axis << "range [" << from << ":" << to << "]\n";
-        if (to / from > 25)
-          {
-            out << "set " << axis << "tics autofreq\nset format " << axis << " '10^{%L}'\n";
-            return;
-          }
-        out << "set format " << axis << " '%g'\nset " << axis << "tics (";
-        std::string separator;
-        for (double decade = std::pow(10., std::floor(std::log10(from))); decade < to; decade *= 10)
-          for (const double digit : {1., 2., 5.})
-            {
-              out << separator << digit * decade;
-              separator = ", ";
-            }
-        out << ")\n";
-      }
-    };
+      out << ")\n";
+    }
 
     // Ours is drawn in one strong colour per curve, what it is compared with in thin greyer ones.
     bool
@@ -120,7 +110,7 @@ namespace Amontons
                      const unsigned int            kind,
                      std::ostream                 &out)
     {
-      WorkRange x, y;
+      LogRange x, y;
       for (const WorkCurve &curve : curves)
         for (const StudyResult *const run : curve.runs)
           if (has_answer(*run))
@@ -130,8 +120,8 @@ namespace Amontons
             }
       for (const double target : study.targets)
         y.add(target);
-      x.write("x", 1.3, out);
-      y.write("y", 1.6, out);
+      write_axis("x", x, 1.3, out);
+      write_axis("y", y, 1.6, out);
       const auto all = styles(curves);
       out << "set xlabel '" << cost_kinds[kind].name << "'\nset ylabel "
           << (kind == 0 ? in_gnuplot("error of " + study.quantities[quantity].path.label) : "''")

@@ -1,11 +1,9 @@
-#include <amontons/output/files.h>
 #include <amontons/scene/text.h>
 #include <amontons/verification/gnuplot.h>
 #include <amontons/verification/work_precision.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iomanip>
 #include <map>
 #include <numeric>
@@ -211,8 +209,6 @@ namespace Amontons
     print_work_precision(study, results, out);
     std::ostringstream script;
     write_work_script(study, results, script);
-    write_file((std::filesystem::path(study.output_directory) / (study.stem() + ".gp")).string(),
-               script.str());
-    return draw(study.output_directory, study.stem(), out);
+    return draw(study.output_directory, study.stem(), script.str(), out);
   }
 } // namespace Amontons

@@ -1,20 +1,11 @@
 // Pictures of the report: the same wherever the body lies, what is thin without edges, what is tiny once, the
 // colours beside it; charts of nothing but zeros.
-#include "check.h"
+#include "text_checks.h"
 
 #include <amontons/output/mesh_picture.h>
 #include <amontons/output/svg_chart.h>
 
 using namespace Amontons;
-
-unsigned int
-count(const std::string &text, const std::string &part)
-{
-  unsigned int n = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++n;
-  return n;
-}
 
 CellPicture
 rectangle(const float x, const float y, const float width, const float height, const float value)
@@ -38,10 +29,10 @@ check_pictures()
 {
   const std::string here = picture(0, 0);
   check::is_true(!here.empty() && here == picture(1024, -512), "a picture does not tell where the body lies");
-  check::is_close(count(here, "stroke-opacity"), 1, 0, "one cell is wide enough for edges");
-  check::is_close(count(here, "h1v1h-1Z"), 1, 0, "two cells of one pixel");
+  check::is_close(check::count(here, "stroke-opacity"), 1, 0, "one cell is wide enough for edges");
+  check::is_close(check::count(here, "h1v1h-1Z"), 1, 0, "two cells of one pixel");
   // The picture ends at 12 + 420, the bar begins 14 beside it.
-  check::is_close(count(here, "<rect x=\"446.0\""), 24, 0, "colours beside the picture");
+  check::is_close(check::count(here, "<rect x=\"446.0\""), 24, 0, "colours beside the picture");
 }
 
 void
@@ -49,7 +40,7 @@ check_chart_of_zeros()
 {
   Chart chart;
   chart.curves = {{"nothing", {0, 1, 2}, {0, 0, 0}}};
-  check::is_close(count(svg_chart(chart), "nan"), 0, 0, "a curve of zeros has its place", 1);
+  check::is_close(check::count(svg_chart(chart), "nan"), 0, 0, "a curve of zeros has its place", 1);
 }
 
 int

@@ -1,6 +1,6 @@
 // Long load programs get a line per increment, and the table of iterations only where one fails; the answer
 // has every number that there is.
-#include "check.h"
+#include "text_checks.h"
 
 #include <amontons/output/terminal.h>
 
@@ -30,15 +30,6 @@ run(const unsigned int n_increments, const bool fails, const bool quiet = false)
   summary.converged = true;
   terminal.answer(summary);
   return text.str();
-}
-
-unsigned int
-count(const std::string &text, const std::string &part)
-{
-  unsigned int n = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++n;
-  return n;
 }
 
 using Lines = std::vector<std::pair<std::string, std::string>>;
@@ -196,11 +187,11 @@ main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const std::string                columns = "  iteration   residual";
-  check::is_true(count(run(12, false), columns) == 2, "short: a table for each");
-  check::is_true(count(run(13, false), columns) == 0, "long: no table\n" + run(13, false));
-  check::is_true(count(run(13, false), "increment            t") == 1, "long: one head for each mesh");
-  check::is_true(count(run(13, false), "1.25e-01") == 2, "long: a line per increment");
-  check::is_true(count(run(13, true), columns) == 1, "long: the table of the increment that failed");
+  check::is_true(check::count(run(12, false), columns) == 2, "short: a table for each");
+  check::is_true(check::count(run(13, false), columns) == 0, "long: no table\n" + run(13, false));
+  check::is_true(check::count(run(13, false), "increment            t") == 1, "long: one head for each mesh");
+  check::is_true(check::count(run(13, false), "1.25e-01") == 2, "long: a line per increment");
+  check::is_true(check::count(run(13, true), columns) == 1, "long: the table of the increment that failed");
   check::is_true(run(13, true, true).empty(), "quiet");
   check_answer();
   check_lines();

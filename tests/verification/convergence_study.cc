@@ -3,7 +3,7 @@
 #include <amontons/verification/convergence_study.h>
 #include <amontons/verification/study_output.h>
 
-#include <check.h>
+#include <text_checks.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -96,12 +96,6 @@ namespace
   }
 
   void
-  contains(const std::string &text, const std::string &part)
-  {
-    check::is_true(text.find(part) != std::string::npos, "'" + text + "' contains '" + part + "'");
-  }
-
-  void
   message(const std::string &text, const std::string &part)
   {
     try
@@ -111,7 +105,7 @@ namespace
       }
     catch (const InputError &error)
       {
-        contains(error.what(), part);
+        check::contains(error.what(), part);
       }
   }
 } // namespace
@@ -135,8 +129,8 @@ main(int argc, char **argv)
   check::is_true(calls.size() == 8 && calls[0].size() == 5, "eight runs with five overrides");
   check::is_true(calls[7][4] == "Body b/Refinements = 4" && calls[7][1] == "C/D = x",
                  "overrides of the last run");
-  contains(printed, "2.00");
-  contains(printed, "Degree = 2");
+  check::contains(printed, "2.00");
+  check::contains(printed, "Degree = 2");
   auto rows = csv("uniform");
   check::is_true(rows.size() == 9, "eight rows and a header");
   check::is_true(rows[1][7].empty(), "no order in the first row");
@@ -162,7 +156,7 @@ main(int argc, char **argv)
 
   const std::string failed =
       study("failed", quantities + "subsection Sweep\nset 1 = B/Refinements: 1, 13\nend\n", 1);
-  contains(failed, "no convergence");
+  check::contains(failed, "no convergence");
 
   message(quantities + "set Agianst = finest\n",
           "wrong.prm:4: Agianst: there is no such entry (did you mean 'Against'?)");

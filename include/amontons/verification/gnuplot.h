@@ -1,6 +1,7 @@
 /// What the charts of all studies share. A script draws STEM.svg, and STEM.png with `gnuplot -e "png = 1"`.
 #pragma once
 
+#include <limits>
 #include <ostream>
 #include <string>
 
@@ -9,6 +10,19 @@ namespace Amontons
   /// As a text of gnuplot in quotes; underscores are blanks.
   std::string
   in_gnuplot(const std::string &text);
+
+  /// Of what is drawn on a logarithmic axis: positive finite numbers only.
+  struct LogRange
+  {
+    double lower = std::numeric_limits<double>::max(), upper = 0;
+
+    void
+    add(const double value);
+    bool
+    is_empty() const;
+    void
+    widen(const double factor);
+  };
 
   /// The beginning of a script: `study` says which one wrote it. Sizes in pixels.
   void
@@ -22,4 +36,8 @@ namespace Amontons
   /// they could be drawn; a missing gnuplot is no failure.
   bool
   draw(const std::string &folder, const std::string &stem, std::ostream &out);
+
+  /// Writes the script to STEM.gp first.
+  bool
+  draw(const std::string &folder, const std::string &stem, const std::string &script, std::ostream &out);
 } // namespace Amontons

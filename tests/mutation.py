@@ -387,14 +387,15 @@ def prepare(scratch, changes, numbers, unchecked):
 
 def main():
     arguments = arguments_of_command()
-    changes = Lot(TREE, arguments.seed, arguments.nets) if arguments.lot else Listed()
+    scratch = None if arguments.list else made_ready(os.path.abspath(arguments.scratch), arguments.j)
+    # of the copy: the working tree may change meanwhile
+    changes = Lot(scratch.folder if scratch else TREE, arguments.seed, arguments.nets) if arguments.lot else Listed()
     numbers = chosen(arguments.only, changes.names)
     wanted = min(arguments.lot or len(numbers), len(numbers))
     if arguments.list:
         for i in numbers[:wanted]:
             print(f"{i + 1:3} {changes.told(i)}")
         return
-    scratch = made_ready(os.path.abspath(arguments.scratch), arguments.j)
     prepare(scratch, changes, numbers[:wanted], arguments.unchecked)
     score = {}
     for i in numbers:

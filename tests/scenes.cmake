@@ -635,6 +635,22 @@ add_scene_test(NAME transfer_nafems_roller SCENE nafems_roller_friction.prm SET 
                CHECK ${LAWS} "pairs.0.peak_pressure ~ 3663 2e-3" "contact.pair=roller,state=stick.X <= 2.2"
                      "contact.pair=roller,state=slip.X >= 2.1")
 
+# Statics: a block stands as long as its weight acts on what it lies on. Beyond it no force within the contact holds it, though nodes there may carry some.
+foreach(slave first second)
+  add_scene_test(NAME tipping_stands_${slave} SCENE verification/tipping.prm SET "Contact edge/Slave=${slave}" "Body block/Shift=0.97, 0" "Refinement/Cycles=2"
+                 CHECK "checks.force_balance <= 1e-9" "checks.moment_balance <= 1e-8" "checks.coulomb_cone <= 1e-10")
+  add_scene_test(NAME tipping_falls_${slave} SCENE verification/tipping.prm FAILS SET "Contact edge/Slave=${slave}" "Body block/Shift=-1.03, 0"
+                 CHECK "message has hold" "message has rotation")
+endforeach()
+add_scene_test(NAME tipping_falls_finite SCENE verification/tipping.prm FAILS SET "Kinematics=finite strain" "Body block/Shift=1.03, 0")
+add_scene_test(NAME tipping_stands_finite SCENE verification/tipping.prm SET "Kinematics=finite strain" "Body block/Shift=0.97, 0" CHECK "checks.force_balance <= 1e-9")
+add_scene_test(NAME tipping_stands_3d SCENE verification/tipping_3d.prm CHECK "checks.force_balance <= 1e-9" "checks.moment_balance <= 1e-8")
+foreach(place "1.03, 0.5" "1.03, 1.03")
+  string(MAKE_C_IDENTIFIER "${place}" name)
+  add_scene_test(NAME tipping_falls_3d${name} SCENE verification/tipping_3d.prm FAILS SET "Body block/Shift=${place}, 0"
+                 CHECK "message has within the contact" "failure has beyond edge")
+endforeach()
+
 # ---- Finite strain
 
 # Every run: force and moment balance where the bodies are now, no tension, no overlap.

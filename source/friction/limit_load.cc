@@ -19,6 +19,31 @@ namespace Amontons
       double weight = 0;
     };
 
+    double
+    product(const std::vector<double> &a, const Vector &b)
+    {
+      double sum = 0;
+      for (unsigned int i = 0; i < b.size(); ++i)
+        sum += a[i] * b(i);
+      return sum;
+    }
+
+    // friction_k d of the contact's force that does most work on v.
+    std::vector<double>
+    steepest_shear(const RigidContact &contact, const Vector &v)
+    {
+      std::vector<double> shear;
+      double              length = 0;
+      for (const auto &component : contact.sliding)
+        {
+          shear.push_back(product(component, v));
+          length = std::hypot(length, shear.back());
+        }
+      for (double &component : shear)
+        component *= length > 0 ? contact.friction / length : 0;
+      return shear;
+    }
+
     // Of one contact, the ray that does most work on v.
     Ray
     steepest_ray(const RigidContact &contact, const Vector &v)
@@ -26,22 +51,33 @@ namespace Amontons
       Ray ray;
       ray.pressure = Vector(contact.closing.begin(), contact.closing.end());
       ray.shear.reinit(v.size());
-      std::vector<Vector> sliding;
-      double              length = 0;
-      for (const auto &component : contact.sliding)
-        {
-          sliding.emplace_back(component.begin(), component.end());
-          length = std::hypot(length, sliding.back() * v);
-        }
-      for (const auto &component : sliding)
-        if (length > 0)
-          ray.shear.add(contact.friction * (component * v) / length, component);
+      const auto shear = steepest_shear(contact, v);
+      for (unsigned int c = 0; c < shear.size(); ++c)
+        for (unsigned int i = 0; i < v.size(); ++i)
+          ray.shear(i) += shear[c] * contact.sliding[c][i];
       ray.direction = ray.pressure;
       ray.direction += ray.shear;
       if (const double norm = ray.direction.l2_norm(); norm > 1e-10)
         for (auto *part : {&ray.direction, &ray.pressure, &ray.shear})
           *part /= norm;
       return ray;
+    }
+
+    // Of that ray, for v of unit length.
+    double
+    most_work(const RigidContact &contact, const Vector &v)
+    {
+      const auto shear = steepest_shear(contact, v);
+      double     work = 0, square = 0;
+      for (unsigned int i = 0; i < v.size(); ++i)
+        {
+          double force = contact.closing[i];
+          for (unsigned int c = 0; c < shear.size(); ++c)
+            force += shear[c] * contact.sliding[c][i];
+          work += force * v(i);
+          square += force * force;
+        }
+      return square > 1e-20 ? work / std::sqrt(square) : work;
     }
 
     Vector
@@ -113,41 +149,79 @@ namespace Amontons
       left /= left.l2_norm();
       return std::vector<double>(left.begin(), left.end());
     }
+    // What the nearest of C leaves of the load, and its rays.
+    struct Remainder
+    {
+      Vector           v; // empty: less than the margin
+      std::vector<Ray> rays;
+    };
+
+    Remainder
+    beyond_cone(const std::vector<double>       &load,
+                const std::vector<RigidContact> &contacts,
+                const double                     margin)
+    {
+      if (load.empty())
+        return {};
+      const Vector f(load.begin(), load.end());
+      Remainder    result{f, {}};
+      auto        &v = result.v;
+      for (unsigned int n = 0; n < 200 && v.l2_norm() > margin; ++n)
+        {
+          Vector direction = v;
+          direction /= v.l2_norm();
+          const RigidContact *best = nullptr;
+          double              most = 1e-7;
+          for (const auto &contact : contacts)
+            if (const double work = most_work(contact, direction); work > most)
+              {
+                most = work;
+                best = &contact;
+              }
+          if (best == nullptr)
+            return result;
+          result.rays.push_back(steepest_ray(*best, v));
+          find_weights(result.rays, f);
+          v = f;
+          for (const auto &ray : result.rays)
+            v.add(-ray.weight, ray.direction);
+        }
+      v.reinit(0);
+      return result;
+    }
   } // namespace
+
+  std::vector<double>
+  motion_beyond_contact(const std::vector<double>       &load,
+                        const std::vector<RigidContact> &contacts,
+                        const double                     margin)
+  {
+    auto v = beyond_cone(load, contacts, margin).v;
+    if (v.size() > 0)
+      v /= v.l2_norm();
+    return std::vector<double>(v.begin(), v.end());
+  }
 
   std::vector<double>
   motion_beyond_friction(const std::vector<double>       &load,
                          const std::vector<RigidContact> &contacts,
                          const double                     margin)
   {
-    if (load.empty())
-      return {};
-    const Vector     f(load.begin(), load.end());
-    Vector           v = f;
-    std::vector<Ray> rays;
-    for (unsigned int n = 0; n < 200 && v.l2_norm() > margin; ++n)
+    const auto [v, rays] = beyond_cone(load, contacts, margin);
+    return v.size() > 0 && friction_work(rays, v) > margin * v.l2_norm() ? sliding_part(rays, v)
+                                                                         : std::vector<double>();
+  }
+
+  std::vector<double>
+  combination(const std::vector<std::vector<double>> &motions, const std::vector<double> &v)
+  {
+    std::vector<double> q;
+    for (unsigned int j = 0; j < v.size(); ++j)
       {
-        Ray    best;
-        double most = 0;
-        for (const auto &contact : contacts)
-          {
-            Ray          ray  = steepest_ray(contact, v);
-            const double work = ray.direction * v / v.l2_norm();
-            if (work > most)
-              {
-                most = work;
-                best = ray;
-              }
-          }
-        if (most <= 1e-7)
-          return friction_work(rays, v) > margin * v.l2_norm() ? sliding_part(rays, v)
-                                                               : std::vector<double>();
-        rays.push_back(best);
-        find_weights(rays, f);
-        v = f;
-        for (const auto &ray : rays)
-          v.add(-ray.weight, ray.direction);
+        q.resize(motions[j].size());
+        for (unsigned int i = 0; i < q.size(); ++i)
+          q[i] += v[j] * motions[j][i];
       }
-    return {};
+    return q;
   }
 } // namespace Amontons

@@ -36,6 +36,16 @@ namespace Amontons
       }
 
       std::string
+      beyond_edge(const Failure &failure)
+      {
+        return "no forces within the contact hold the rigid " + failure.motion +
+               ", which the loads drive: they act beyond the edge of what the bodies lie on (and only on "
+               "this "
+               "mesh do nodes beyond the edge seem to carry them); move the load, or hold this motion by a "
+               "support";
+      }
+
+      std::string
       still_moving(const Failure &failure)
       {
         std::ostringstream text;
@@ -67,6 +77,8 @@ namespace Amontons
             return "the loads drive the rigid " + failure.motion +
                    ", and no node that is closed holds it: the bodies move apart or slide off each other; "
                    "reverse the load, move the bodies together, or hold this motion by a support";
+          case Failure::Kind::beyond_edge:
+            return beyond_edge(failure);
           case Failure::Kind::friction_beyond_limit:
             return "friction cannot hold the rigid " + failure.motion +
                    ": no contact forces within its bounds balance the loads" + what_to_change;
@@ -106,6 +118,8 @@ namespace Amontons
             return "passed through";
           case Failure::Kind::moves_apart:
             return "moves apart";
+          case Failure::Kind::beyond_edge:
+            return "beyond edge";
           case Failure::Kind::friction_beyond_limit:
             return "friction beyond limit";
           case Failure::Kind::friction_exceeded:

@@ -128,7 +128,24 @@ namespace Amontons
   }
 
   // Modes of a body about its centre c, with X' = (X - c)/size: e_1, .., e_dim, then rotations in the planes
-  // (0,1), (0,2), (1,2).
+  // (0,1), (0,2), (1,2); in axisymmetric scenes the motion along the axis.
+  template <int dim>
+  double
+  FloatingBodies<dim>::value_of_mode(const unsigned int owner,
+                                     const unsigned int mode,
+                                     const Point<dim>  &X,
+                                     const unsigned int component) const
+  {
+    if (modes_per_body == 1)
+      return component == 1 ? 1 : 0;
+    if (mode < dim)
+      return component == mode ? 1 : 0;
+    const unsigned int a = mode < dim + 2 ? 0 : 1, b = dim == 2 || mode == dim ? 1 : dim - 1;
+    return component == a   ? -(X[b] - centres[owner][b]) / sizes[owner]
+           : component == b ? (X[a] - centres[owner][a]) / sizes[owner]
+                            : 0;
+  }
+
   template <int dim>
   void
   FloatingBodies<dim>::add_modes_of(const types::global_dof_index dof,
@@ -140,23 +157,22 @@ namespace Amontons
     const DofPlace &place = places[discretization.relevant.index_within_set(dof)];
     if (place.body == numbers::invalid_unsigned_int)
       return;
-    const unsigned int first = place.body * modes_per_body;
-    if (modes_per_body == 1)
-      {
-        if (place.component == 1)
-          e[first] += weight;
-        return;
-      }
-    e[first + place.component] += weight;
-    unsigned int mode = first + dim;
-    for (unsigned int a = 0; a < dim; ++a)
-      for (unsigned int b = a + 1; b < dim; ++b, ++mode)
-        {
-          if (place.component == a)
-            e[mode] -= weight * (place.X[b] - centres[place.body][b]) / sizes[place.body];
-          if (place.component == b)
-            e[mode] += weight * (place.X[a] - centres[place.body][a]) / sizes[place.body];
-        }
+    for (unsigned int mode = 0; mode < modes_per_body; ++mode)
+      e[place.body * modes_per_body + mode] +=
+          weight * value_of_mode(place.body, mode, place.X, place.component);
+  }
+
+  template <int dim>
+  Tensor<1, dim>
+  FloatingBodies<dim>::velocity(const std::vector<double> &motion,
+                                const unsigned int         owner,
+                                const Point<dim>          &x) const
+  {
+    Tensor<1, dim> v;
+    for (unsigned int mode = 0; mode < modes_per_body; ++mode)
+      for (unsigned int c = 0; c < dim; ++c)
+        v[c] += motion[owner * modes_per_body + mode] * value_of_mode(owner, mode, x, c);
+    return v;
   }
 
   template <int dim>

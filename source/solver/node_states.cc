@@ -243,15 +243,7 @@ namespace Amontons
             }
           contacts.push_back(contact);
         }
-    const auto          v = motion_beyond_friction(load, contacts, 1e-5);
-    std::vector<double> q;
-    for (unsigned int j = 0; j < v.size(); ++j)
-      {
-        q.resize(motions[j].size());
-        for (unsigned int i = 0; i < q.size(); ++i)
-          q[i] += v[j] * motions[j][i];
-      }
-    return q;
+    return combination(motions, motion_beyond_friction(load, contacts, 1e-5));
   }
 
   template <int dim>

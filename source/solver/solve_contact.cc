@@ -1,3 +1,4 @@
+#include <amontons/solver/contact_region.h>
 #include <amontons/solver/diagnosis.h>
 #include <amontons/solver/eliminated_step.h>
 #include <amontons/solver/fixed_contact.h>
@@ -9,6 +10,56 @@
 
 namespace Amontons
 {
+  namespace
+  {
+    // Bodies that are held by contact alone may be in an equilibrium that there is only on this mesh; and
+    // where friction cannot hold them, perhaps no friction could.
+    template <int dim>
+    void
+    check_region(const ContactEquilibrium<dim> &problem,
+                 const FloatingBodies<dim>     &floating,
+                 NewtonReport                  &report)
+    {
+      const auto region = report.converged ? ContactRegion::closed : ContactRegion::anywhere;
+      const auto motion = motion_beyond_region(floating,
+                                               problem.contact,
+                                               problem.interfaces,
+                                               problem.state.contact,
+                                               problem.discretization.scene.bodies.size(),
+                                               problem.state.t,
+                                               region);
+      if (motion.empty())
+        return;
+      report.converged       = false;
+      report.failure         = Failure{Failure::Kind::beyond_edge};
+      report.failure->motion = floating.describe(motion);
+    }
+
+    bool
+    is_by_friction(const std::optional<Failure> &failure)
+    {
+      using Kind = Failure::Kind;
+      return failure && (failure->kind == Kind::friction_beyond_limit ||
+                         failure->kind == Kind::friction_exceeded || failure->kind == Kind::friction_slides);
+    }
+
+    // Where the bodies are now.
+    template <int dim>
+    FloatingBodies<dim>
+    floating_bodies(const ContactEquilibrium<dim> &problem)
+    {
+      FloatingBodies<dim> floating(
+          problem.discretization, problem.supports, problem.interfaces, &problem.state.displacement);
+      floating.set_loads(problem.mechanics.loads());
+      std::vector<const LinearEquation *> equations;
+      for (const auto &node : problem.contact.nodes())
+        for (const auto *e : node.holding())
+          equations.push_back(&e->equation);
+      floating.choose_pins(equations);
+      return floating;
+    }
+  } // namespace
+
   //! [solve]
   template <int dim>
   NewtonReport
@@ -44,7 +95,10 @@ namespace Amontons
         Newton<dim>         newton(problem, step, smallest_cell, observer);
         newton.prepare();
         newton.iterate();
-        return newton.finish();
+        auto report = newton.finish();
+        if (newton.floating_bodies().any() && (report.converged || is_by_friction(report.failure)))
+          check_region(problem, newton.floating_bodies(), report);
+        return report;
       }
     MovingContact<dim> contact(discretization, supports, interfaces, state, parameters.scaling);
     const auto         problem = problem_with(contact);
@@ -56,6 +110,8 @@ namespace Amontons
         report.converged = false;
         report.failure   = Diagnosis::passed_through(nodes);
       }
+    if (report.converged && newton.floating_bodies().any())
+      check_region(problem, floating_bodies(problem), report);
     return report;
   }
   //! [solve]

@@ -72,6 +72,10 @@ main()
   expect(true, "nothing", {0, 0, 0}, two_feet);
   expect(true, "what is lifted (by friction or not)", {0, 1, 0}, two_feet);
   expect(true, "what tips over", {0.1, -1, -1.5}, two_feet);
+  const auto turns = motion_beyond_contact({0.1, -1, -1.5}, two_feet, 1e-3);
+  check::is_true(turns.size() == 3 && turns[2] < -0.1, "what tips over is beyond the contact, and turns");
+  check::is_true(motion_beyond_contact({0.1, -1, -0.8}, two_feet, 1e-3).empty(), "what stands is not");
+  check::is_true(motion_beyond_contact({0.6, -1, 0}, two_feet, 1e-3).size() == 3, "what slides is");
   expect(true, "what has no free motion", {}, {{{}, {}, 0}});
   // One foot without friction, one with, half the weight on each.
   const std::vector<RigidContact> one_slides = {{{0, -1, 1}, {}, 0}, {{0, -1, -1}, {{1, 0, 0}}, 0.5}};

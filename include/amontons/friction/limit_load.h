@@ -28,4 +28,14 @@ namespace Amontons
   motion_beyond_friction(const std::vector<double>       &load,
                          const std::vector<RigidContact> &contacts,
                          const double                     margin);
+
+  // v itself, of unit length; empty if f is nearer to C than `margin`.
+  std::vector<double>
+  motion_beyond_contact(const std::vector<double>       &load,
+                        const std::vector<RigidContact> &contacts,
+                        const double                     margin);
+
+  // sum_j v_j motions_j; empty if v is.
+  std::vector<double>
+  combination(const std::vector<std::vector<double>> &motions, const std::vector<double> &v);
 } // namespace Amontons

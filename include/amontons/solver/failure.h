@@ -16,6 +16,7 @@ namespace Amontons
       inverted_cell,         // by every step that was tried, however short
       passed_through,        // one surface through another, within the increment
       moves_apart,           // loads drive a rigid motion that no closed node holds
+      beyond_edge,           // what holds the bodies would have to lie beyond the edge of the contact
       friction_beyond_limit, // limit analysis: no contact forces within the bounds balance the loads
       friction_exceeded,     // where nodes are held against their bound nothing else changes
       friction_slides,       // all nodes that could hold a motion slipped time and again

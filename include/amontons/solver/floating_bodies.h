@@ -64,6 +64,10 @@ namespace Amontons
     double
     evaluate_on(const LinearEquation &equation, const std::vector<double> &motion) const;
 
+    // At the point x of a body (or n_bodies + carrier).
+    Tensor<1, dim>
+    velocity(const std::vector<double> &motion, const unsigned int owner, const Point<dim> &x) const;
+
     // Throws InputError if loads work on a motion that neither supports nor any node that may close can hold;
     // else returns a sentence about motions that nothing holds (and nothing drives), or "".
     std::string
@@ -80,6 +84,11 @@ namespace Amontons
     add_supports(const Constraints &supports);
     std::vector<double>
     violation(const Coefficients &coefficients) const;
+    double
+    value_of_mode(const unsigned int owner,
+                  const unsigned int mode,
+                  const Point<dim>  &X,
+                  const unsigned int component) const;
     void
     add_modes_of(const types::global_dof_index dof, const double weight, std::vector<double> &e) const;
     FullMatrix<double>

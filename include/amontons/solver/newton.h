@@ -34,6 +34,11 @@ namespace Amontons
 
     // What PseudoTransient needs.
 
+    const FloatingBodies<dim> &
+    floating_bodies() const
+    {
+      return floating;
+    }
     const Iterate<dim> &
     now() const
     {

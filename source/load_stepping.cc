@@ -160,10 +160,11 @@ namespace Amontons
   bool
   LoadStepping<dim>::try_again(LoadProgram &program, Failures &failures)
   {
-    const unsigned int patience     = has_history() ? 5 : 3; // friction: mostly states that are hard to find
-    const auto        &failure      = history.last_report.failure;
-    const bool         is_too_large = failure && failure->kind == Failure::Kind::passed_through;
-    if (model->finite_strain() && !history.follow_motion && !is_too_large &&
+    const unsigned int patience = has_history() ? 5 : 3; // friction: mostly states that are hard to find
+    const auto        &failure  = history.last_report.failure;
+    const bool         crosses  = failure && (failure->kind == Failure::Kind::passed_through ||
+                                     failure->kind == Failure::Kind::entered);
+    if (model->finite_strain() && !history.follow_motion && !crosses &&
         (++failures.in_a_row == patience || program.is_smallest()))
       {
         history.follow_motion = true;

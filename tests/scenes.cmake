@@ -635,6 +635,14 @@ add_scene_test(NAME transfer_nafems_roller SCENE nafems_roller_friction.prm SET 
                CHECK ${LAWS} "pairs.0.peak_pressure ~ 3663 2e-3" "contact.pair=roller,state=stick.X <= 2.2"
                      "contact.pair=roller,state=slip.X >= 2.1")
 
+# Corner on corner: refused where no normal finds the other side, whichever is the slave; beside it nothing touches.
+foreach(slave first second)
+  add_scene_test(NAME corner_on_corner_${slave} SCENE verification/corner_on_corner.prm FAILS SET "Contact c/Slave=${slave}"
+                 CHECK "status has not converged" "failure has entered" "message has corner")
+  add_scene_test(NAME corner_beside_corner_${slave} SCENE verification/corner_on_corner.prm SET "Contact c/Slave=${slave}" "Body upper/Shift=0.2, 1.0142"
+                 CHECK "pairs.0.n_slip <= 0" "pairs.0.smallest_gap ~ 0.0707 1e-3")
+endforeach()
+
 # Statics: a block stands as long as its weight acts on what it lies on. Beyond it no force within the contact holds it, though nodes there may carry some.
 foreach(slave first second)
   add_scene_test(NAME tipping_stands_${slave} SCENE verification/tipping.prm SET "Contact edge/Slave=${slave}" "Body block/Shift=0.97, 0" "Refinement/Cycles=2"

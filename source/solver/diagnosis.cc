@@ -40,8 +40,8 @@ namespace Amontons
       {
         return "no forces within the contact hold the rigid " + failure.motion +
                ", which the loads drive: they act beyond the edge of what the bodies lie on (and only on "
-               "this "
-               "mesh do nodes beyond the edge seem to carry them); move the load, or hold this motion by a "
+               "this mesh do nodes beyond the edge seem to carry them); move the load, or hold this motion "
+               "by a "
                "support";
       }
 
@@ -73,6 +73,10 @@ namespace Amontons
           case Failure::Kind::passed_through:
             return "the increment is so large that a surface passes through another one, at " +
                    failure.where + "; take smaller increments";
+          case Failure::Kind::entered:
+            return "a corner or an end of one surface moves into the other body, at " + failure.where +
+                   ", where no normal of either surface meets the other one: contact does not see it; say a "
+                   "pair for each side of the corner, or round it";
           case Failure::Kind::moves_apart:
             return "the loads drive the rigid " + failure.motion +
                    ", and no node that is closed holds it: the bodies move apart or slide off each other; "
@@ -116,6 +120,8 @@ namespace Amontons
             return "inverted cell";
           case Failure::Kind::passed_through:
             return "passed through";
+          case Failure::Kind::entered:
+            return "entered";
           case Failure::Kind::moves_apart:
             return "moves apart";
           case Failure::Kind::beyond_edge:
@@ -191,9 +197,9 @@ namespace Amontons
 
     template <int dim>
     Failure
-    passed_through(const std::vector<Point<dim>> &nodes)
+    surfaces_cross(const Failure::Kind kind, const std::vector<Point<dim>> &nodes)
     {
-      Failure failure{Failure::Kind::passed_through};
+      Failure failure{kind};
       failure.where = places_of(nodes);
       return failure;
     }
@@ -246,9 +252,9 @@ namespace Amontons
     template Failure
     inverted(const Discretization<2> &, const InvertedCell<2> &);
     template Failure
-    passed_through(const std::vector<Point<2>> &);
+    surfaces_cross(const Failure::Kind, const std::vector<Point<2>> &);
     template Failure
-    passed_through(const std::vector<Point<3>> &);
+    surfaces_cross(const Failure::Kind, const std::vector<Point<3>> &);
     template std::optional<Failure>
     friction_beyond_limit(const NodeStates<3> &);
     template Failure

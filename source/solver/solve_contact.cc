@@ -35,6 +35,18 @@ namespace Amontons
       report.failure->motion = floating.describe(motion);
     }
 
+    template <int dim>
+    void
+    check_crossing(const MovingContact<dim> &contact, const SolutionState<dim> &state, NewtonReport &report)
+    {
+      using Kind = Failure::Kind;
+      if (const auto nodes = contact.passed_through(state); !nodes.empty())
+        report.failure = Diagnosis::surfaces_cross(Kind::passed_through, nodes);
+      else if (const auto nodes = contact.entered(); !nodes.empty())
+        report.failure = Diagnosis::surfaces_cross(Kind::entered, nodes);
+      report.converged = !report.failure;
+    }
+
     bool
     is_by_friction(const std::optional<Failure> &failure)
     {
@@ -105,11 +117,8 @@ namespace Amontons
     RowStep<dim>       step(problem, contact, smallest_cell);
     Newton<dim>        newton(problem, step, smallest_cell, observer);
     auto               report = PseudoTransient<dim>(problem, step, newton).run(follow_motion);
-    if (const auto nodes = contact.passed_through(state); report.converged && !report.moved && !nodes.empty())
-      {
-        report.converged = false;
-        report.failure   = Diagnosis::passed_through(nodes);
-      }
+    if (report.converged && !report.moved)
+      check_crossing(contact, state, report);
     if (report.converged && newton.floating_bodies().any())
       check_region(problem, floating_bodies(problem), report);
     return report;

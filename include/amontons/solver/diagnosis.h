@@ -32,10 +32,10 @@ namespace Amontons
     Failure
     friction_exceeded(const NodeStates<dim> &states);
 
-    /// At these slave nodes.
+    /// kind: passed_through or entered, at these nodes.
     template <int dim>
     Failure
-    passed_through(const std::vector<Point<dim>> &nodes);
+    surfaces_cross(const Failure::Kind kind, const std::vector<Point<dim>> &nodes);
 
     template <int dim>
     Failure

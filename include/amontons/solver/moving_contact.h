@@ -99,6 +99,11 @@ namespace Amontons
     {
       return old_partners.passed_through(interfaces, state);
     }
+    std::vector<Point<dim>>
+    entered() const
+    {
+      return old_partners.entered(interfaces);
+    }
 
     // Their values alone, by component (slip: the first).
     Tensor<1, dim>

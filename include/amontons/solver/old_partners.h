@@ -1,4 +1,4 @@
-/// What was opposite of the slave nodes in the last converged state: did they pass through it?
+/// What was opposite of the slave nodes in the last converged state: did they pass through it, or go past it?
 #pragma once
 
 #include <amontons/contact/contact_interface.h>
@@ -23,6 +23,12 @@ namespace Amontons
     passed_through(const std::vector<ContactInterface<dim>> &interfaces,
                    const SolutionState<dim>                 &state) const;
 
+    /// Reference positions of nodes of either side that moved into the other one since then although no part
+    /// of their own faces is opposite of it: at a corner that meets a corner no normal of one side finds the
+    /// other, and contact does not see them.
+    std::vector<Point<dim>>
+    entered(const std::vector<ContactInterface<dim>> &interfaces) const;
+
   private:
     // Material points that were opposite of each other.
     struct Partners
@@ -39,6 +45,20 @@ namespace Amontons
     static Distance
     distance(const ContactInterface<dim> &interface, const Partners &partners);
 
+    // Nodes of one side, and points that move with the faces of the other.
+    struct Places
+    {
+      std::vector<Point<dim>> nodes, faces;
+    };
+    static Places
+    places_of_sides(const ContactSurface<dim> &side, const ContactSurface<dim> &other);
+    static bool
+    enters(const ContactSurface<dim> &side,
+           const unsigned int         node,
+           const ContactSurface<dim> &other,
+           const Places              &old);
+
     std::vector<std::vector<std::optional<Partners>>> partners; // by interface and slave node
+    std::vector<std::array<Places, 2>> places; // by interface: slave to master, master to slave
   };
 } // namespace Amontons

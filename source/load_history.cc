@@ -10,6 +10,7 @@ namespace Amontons
     for (auto *const known : {&state, &last_converged})
       for (auto *const field : {&known->displacement, &known->traction, &known->committed})
         all.push_back(field);
+    all.push_back(&coarser.traction);
     for (auto &point : path)
       for (auto *const field : {&point.displacement, &point.traction})
         all.push_back(field);

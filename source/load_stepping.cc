@@ -99,6 +99,12 @@ namespace Amontons
     {
       TimerOutput::Scope scope(timer, "error estimate");
       evaluation.estimate(*model, history.state, has_history());
+      combine_with_difference(model->discretization(),
+                              model->interfaces,
+                              evaluation.fields,
+                              history.state.t,
+                              history.coarser,
+                              evaluation.error);
     }
     report.add_estimate(evaluation.error);
     report.end_solve(answer(), {program, mesh, history.last_report, evaluation, solve_seconds});
@@ -293,6 +299,10 @@ namespace Amontons
         return false;
       }
     store_contact();
+    history.coarser.t = history.state.t;
+    history.coarser.traction =
+        surface_tractions(model->discretization(), model->interfaces, evaluation.fields);
+    history.coarser.recovered = evaluation.error.recovered;
     if (neglected != nullptr && parameters.refinement.history == "transfer")
       neglected->measure_gaps(model->discretization(), model->supports, model->interfaces);
     if (!may_transfer()) // there is none, or the history starts anew on the refined mesh

@@ -18,6 +18,17 @@ namespace Amontons
       const auto &geometry = discretization.geometry;
       return geometry.triangulation.n_global_active_cells() - geometry.carriers.size();
     }
+
+    template <int dim>
+    EstimateSummary
+    summarise_estimate(const ErrorEstimate<dim> &error, const bool has_friction)
+    {
+      EstimateSummary result{error.bulk, error.contact};
+      result.facets = error.facets;
+      if (has_friction)
+        result.shear = error.shear;
+      return result;
+    }
   } // namespace
 
   void
@@ -137,7 +148,7 @@ namespace Amontons
   void
   RunReport<dim>::add_estimate(const ErrorEstimate<dim> &error)
   {
-    terminal.estimate({error.bulk, error.contact});
+    terminal.estimate(summarise_estimate(error, scene.has_friction()));
   }
 
   template <int dim>
@@ -159,7 +170,7 @@ namespace Amontons
     mesh.residual          = newton.residual;
     mesh.seconds           = wall.wall_time();
     mesh.pairs             = summarize_pairs(answer);
-    mesh.error_estimate    = {error.bulk, error.contact, error.facets};
+    mesh.error_estimate    = summarise_estimate(error, scene.has_friction());
     mesh.energy            = stored_energy(answer);
     if (!scene.probes.empty())
       mesh.probes = evaluate_probes(
@@ -403,7 +414,7 @@ namespace Amontons
   void
   RunReport<dim>::note_rough_pressure(const Ending &ending)
   {
-    const double error = ending.evaluation.error.decisive();
+    const double error = ending.evaluation.error.contact;
     if (!ending.converged || !(error > 0.2))
       return;
     std::ostringstream text;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <amontons/adaptivity/increment_error.h>
+#include <amontons/adaptivity/mesh_difference.h>
 #include <amontons/output/energy.h>
 #include <amontons/solver/diagnosis.h>
 #include <amontons/solver/newton_report.h>
@@ -23,6 +24,7 @@ namespace Amontons
       std::vector<double> peaks;
     };
     std::vector<PathPoint> path;
+    CoarserTractions<dim>  coarser;
     WorkDone<dim>          work;
     LoadRecord             record;      // friction: what the error of the increments is measured by
     NewtonReport           last_report; // of the last solve

@@ -181,6 +181,8 @@ namespace Amontons
           }
         estimate.bulk      = relative(total(bulk_error), total(bulk_energy));
         estimate.contact   = relative(total(pressure_error), total(pressure_square));
+        estimate.shear     = relative(total(shear_error), total(shear_square));
+        estimate.recovered = {estimate.contact, estimate.shear};
         estimate.facets_of = facets_of;
         double facets      = 0;
         for (auto &of_pair : estimate.facets_of)
@@ -339,11 +341,16 @@ namespace Amontons
             const Tensor<1, dim> t_star = traction<dim>(smooth[q], n);
             const double         p_star = -(n * t_star);
             if (scale > 0)
-              shear_part += weight * (t_star + p_star * n - shear).norm_square() / (scale * scale);
+              {
+                shear_part += weight * (t_star + p_star * n - shear).norm_square();
+                shear_square += weight * shear.norm_square();
+              }
             pressure_part += weight * (p_star - p) * (p_star - p);
             pressure_square += weight * p * p;
           }
         square *= slave.faces[face].size / discretization.scene.bodies[cell->material_id()].material.young;
+        shear_error += shear_part;
+        shear_part /= scale > 0 ? scale * scale : 1;
         squares[cell->active_cell_index()] += square;
         contact_squares[cell->active_cell_index()] += pressure_part + shear_part;
         pressure_error += pressure_part;
@@ -381,8 +388,10 @@ namespace Amontons
       FEValues<dim>                       values;
       std::vector<FullMatrix<double>>     continuation;
       std::vector<std::unique_ptr<FEValues<dim>>> recovered_on_face;
-      std::vector<double>                         squares, contact_squares;            // by active cell
-      double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0; // of this rank
+      std::vector<double>                         squares, contact_squares; // by active cell
+      // of this rank
+      double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0, shear_error = 0,
+             shear_square = 0;
       std::vector<FacetError> facets_of;
     };
   } // namespace

@@ -104,6 +104,7 @@ namespace Amontons
                  const std::string &what,
                  const double       of_mesh,
                  const double       facets,
+                 const double       of_increments,
                  const RunSummary  &summary)
     {
       if (std::isnan(of_mesh))
@@ -120,7 +121,7 @@ namespace Amontons
       if (!std::isnan(summary.error_estimate.kinematics))
         add("kinematics", summary.error_estimate.kinematics);
       if (summary.increments)
-        add("increments", summary.increments->pressure);
+        add("increments", of_increments);
       lines.emplace_back("estimated error of the " + what,
                          percent(sum) +
                              (sum == of_mesh && !summary.increments && !facet ? "" : "   (" + parts + ")"));
@@ -220,8 +221,11 @@ namespace Amontons
     Lines lines = {{"status", summary.status() + (summary.message.empty() ? "" : ": " + summary.message)}};
     for (const PairSummary &pair : summary.pairs)
       add_pair(lines, pair, summary.kind);
-    add_estimate(lines, "pressure", summary.error_estimate.contact, summary.error_estimate.facets, summary);
-    add_estimate(lines, "stress", summary.error_estimate.bulk, 0, summary);
+    const auto           &estimate   = summary.error_estimate;
+    const IncrementErrors increments = summary.increments.value_or(IncrementErrors());
+    add_estimate(lines, "pressure", estimate.contact, estimate.facets, increments.pressure, summary);
+    add_estimate(lines, "tangential traction", estimate.shear, 0, increments.shear, summary);
+    add_estimate(lines, "stress", estimate.bulk, 0, increments.pressure, summary);
     if (summary.increments)
       add_increments(lines, *summary.increments);
     if (!std::isnan(summary.energy))

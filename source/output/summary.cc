@@ -30,6 +30,8 @@ namespace Amontons
                       .add("bulk", estimate.bulk)
                       .add("contact", estimate.contact)
                       .add("facets", estimate.facets);
+      if (!std::isnan(estimate.shear))
+        json.add("shear", estimate.shear);
       if (!std::isnan(estimate.kinematics))
         json.add("kinematics", estimate.kinematics);
       if (!std::isnan(estimate.increments))

@@ -181,7 +181,8 @@ namespace Amontons
   {
     if (!brief)
       {
-        line("  estimated relative error: contact pressure " + short_number(estimate.contact) + ", stress " +
+        line("  estimated relative error: contact pressure " + short_number(estimate.contact) +
+             (std::isnan(estimate.shear) ? "" : ", shear " + short_number(estimate.shear)) + ", stress " +
              short_number(estimate.bulk));
         return;
       }

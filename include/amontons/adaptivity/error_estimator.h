@@ -15,6 +15,12 @@ namespace Amontons
     double angle = 0, size = 0, gap = 0, closed_gap = 0, pressure = 0;
   };
 
+  // By recovery alone, relative L2 errors of the pressure and, with friction, of the tangential traction.
+  struct RecoveredErrors
+  {
+    double pressure = 0, shear = 0;
+  };
+
   template <int dim>
   struct ErrorEstimate
   {
@@ -24,14 +30,16 @@ namespace Amontons
     double        bulk = 0;           // sqrt(sum eta_K^2) / energy norm of the recovered stress: relative
     double        contact =
         0; // relative L2 error of the contact pressure, estimated: see estimate_error; 0 without contact
-    double                  facets = 0; // the part of it that facets cause
+    double                  shear  = 0; // of the tangential traction, with friction
+    double                  facets = 0; // the part of `contact` that facets cause
+    RecoveredErrors         recovered;  // without what differences between meshes add (mesh_difference.h)
     std::vector<FacetError> facets_of;  // by interface
 
-    // What refinement goes by: of the contact pressure; of the stress where nothing touches.
+    // What refinement goes by: of the contact tractions; of the stress where nothing touches.
     double
     decisive() const
     {
-      return contact > 0 ? contact : bulk;
+      return contact > 0 ? std::max(contact, shear) : bulk;
     }
   };
 
@@ -40,7 +48,8 @@ namespace Amontons
   // sigma_h n|^2 on the slave faces of the coupling, the second term for frictionless pairs only (not for
   // tied ones); added to the slave's cell and, in proportion to the overlaps, to the masters' cells:
   // cell_indicators = sqrt(eta_K^2 + sum eta_F^2). `contact` = sqrt(sum_pairs int (p* - p)^2 / int p^2) over
-  // the slave faces, where p* = -n . sigma* . n is the recovered normal stress of the slave body. n is the
+  // the slave faces, where p* = -n . sigma* . n is the recovered normal stress of the slave body; `shear`
+  // likewise, of the pairs with friction. n is the
   // normal of the true surface. recovery: of the displacement. fields: by interface. Collective.
   template <int dim>
   ErrorEstimate<dim>

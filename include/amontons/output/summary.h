@@ -50,6 +50,7 @@ namespace Amontons
   struct EstimateSummary // relative
   {
     double bulk = unknown, contact = unknown; // of the mesh: stress, pressure
+    double shear      = unknown;              // friction: of the tangential traction
     double facets     = 0;                    // of `contact`: what refinement does not mend
     double kinematics = unknown;              // of small strain
     double increments = unknown;              // friction: the largest of IncrementErrors

@@ -1,0 +1,173 @@
+#include <amontons/adaptivity/mesh_difference.h>
+#include <amontons/contact/face_basis.h>
+#include <amontons/elasticity/kinematics.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    struct Squares
+    {
+      double pressure = 0, shear = 0, pressure_difference = 0, shear_difference = 0;
+    };
+
+    // Over the slave faces; now, before: nodal values of the faces' surface.
+    template <int dim>
+    void
+    add_face(const ContactSurface<dim>         &slave,
+             const unsigned int                 face,
+             const std::vector<Tensor<1, dim>> &now,
+             const std::vector<Tensor<1, dim>> &before,
+             const ProblemType                  kind,
+             const bool                         has_friction,
+             Squares                           &squares)
+    {
+      const QGauss<dim - 1> gauss(slave.degree + 1);
+      for (unsigned int q = 0; q < gauss.size(); ++q)
+        {
+          const auto    &xi = gauss.point(q);
+          double         jacobian;
+          Tensor<1, dim> n      = slave.face_normal(face, xi, &jacobian), value, difference;
+          const double   weight = gauss.weight(q) * jacobian * measure<dim>(kind, slave.position(face, xi));
+          const auto     N      = lagrange_values<dim - 1>(slave.degree, xi);
+          for (unsigned int i = 0; i < N.size(); ++i)
+            {
+              const unsigned int node = slave.faces[face].nodes[i];
+              value += N[i] * now[node];
+              difference += N[i] * (now[node] - before[node]);
+            }
+          const auto normal_part = [&](const Tensor<1, dim> &v) { return (v * n) * n; };
+          squares.pressure += weight * normal_part(value).norm_square();
+          squares.pressure_difference += weight * normal_part(difference).norm_square();
+          if (!has_friction)
+            continue;
+          squares.shear += weight * (value - normal_part(value)).norm_square();
+          squares.shear_difference += weight * (difference - normal_part(difference)).norm_square();
+        }
+    }
+
+    // Nodal values of a field on one surface.
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    values_on(const ContactSurface<dim> &surface, const LA::Vector &field)
+    {
+      std::vector<Tensor<1, dim>> values(surface.nodes.size());
+      for (unsigned int n = 0; n < values.size(); ++n)
+        for (unsigned int c = 0; c < dim; ++c)
+          values[n][c] = field(surface.nodes[n].dofs[c]);
+      return values;
+    }
+
+    double
+    ratio(const double difference, const double whole)
+    {
+      return whole > 0 ? std::sqrt(difference / whole) : 0;
+    }
+
+    // The error, and by what factor recovery is below it.
+    void
+    raise(const double difference, const double eta_before, const double eta, double &error, double &factor)
+    {
+      const double by_difference = error_by_difference(difference, eta_before, eta);
+      factor                     = eta > 0 ? std::max(1., by_difference / eta) : 1;
+      error                      = factor * eta;
+    }
+  } // namespace
+
+  double
+  error_by_difference(const double difference, const double eta_before, const double eta)
+  {
+    const double q = eta_before > 0 ? eta / eta_before : 1;
+    return q < 0.95 ? difference * q / std::sqrt(1 - q * q) : 0;
+  }
+
+  template <int dim>
+  LA::Vector
+  surface_tractions(const Discretization<dim>                &discretization,
+                    const std::vector<ContactInterface<dim>> &interfaces,
+                    const std::vector<SurfaceFields<dim>>    &fields)
+  {
+    LA::Vector sum = discretization.make_owned_vector();
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      for (unsigned int n = 0; n < interfaces[i].slave->nodes.size(); ++n)
+        {
+          const auto          &node = interfaces[i].slave->nodes[n];
+          const Tensor<1, dim> t    = fields[i].pressure[n] * fields[i].normal[n] - fields[i].traction[n];
+          for (unsigned int c = 0; c < dim; ++c)
+            if (discretization.locally_owned.is_element(node.dofs[c]))
+              sum(node.dofs[c]) += t[c];
+        }
+    sum.compress(VectorOperation::add);
+    LA::Vector result = discretization.make_relevant_vector();
+    result            = sum;
+    return result;
+  }
+
+  template <int dim>
+  void
+  combine_with_difference(const Discretization<dim>                &discretization,
+                          const std::vector<ContactInterface<dim>> &interfaces,
+                          const std::vector<SurfaceFields<dim>>    &fields,
+                          const double                              t,
+                          CoarserTractions<dim>                    &before,
+                          ErrorEstimate<dim>                       &error)
+  {
+    double pressure = error.recovered.pressure * before.pressure_factor,
+           shear    = error.recovered.shear * before.shear_factor;
+    if (before.traction.size() == discretization.dof_handler.n_dofs() && before.t == t)
+      {
+        const LA::Vector now = surface_tractions(discretization, interfaces, fields);
+        Squares          squares;
+        for (const auto &interface : interfaces)
+          {
+            const auto values = values_on(*interface.slave, now),
+                       old    = values_on(*interface.slave, before.traction);
+            for (unsigned int f = 0; f < interface.slave->faces.size(); ++f)
+              add_face(*interface.slave,
+                       f,
+                       values,
+                       old,
+                       discretization.scene.kind,
+                       interface.pair->has_friction(),
+                       squares);
+          }
+        raise(ratio(squares.pressure_difference, squares.pressure),
+              before.recovered.pressure,
+              error.recovered.pressure,
+              pressure,
+              before.pressure_factor);
+        raise(ratio(squares.shear_difference, squares.shear),
+              before.recovered.shear,
+              error.recovered.shear,
+              shear,
+              before.shear_factor);
+      }
+    error.contact = std::hypot(pressure, error.facets);
+    error.shear   = shear;
+  }
+
+  template LA::Vector
+  surface_tractions(const Discretization<2> &,
+                    const std::vector<ContactInterface<2>> &,
+                    const std::vector<SurfaceFields<2>> &);
+  template LA::Vector
+  surface_tractions(const Discretization<3> &,
+                    const std::vector<ContactInterface<3>> &,
+                    const std::vector<SurfaceFields<3>> &);
+  template void
+  combine_with_difference(const Discretization<2> &,
+                          const std::vector<ContactInterface<2>> &,
+                          const std::vector<SurfaceFields<2>> &,
+                          const double,
+                          CoarserTractions<2> &,
+                          ErrorEstimate<2> &);
+  template void
+  combine_with_difference(const Discretization<3> &,
+                          const std::vector<ContactInterface<3>> &,
+                          const std::vector<SurfaceFields<3>> &,
+                          const double,
+                          CoarserTractions<3> &,
+                          ErrorEstimate<3> &);
+} // namespace Amontons

@@ -21,8 +21,8 @@ namespace Amontons
     if (parameters.newton.method == "node-to-segment" && scene.kinematics != Kinematics::small_strain)
       throw InputError(
           entry, "node-to-segment where surfaces move", "it with 'Kinematics = small strain' only");
-    if (parameters.newton.method == "penalty" && scene.has_friction() && parameters.refinement.cycles > 0 &&
-        parameters.refinement.history == "transfer")
+    if (parameters.newton.method == "penalty" && scene.has_friction() &&
+        parameters.refinement.most_cycles() > 0 && parameters.refinement.history == "transfer")
       throw InputError(entry,
                        "penalty with friction, whose history is carried from mesh to mesh",
                        "'Refinement/History = replay'");
@@ -112,6 +112,7 @@ namespace Amontons
             steps->evaluation,
             steps->history,
             parameters.refinement.target_error,
+            parameters.refinement.max_dofs,
             kinematic_error,
             checks};
   }

@@ -105,6 +105,7 @@ namespace Amontons
                               history.state.t,
                               history.coarser,
                               evaluation.error);
+      history.meshes.add(model->discretization().dof_handler.n_dofs(), evaluation.error.decisive());
     }
     report.add_estimate(evaluation.error);
     report.end_solve(answer(), {program, mesh, history.last_report, evaluation, solve_seconds});
@@ -242,7 +243,7 @@ namespace Amontons
   bool
   LoadStepping<dim>::may_refine() const
   {
-    return model->mesh->n_refinements < parameters.refinement.cycles;
+    return model->mesh->n_refinements < parameters.refinement.most_cycles();
   }
 
   template <int dim>
@@ -254,19 +255,22 @@ namespace Amontons
     // What facets do refinement does not mend.
     const double mendable =
         std::sqrt(std::max(0., std::pow(error.decisive(), 2) - std::pow(error.facets, 2)));
-    return may_refine() && !(target > 0 && mendable <= target);
+    const bool is_enough = target > 0 && (mendable <= target ||
+                                          history.meshes.is_hopeless(target, parameters.refinement.max_dofs));
+    return may_refine() && !is_enough;
   }
 
-  // On the way: evenly over the load program.
+  // On the way: evenly over the load program, or whenever the target asks for it.
   template <int dim>
   bool
   LoadStepping<dim>::refine_now(const LoadProgram &program) const
   {
     if (refinement == Refinement::in_last_increment)
       return program.is_last() && wants_refinement();
-    const double part = parameters.refinement.cycles * program.next() / scene.end_time;
-    return refinement == Refinement::on_the_way && model->mesh->n_refinements < std::ceil(part - 1e-9) &&
-           wants_refinement();
+    const int    cycles = parameters.refinement.cycles;
+    const double part   = cycles * program.next() / scene.end_time;
+    return refinement == Refinement::on_the_way &&
+           (cycles < 0 || model->mesh->n_refinements < std::ceil(part - 1e-9)) && wants_refinement();
   }
 
   template <int dim>

@@ -134,7 +134,8 @@ namespace Amontons
       bool                          converged;
       const Evaluation<dim>        &evaluation;
       const LoadHistory<dim>       &history;
-      double                        target_error;    // 0: none
+      double                        target_error; // 0: none
+      unsigned int                  max_dofs;
       std::optional<double>         kinematic_error; // of small strain
       std::map<std::string, double> checks;          // of the physics, and what small strain leaves out
     };
@@ -142,6 +143,8 @@ namespace Amontons
     finish(const Answer<dim> &answer, const Ending &ending);
 
   private:
+    std::string
+    missed_target(const Discretization<dim> &discretization, const Ending &ending) const;
     NewtonSummary
     summarise(const Solve &solve, const Discretization<dim> &discretization) const;
     void

@@ -70,17 +70,19 @@ namespace Amontons
     void
     raise(const double difference, const double eta_before, const double eta, double &error, double &factor)
     {
-      const double by_difference = error_by_difference(difference, eta_before, eta);
-      factor                     = eta > 0 ? std::max(1., by_difference / eta) : 1;
-      error                      = factor * eta;
+      error  = error_by_difference(difference, eta_before, eta);
+      factor = eta > 0 ? error / eta : 1;
     }
   } // namespace
 
   double
   error_by_difference(const double difference, const double eta_before, const double eta)
   {
-    const double q = eta_before > 0 ? eta / eta_before : 1;
-    return q < 0.95 ? difference * q / std::sqrt(1 - q * q) : 0;
+    if (!(eta_before > 0))
+      return eta;
+    const double q    = std::min(0.8, eta / eta_before);
+    const double left = std::sqrt(std::max(0., eta_before * eta_before - difference * difference));
+    return std::max({eta, difference * q / std::sqrt(1 - q * q), std::sqrt(eta * left)});
   }
 
   template <int dim>

@@ -11,8 +11,8 @@ namespace Amontons
     prm.add_parameter("Cycles",
                       cycles,
                       "How often the mesh is refined after the first solution, from which the computation is "
-                      "then repeated.",
-                      Patterns::Integer(0));
+                      "then repeated. -1: as often as 'Target error' takes; without a target not at all.",
+                      Patterns::Integer(-1));
     prm.add_parameter(
         "Maximum DoFs",
         max_dofs,
@@ -22,8 +22,8 @@ namespace Amontons
     prm.add_parameter(
         "Target error",
         target_error,
-        "Refinement stops once the estimated relative error of the contact pressure is below this. "
-        "0: only Cycles and Maximum DoFs count.",
+        "Refinement stops once the estimated relative error of the contact pressure (with friction: also of "
+        "the tangential traction) is below this. 0: only Cycles and Maximum DoFs count.",
         Patterns::Double(0));
     prm.add_parameter(
         "Fraction",
@@ -182,6 +182,26 @@ namespace Amontons
     return Utilities::MPI::sum(n_marked, geometry.communicator) > 0;
   }
 
+  template <int dim>
+  Point<dim>
+  place_of_largest(const Discretization<dim> &discretization, const Vector<float> &indicators)
+  {
+    const MPI_Comm communicator = discretization.geometry.communicator;
+    double         largest      = -1;
+    Point<dim>     place;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && indicators[cell->active_cell_index()] > largest)
+        {
+          largest = indicators[cell->active_cell_index()];
+          place   = cell->center();
+        }
+    const auto of_ranks = Utilities::MPI::all_gather(communicator, std::make_pair(largest, place));
+    return std::max_element(of_ranks.begin(),
+                            of_ranks.end(),
+                            [](const auto &a, const auto &b) { return a.first < b.first; })
+        ->second;
+  }
+
   // Faces in the zone that touches first, with which the first solution sees the contact.
   template <int dim>
   constexpr unsigned int enough = dim == 2 ? 8 : 24;
@@ -268,6 +288,10 @@ namespace Amontons
   mark_cells(const Discretization<2> &, Geometry<2> &, const RefinementParameters &, const Vector<float> &);
   template bool
   mark_cells(const Discretization<3> &, Geometry<3> &, const RefinementParameters &, const Vector<float> &);
+  template Point<2>
+  place_of_largest(const Discretization<2> &, const Vector<float> &);
+  template Point<3>
+  place_of_largest(const Discretization<3> &, const Vector<float> &);
   template unsigned int
   mark_close_cells(const Discretization<2> &, const std::vector<ContactInterface<2>> &, const double);
   template unsigned int

@@ -22,12 +22,8 @@ namespace Amontons
                     const std::vector<ContactInterface<dim>> &interfaces,
                     const std::vector<SurfaceFields<dim>>    &fields);
 
-  /// With errors e of the mesh before and e' of this one, and d the relative difference of their answers in
-  /// the mean square: the difference is nearly orthogonal to what this mesh does not see, e^2 = d^2 + e'^2,
-  /// and recovery, which may be off by a factor, sees at least how errors fall, q = e'/e = eta'/eta. So
-  ///   e' = d q / sqrt(1 - q^2)                                                            (q < 1)
-  /// needs no knowledge of the factor. `error` (of this mesh, fields too) is raised to that where it is
-  /// larger; where there is nothing to compare with, by the last factor.
+  /// Raises `error` (of this mesh, fields too) to error_by_difference(); where there is nothing to compare
+  /// with, by the last factor.
   template <int dim>
   void
   combine_with_difference(const Discretization<dim>                &discretization,
@@ -37,7 +33,17 @@ namespace Amontons
                           CoarserTractions<dim>                    &before,
                           ErrorEstimate<dim>                       &error);
 
-  /// e' from d, eta and eta'; 0 where recovery does not fall (q >= 0.95).
+  /// What the relative difference d of the answers on two meshes (in the mean square) says of the error e' of
+  /// the finer one, where recovery says eta and eta' of theirs. What a refinement adds is nearly orthogonal
+  /// to what it does not see: e^2 = d^2 + e'^2. Recovery may be off by a factor, in two ways:
+  /// - on both meshes, while it sees how errors fall, q = e'/e = eta'/eta (at most 0.8 is believed):
+  ///     e' = d q / sqrt(1 - q^2);
+  /// - on the finer mesh alone (the edge of the contact is as badly placed in its cell as before): the change
+  /// left
+  ///     e' = sqrt(eta^2 - d^2)
+  ///   of the error, if that was eta. Which of the two, eta' or this, is right, is not known: their geometric
+  ///   mean.
+  /// The largest of eta' and of both.
   double
   error_by_difference(const double difference, const double eta_before, const double eta);
 } // namespace Amontons

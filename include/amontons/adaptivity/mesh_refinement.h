@@ -4,16 +4,17 @@
 #include <amontons/adaptivity/error_estimator.h>
 #include <amontons/base/parameters.h>
 #include <functional>
+#include <limits>
 
 namespace Amontons
 {
   //! [parameters]
   struct RefinementParameters : ParameterGroup
   {
-    unsigned int cycles   = 0;       // refinements after the first solve
+    int          cycles   = -1;      // refinements after the first solve; -1: see most_cycles()
     unsigned int max_dofs = 1000000; // no mesh with more than about this many DoFs
     double       target_error =
-        0; // stop once the estimated relative error of the contact pressure is below; 0: off
+        0; // stop once the estimated relative error of the contact tractions is below; 0: off
     double      fraction = 0.5;        // bulk (Doerfler) fraction of the squared error to be refined
     std::string strategy = "adaptive"; // adaptive | uniform
     // Before the first solve: refine faces that are close to the other surface until about this many faces
@@ -25,6 +26,13 @@ namespace Amontons
 
     void
     declare(ParameterHandler &prm) override;
+
+    // As many as the target takes, if there is one; else none.
+    unsigned int
+    most_cycles() const
+    {
+      return cycles >= 0 ? cycles : target_error > 0 ? std::numeric_limits<unsigned int>::max() : 0;
+    }
   };
   //! [parameters]
 
@@ -37,6 +45,11 @@ namespace Amontons
              Geometry<dim>              &geometry,
              const RefinementParameters &parameters,
              const Vector<float>        &indicators);
+
+  // The centre of the cell with the largest indicator. Collective.
+  template <int dim>
+  Point<dim>
+  place_of_largest(const Discretization<dim> &discretization, const Vector<float> &indicators);
 
   // Marks the cells of deformable bodies behind slave and master faces that may touch first: faces with
   // overlap points whose gap exceeds the smallest of the pair by at most `distance` times the face's size.

@@ -1,0 +1,36 @@
+/// The meshes of a run: how the estimated error falls with the unknowns, and what a target would take.
+#pragma once
+
+#include <vector>
+
+namespace Amontons
+{
+  class MeshSequence
+  {
+  public:
+    /// Of the same number of DoFs as the last one: instead of it.
+    void
+    add(const double n_dofs, const double error);
+
+    /// r in error ~ DoFs^-r over the last meshes, at least four refinements and a doubling of the DoFs; NaN
+    /// where there are not so many yet.
+    double
+    order() const;
+
+    /// At this order; infinite where the error does not fall, NaN where the order is not known.
+    double
+    dofs_for(const double target) const;
+
+    /// The quantity does not converge: an order below 0.1, where smooth contact has 1/2 (3D) and more, and
+    /// contact at an edge with a pressure that is square integrable 1/4 on uniform and more on graded meshes.
+    bool
+    is_hopeless(const double target, const double max_dofs) const;
+
+  private:
+    struct Mesh
+    {
+      double n_dofs, error;
+    };
+    std::vector<Mesh> meshes;
+  };
+} // namespace Amontons

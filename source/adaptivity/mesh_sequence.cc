@@ -1,0 +1,43 @@
+#include <amontons/adaptivity/mesh_sequence.h>
+
+#include <cmath>
+#include <limits>
+
+namespace Amontons
+{
+  void
+  MeshSequence::add(const double n_dofs, const double error)
+  {
+    if (!meshes.empty() && meshes.back().n_dofs == n_dofs)
+      meshes.pop_back();
+    meshes.push_back({n_dofs, error});
+  }
+
+  double
+  MeshSequence::order() const
+  {
+    constexpr unsigned int n_refinements = 4;
+    if (meshes.size() <= n_refinements)
+      return std::numeric_limits<double>::quiet_NaN();
+    const auto &last = meshes.back();
+    for (unsigned int i = meshes.size() - n_refinements; i-- > 0;)
+      if (last.n_dofs >= 2 * meshes[i].n_dofs && last.error > 0)
+        return std::log(meshes[i].error / last.error) / std::log(last.n_dofs / meshes[i].n_dofs);
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+  double
+  MeshSequence::dofs_for(const double target) const
+  {
+    const double r = order();
+    return std::isnan(r) ? r
+           : r > 0       ? meshes.back().n_dofs * std::pow(meshes.back().error / target, 1 / r)
+                         : std::numeric_limits<double>::infinity();
+  }
+
+  bool
+  MeshSequence::is_hopeless(const double target, const double max_dofs) const
+  {
+    return order() < 0.1 && dofs_for(target) > 10 * max_dofs;
+  }
+} // namespace Amontons

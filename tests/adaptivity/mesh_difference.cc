@@ -1,0 +1,60 @@
+// Errors that fall along a sequence of meshes are told from the differences of answers, whatever recovery is
+// off by; and what a target takes.
+#include "check.h"
+
+#include <amontons/adaptivity/mesh_difference.h>
+#include <amontons/adaptivity/mesh_sequence.h>
+
+#include <limits>
+
+using namespace Amontons;
+
+int
+main()
+{
+  // Answers whose errors are orthogonal to the changes: d^2 = e^2 - e'^2.
+  for (const double q : {0.3, 0.5, 0.7})
+    for (const double e : {1e-4, 0.02, 0.5})
+      {
+        const double next = q * e, d = std::sqrt(e * e - next * next);
+        check::is_close(error_by_difference(d, e, next), next, 1e-12, "a right estimate stays");
+        for (const double factor : {0.05, 0.25, 0.5})
+          check::is_close(error_by_difference(d, factor * e, factor * next),
+                          next,
+                          1e-12,
+                          "too small an estimate is raised to the error");
+        check::is_true(error_by_difference(d, 2 * e, 2 * next) >= 2 * next, "too large a one is not lowered");
+        // It fell, the error did not.
+        check::is_true(error_by_difference(0, e, 0.25 * e) == 0.5 * e,
+                       "no change of the answer, half of the fall is believed");
+      }
+  check::is_true(error_by_difference(0.1, 0, 0.02) == 0.02, "nothing known before");
+  check::is_close(error_by_difference(0.3, 0.1, 0.1),
+                  0.4,
+                  1e-12,
+                  "an estimate that does not fall is believed to fall a little");
+
+  MeshSequence smooth, edge, short_one;
+  for (unsigned int i = 0; i < 6; ++i)
+    {
+      const double n = 100 * std::pow(1.6, i);
+      smooth.add(n, 0.7); // another increment on the same mesh
+      smooth.add(n, 3 / std::sqrt(n));
+      edge.add(n, 0.9 * std::pow(n, -0.04));
+      if (i < 4)
+        short_one.add(n, 1 / n);
+    }
+  const double last = 100 * std::pow(1.6, 5);
+  check::is_close(smooth.order(), 0.5, 1e-12, "order");
+  check::is_close(smooth.dofs_for(0.01), 9e4, 1e-10, "DoFs of a target");
+  check::is_true(!smooth.is_hopeless(1e-5, 1e3), "what converges is not hopeless, however far");
+  check::is_close(edge.order(), 0.04, 1e-12, "order at an edge");
+  check::is_true(edge.is_hopeless(0.01, 1e6) && !edge.is_hopeless(0.9 * std::pow(1.5 * last, -0.04), 1e6),
+                 "hopeless but for a target near by");
+  check::is_true(std::isnan(short_one.order()) && std::isnan(short_one.dofs_for(0.1)) &&
+                     !short_one.is_hopeless(0.1, 10),
+                 "too few meshes");
+  edge.add(4 * last, 1.);
+  check::is_true(std::isinf(edge.dofs_for(0.01)) && edge.is_hopeless(0.01, 1e6), "an error that grows");
+  return check::result();
+}

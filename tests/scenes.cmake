@@ -853,6 +853,17 @@ add_comparison_test(NAME auto_strip SCENE verification/pulled_strip.prm RUN "1 |
                     OPTIONS --tolerance 1e-6 --any-iterations)
 add_scene_test(NAME target_error SCENE hertz_cylinder.prm SET "Refinement/Cycles=9" "Refinement/Target error=0.03"
                CHECK "error_estimate.contact <= 0.03" "meshes.-2.error_estimate.contact >= 0.03" "meshes.-1.mesh <= 8")
+# A target alone is enough, and is kept: of the pressure, and of the tangential traction where that is worse. Where a sharp edge presses nothing keeps it, and that is
+# seen long before the mesh is large.
+add_scene_test(NAME target_alone SCENE hertz_cylinder.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"
+               CHECK "error_estimate.contact <= 0.01" "meshes.-1.reference.errors.pressure_l2 <= 0.01" "dofs <= 6000")
+add_scene_test(NAME target_of_shear SCENE half_plane_box_friction.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.1"
+               CHECK "error_estimate.shear <= 0.1" "error_estimate.contact <= 0.03" "meshes.-1.reference.errors.shear_l2 <= 0.1"
+                     "error_estimate.shear >= meshes.-1.reference.errors.shear_l2" "error_estimate.contact >= meshes.-1.reference.errors.pressure_l2")
+add_scene_test(NAME target_at_a_sharp_edge SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"
+               CHECK "status is converged" "notes.1 has out of reach" "notes.1 has (10 " "dofs <= 5000" "pairs.0.normal_force.1 ~ -5000 1e-8")
+add_scene_test(NAME target_beyond_the_limit SCENE half_plane_box.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.001" "Refinement/Maximum DoFs=4000"
+               CHECK "status is converged" "dofs <= 5000" "error_estimate.contact >= 0.001")
 add_scene_test(NAME auto_target SCENE hertz_cylinder.prm SET "Kinematics=auto" "Refinement/Cycles=3" "Refinement/Target error=0.0005"
                CHECK "status is converged" "checks.change_of_answer >= 0.0005" "notes.0 has finite strain is used")
 

@@ -21,6 +21,10 @@ namespace Amontons
     if (parameters.newton.method == "node-to-segment" && scene.kinematics != Kinematics::small_strain)
       throw InputError(
           entry, "node-to-segment where surfaces move", "it with 'Kinematics = small strain' only");
+    if (parameters.refinement.target_quantity == "stick size" && !scene.has_friction())
+      throw InputError({scene.file, 0, "Refinement/Target quantity"},
+                       "the stick size of a scene without friction",
+                       "another quantity, or friction in a pair");
     if (parameters.newton.method == "penalty" && scene.has_friction() &&
         parameters.refinement.most_cycles() > 0 && parameters.refinement.history == "transfer")
       throw InputError(entry,

@@ -105,11 +105,37 @@ namespace Amontons
                               history.state.t,
                               history.coarser,
                               evaluation.error);
-      history.meshes.add(model->discretization().dof_handler.n_dofs(), evaluation.error.decisive());
+      follow_target();
     }
     report.add_estimate(evaluation.error);
     report.end_solve(answer(), {program, mesh, history.last_report, evaluation, solve_seconds});
     return history.last_report.converged;
+  }
+
+  template <int dim>
+  void
+  LoadStepping<dim>::follow_target()
+  {
+    const double       n_dofs   = model->discretization().dof_handler.n_dofs();
+    const std::string &quantity = parameters.refinement.target_quantity;
+    if (quantity != "contact pressure")
+      {
+        std::vector<double> values;
+        for (const auto &fields : evaluation.fields)
+          values.push_back(quantity == "peak pressure"  ? fields.peak_pressure
+                           : quantity == "contact size" ? fields.contact_size
+                           : quantity == "stick size"   ? fields.stick_size
+                           : quantity == "total force"
+                               ? (fields.normal_force + fields.tangential_force).norm()
+                               : 0);
+        history.quantity.add(n_dofs,
+                             quantity == "energy" ? std::vector<double>{stored_energy(answer())} : values);
+        evaluation.error.quantity = history.quantity.error();
+        if (quantity == "energy") // of a Galerkin solution it is off by the square of the error in its norm
+          evaluation.error.quantity =
+              std::max(*evaluation.error.quantity, std::pow(evaluation.error.bulk, 2));
+      }
+    history.meshes.add(n_dofs, evaluation.error.of_target());
   }
 
   template <int dim>
@@ -253,8 +279,8 @@ namespace Amontons
     const auto  &error  = evaluation.error;
     const double target = parameters.refinement.target_error;
     // What facets do refinement does not mend.
-    const double mendable =
-        std::sqrt(std::max(0., std::pow(error.decisive(), 2) - std::pow(error.facets, 2)));
+    const double mendable = error.quantity.value_or(
+        std::sqrt(std::max(0., std::pow(error.decisive(), 2) - std::pow(error.facets, 2))));
     const bool is_enough = target > 0 && (mendable <= target ||
                                           history.meshes.is_hopeless(target, parameters.refinement.max_dofs));
     return may_refine() && !is_enough;

@@ -27,6 +27,8 @@ namespace Amontons
       result.facets = error.facets;
       if (has_friction)
         result.shear = error.shear;
+      if (error.quantity && std::isfinite(*error.quantity))
+        result.quantity = *error.quantity;
       return result;
     }
   } // namespace
@@ -459,9 +461,10 @@ namespace Amontons
   {
     const auto  &error  = ending.evaluation.error;
     const double target = ending.target_error;
-    if (target > 0 && !(error.decisive() <= target))
-      note(error.facets > target ? "the target error cannot be reached: facets alone make a larger one"
-                                 : missed_target(answer.discretization, ending));
+    if (target > 0 && !(error.of_target() <= target))
+      note(!error.quantity && error.facets > target
+               ? "the target error cannot be reached: facets alone make a larger one"
+               : missed_target(answer.discretization, ending));
     if (scene.kind == ProblemType::axisymmetric)
       note("axisymmetric: forces are for the full turn");
     if (std::any_of(answer.fields.begin(), answer.fields.end(), [](const auto &fields) {

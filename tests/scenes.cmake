@@ -862,6 +862,11 @@ add_scene_test(NAME target_of_shear SCENE half_plane_box_friction.prm SET "Refin
                      "error_estimate.shear >= meshes.-1.reference.errors.shear_l2" "error_estimate.contact >= meshes.-1.reference.errors.pressure_l2")
 add_scene_test(NAME target_at_a_sharp_edge SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"
                CHECK "status is converged" "notes.1 has out of reach" "notes.1 has (10 " "dofs <= 5000" "pairs.0.normal_force.1 ~ -5000 1e-8")
+# Numbers, against their closed forms.
+add_scene_test(NAME target_stick_size SCENE half_plane_box_friction.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.003" "Refinement/Target quantity=stick size"
+               CHECK "error_estimate.quantity <= 0.003" "meshes.-1.reference.errors.stick_size <= 0.003" "dofs <= 15000")
+add_scene_test(NAME target_size_at_a_sharp_edge SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.001" "Refinement/Target quantity=contact size"
+               CHECK "error_estimate.quantity <= 0.001" "meshes.-1.reference.errors.contact_size <= 0.001" "dofs <= 4000")
 add_scene_test(NAME target_beyond_the_limit SCENE half_plane_box.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.001" "Refinement/Maximum DoFs=4000"
                CHECK "status is converged" "dofs <= 5000" "error_estimate.contact >= 0.001")
 add_scene_test(NAME auto_target SCENE hertz_cylinder.prm SET "Kinematics=auto" "Refinement/Cycles=3" "Refinement/Target error=0.0005"

@@ -4,6 +4,7 @@
 #include <amontons/adaptivity/increment_error.h>
 #include <amontons/adaptivity/mesh_difference.h>
 #include <amontons/adaptivity/mesh_sequence.h>
+#include <amontons/adaptivity/quantity_sequence.h>
 #include <amontons/output/energy.h>
 #include <amontons/solver/diagnosis.h>
 #include <amontons/solver/newton_report.h>
@@ -26,7 +27,8 @@ namespace Amontons
     };
     std::vector<PathPoint> path;
     CoarserTractions<dim>  coarser;
-    MeshSequence           meshes; // with the error of the last solve on each
+    MeshSequence           meshes;   // with the error of the last solve on each
+    QuantitySequence       quantity; // `Target quantity`, by pair
     WorkDone<dim>          work;
     LoadRecord             record;      // friction: what the error of the increments is measured by
     NewtonReport           last_report; // of the last solve

@@ -67,6 +67,9 @@ namespace Amontons
     solve_increment(const LoadProgram &program);
     bool
     solve_on_mesh(const LoadProgram &program);
+    // The error that `Target error` is asked for.
+    void
+    follow_target();
     void
     commit_increment(LoadProgram &program);
     void

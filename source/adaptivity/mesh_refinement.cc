@@ -19,12 +19,21 @@ namespace Amontons
         "Refinement stops before the mesh gets more than about this many degrees of freedom, or "
         "once it could only grow by less than a tenth.",
         Patterns::Integer(1));
+    prm.add_parameter("Target error",
+                      target_error,
+                      "Refinement stops once the estimated relative error of 'Target quantity' is below "
+                      "this. 0: only Cycles and "
+                      "Maximum DoFs count.",
+                      Patterns::Double(0));
     prm.add_parameter(
-        "Target error",
-        target_error,
-        "Refinement stops once the estimated relative error of the contact pressure (with friction: also of "
-        "the tangential traction) is below this. 0: only Cycles and Maximum DoFs count.",
-        Patterns::Double(0));
+        "Target quantity",
+        target_quantity,
+        "What 'Target error' is the relative error of: the contact pressure in the mean square (with "
+        "friction the "
+        "worse of pressure and tangential traction), or a number, whose error is estimated by its changes "
+        "from "
+        "mesh to mesh.",
+        Patterns::Selection("contact pressure|peak pressure|contact size|stick size|total force|energy"));
     prm.add_parameter(
         "Fraction",
         fraction,

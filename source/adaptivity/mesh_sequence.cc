@@ -10,7 +10,8 @@ namespace Amontons
   {
     if (!meshes.empty() && meshes.back().n_dofs == n_dofs)
       meshes.pop_back();
-    meshes.push_back({n_dofs, error});
+    if (std::isfinite(error))
+      meshes.push_back({n_dofs, error});
   }
 
   double

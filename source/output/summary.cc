@@ -32,6 +32,8 @@ namespace Amontons
                       .add("facets", estimate.facets);
       if (!std::isnan(estimate.shear))
         json.add("shear", estimate.shear);
+      if (!std::isnan(estimate.quantity))
+        json.add("quantity", estimate.quantity);
       if (!std::isnan(estimate.kinematics))
         json.add("kinematics", estimate.kinematics);
       if (!std::isnan(estimate.increments))

@@ -183,7 +183,8 @@ namespace Amontons
       {
         line("  estimated relative error: contact pressure " + short_number(estimate.contact) +
              (std::isnan(estimate.shear) ? "" : ", shear " + short_number(estimate.shear)) + ", stress " +
-             short_number(estimate.bulk));
+             short_number(estimate.bulk) +
+             (std::isnan(estimate.quantity) ? "" : ", target quantity " + short_number(estimate.quantity)));
         return;
       }
     const IterationLine last   = iterations.empty() ? IterationLine() : iterations.back();

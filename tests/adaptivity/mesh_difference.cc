@@ -4,6 +4,7 @@
 
 #include <amontons/adaptivity/mesh_difference.h>
 #include <amontons/adaptivity/mesh_sequence.h>
+#include <amontons/adaptivity/quantity_sequence.h>
 
 #include <limits>
 
@@ -56,5 +57,21 @@ main()
                  "too few meshes");
   edge.add(4 * last, 1.);
   check::is_true(std::isinf(edge.dofs_for(0.01)) && edge.is_hopeless(0.01, 1e6), "an error that grows");
+
+  // Numbers with an error of n^-1, on meshes that grow by 1.3 or 2: estimated within a factor.
+  for (const double growth : {1.3, 2.})
+    {
+      QuantitySequence numbers;
+      double           n = 1000;
+      numbers.add(n, {5., 1.});
+      check::is_true(std::isinf(numbers.error()), "one mesh says nothing");
+      for (unsigned int i = 0; i < 12; ++i, n *= growth)
+        numbers.add(n, {5. - 3 * 100 / n, 1. + 100 / n});
+      const double error = 3 * 100 / (n / growth) / 5;
+      check::is_true(numbers.error() > 0.99 * error && numbers.error() < 2.5 * error,
+                     "error of numbers that converge");
+      numbers.add(n / growth, {4., 1.}); // of the same mesh: instead
+      check::is_true(numbers.error() > 0.2, "a number that jumps");
+    }
   return check::result();
 }

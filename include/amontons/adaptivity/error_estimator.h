@@ -6,6 +6,8 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <optional>
+
 namespace Amontons
 {
   // What facets (see geometry/facets.h) do to the contact of a pair: their largest kink, length and error of
@@ -34,12 +36,18 @@ namespace Amontons
     double                  facets = 0; // the part of `contact` that facets cause
     RecoveredErrors         recovered;  // without what differences between meshes add (mesh_difference.h)
     std::vector<FacetError> facets_of;  // by interface
+    std::optional<double>   quantity;   // of `Target quantity`, if that is a number
 
     // What refinement goes by: of the contact tractions; of the stress where nothing touches.
     double
     decisive() const
     {
       return contact > 0 ? std::max(contact, shear) : bulk;
+    }
+    double
+    of_target() const
+    {
+      return quantity.value_or(decisive());
     }
   };
 

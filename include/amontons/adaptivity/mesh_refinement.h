@@ -15,8 +15,11 @@ namespace Amontons
     unsigned int max_dofs = 1000000; // no mesh with more than about this many DoFs
     double       target_error =
         0; // stop once the estimated relative error of the contact tractions is below; 0: off
-    double      fraction = 0.5;        // bulk (Doerfler) fraction of the squared error to be refined
-    std::string strategy = "adaptive"; // adaptive | uniform
+    // Of what: contact pressure (with friction also of the tangential traction) | peak pressure | contact
+    // size | stick size | total force | energy
+    std::string target_quantity = "contact pressure";
+    double      fraction        = 0.5;        // bulk (Doerfler) fraction of the squared error to be refined
+    std::string strategy        = "adaptive"; // adaptive | uniform
     // Before the first solve: refine faces that are close to the other surface until about this many faces
     // see a contact.
     unsigned int initial_refinements = 3;

@@ -8,7 +8,8 @@ namespace Amontons
   class MeshSequence
   {
   public:
-    /// Of the same number of DoFs as the last one: instead of it.
+    /// Of the same number of DoFs as the last one: instead of it. Infinite errors, which are not known yet,
+    /// are left out.
     void
     add(const double n_dofs, const double error);
 

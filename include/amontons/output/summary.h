@@ -52,6 +52,7 @@ namespace Amontons
     double bulk = unknown, contact = unknown; // of the mesh: stress, pressure
     double shear      = unknown;              // friction: of the tangential traction
     double facets     = 0;                    // of `contact`: what refinement does not mend
+    double quantity   = unknown;              // of `Target quantity`, if that is a number
     double kinematics = unknown;              // of small strain
     double increments = unknown;              // friction: the largest of IncrementErrors
   };

@@ -1,0 +1,33 @@
+/// Numbers on the meshes of a run (a size or a force of each pair): how far the last ones are from their
+/// limits.
+#pragma once
+
+#include <vector>
+
+namespace Amontons
+{
+  class QuantitySequence
+  {
+  public:
+    /// The same number of values each time; of the same number of DoFs as the last ones: instead of those.
+    void
+    add(const double n_dofs, const std::vector<double> &values);
+
+    /// Relative to the largest value, of the worst. Between three meshes, each of twice as many DoFs as the
+    /// one before or more, the changes D fall by rho, so that D rho/(1 - rho) is left. rho is believed
+    /// between 0.4 and 0.8, and a change that happens to be small counts as no smaller than 0.4 of the one
+    /// before. Of two such meshes: their change. Infinite as long as there are none.
+    double
+    error() const;
+
+  private:
+    struct Mesh
+    {
+      double              n_dofs;
+      std::vector<double> values;
+    };
+    unsigned int
+                      half_of(const unsigned int k) const;
+    std::vector<Mesh> meshes;
+  };
+} // namespace Amontons

@@ -1,0 +1,59 @@
+#include <amontons/adaptivity/quantity_sequence.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Amontons
+{
+  namespace
+  {
+    double
+    rest_of(const double change_before, const double change)
+    {
+      constexpr double smallest = 0.4, largest = 0.8;
+      if (change == 0 && change_before == 0)
+        return 0;
+      const double rho = change_before > 0 ? std::clamp(change / change_before, smallest, largest) : largest;
+      return std::max(change, smallest * change_before) * rho / (1 - rho);
+    }
+  } // namespace
+
+  void
+  QuantitySequence::add(const double n_dofs, const std::vector<double> &values)
+  {
+    if (!meshes.empty() && meshes.back().n_dofs == n_dofs)
+      meshes.pop_back();
+    meshes.push_back({n_dofs, values});
+  }
+
+  // The last mesh of at most half as many DoFs as the k-th one; the number of meshes if there is none.
+  unsigned int
+  QuantitySequence::half_of(const unsigned int k) const
+  {
+    for (unsigned int i = k; i-- > 0;)
+      if (2 * meshes[i].n_dofs <= meshes[k].n_dofs)
+        return i;
+    return meshes.size();
+  }
+
+  double
+  QuantitySequence::error() const
+  {
+    const unsigned int n = meshes.size(), last = n - 1, half = n > 1 ? half_of(last) : n,
+                       quarter = half < n ? half_of(half) : n;
+    if (half == n)
+      return std::numeric_limits<double>::infinity();
+    double most = 0, largest = 0;
+    for (unsigned int i = 0; i < meshes[last].values.size(); ++i)
+      {
+        const auto change = [&](const unsigned int from, const unsigned int to) {
+          return std::abs(meshes[to].values[i] - meshes[from].values[i]);
+        };
+        most = std::max(
+            most, quarter == n ? change(half, last) : rest_of(change(quarter, half), change(half, last)));
+        largest = std::max(largest, std::abs(meshes[last].values[i]));
+      }
+    return largest > 0 ? most / largest : std::numeric_limits<double>::infinity();
+  }
+} // namespace Amontons

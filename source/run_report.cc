@@ -432,26 +432,12 @@ namespace Amontons
   std::string
   RunReport<dim>::missed_target(const Discretization<dim> &discretization, const Ending &ending) const
   {
-    const auto        &meshes     = ending.history.meshes;
     const auto        &indicators = ending.evaluation.error.contact_indicators;
-    const double       dofs       = meshes.dofs_for(ending.target_error);
-    std::ostringstream text;
-    text.precision(2);
-    if (meshes.is_hopeless(ending.target_error, ending.max_dofs))
-      {
-        text << "warning: the target error is out of reach: the estimated error falls like the "
-             << meshes.order() << "th power of 1/DoFs only";
-        if (indicators.size() == discretization.geometry.triangulation.n_active_cells())
-          text << ", most of it near (" << place_of_largest(discretization, indicators) << ")";
-        text << ". Where a sharp edge presses, the pressure is infinite, and its mean square does not "
-                "converge; forces, contact sizes and the pressure away from the edge do. Round the edge, or "
-                "ask for those";
-        return text.str();
-      }
-    text << "the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'";
-    if (dofs < 1e15)
-      text << " (as the error has fallen so far, it would take about " << dofs << " DoFs)";
-    return text.str();
+    std::ostringstream place;
+    place.precision(2);
+    if (indicators.size() == discretization.geometry.triangulation.n_active_cells())
+      place << place_of_largest(discretization, indicators);
+    return ending.history.meshes.why_missed(ending.target_error, ending.max_dofs, place.str());
   }
 
   // What the answer is not, or not the whole of.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace Amontons
 {
@@ -40,5 +41,25 @@ namespace Amontons
   MeshSequence::is_hopeless(const double target, const double max_dofs) const
   {
     return order() < 0.1 && dofs_for(target) > 10 * max_dofs;
+  }
+
+  std::string
+  MeshSequence::why_missed(const double target, const double max_dofs, const std::string &place) const
+  {
+    std::ostringstream text;
+    text.precision(2);
+    if (is_hopeless(target, max_dofs))
+      {
+        text << "warning: the target error is out of reach: the estimated error falls like the " << order()
+             << "th power of 1/DoFs only, most of it near (" << place
+             << "). Where a sharp edge presses, the pressure is infinite, and its mean square does not "
+                "converge; forces, contact sizes and the pressure away from the edge do: round the edge, or "
+                "ask for those ('Target quantity')";
+        return text.str();
+      }
+    text << "the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'";
+    if (const double dofs = dofs_for(target); dofs < 1e15)
+      text << " (as the error has fallen so far, it would take about " << dofs << " DoFs)";
+    return text.str();
   }
 } // namespace Amontons

@@ -48,7 +48,10 @@ namespace Amontons
     for (unsigned int i = 0; i < meshes[last].values.size(); ++i)
       {
         const auto change = [&](const unsigned int from, const unsigned int to) {
-          return std::abs(meshes[to].values[i] - meshes[from].values[i]);
+          double result = 0; // a number may happen to come back in between
+          for (unsigned int k = from; k < to; ++k)
+            result = std::max(result, std::abs(meshes[to].values[i] - meshes[k].values[i]));
+          return result;
         };
         most = std::max(
             most, quarter == n ? change(half, last) : rest_of(change(quarter, half), change(half, last)));

@@ -1,6 +1,7 @@
 /// The meshes of a run: how the estimated error falls with the unknowns, and what a target would take.
 #pragma once
 
+#include <string>
 #include <vector>
 
 namespace Amontons
@@ -26,6 +27,10 @@ namespace Amontons
     /// contact at an edge with a pressure that is square integrable 1/4 on uniform and more on graded meshes.
     bool
     is_hopeless(const double target, const double max_dofs) const;
+
+    /// For the user. place: of most of the error.
+    std::string
+    why_missed(const double target, const double max_dofs, const std::string &place) const;
 
   private:
     struct Mesh

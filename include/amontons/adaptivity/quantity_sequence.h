@@ -16,7 +16,8 @@ namespace Amontons
     /// Relative to the largest value, of the worst. Between three meshes, each of twice as many DoFs as the
     /// one before or more, the changes D fall by rho, so that D rho/(1 - rho) is left. rho is believed
     /// between 0.4 and 0.8, and a change that happens to be small counts as no smaller than 0.4 of the one
-    /// before. Of two such meshes: their change. Infinite as long as there are none.
+    /// before. Of two such meshes: their change. (A change is the largest from any mesh between.) Infinite as
+    /// long as there are none.
     double
     error() const;
 

@@ -48,6 +48,19 @@ namespace Amontons
   }
 
   template <int dim>
+  unsigned int
+  Evaluation<dim>::n_closed_nodes() const
+  {
+    unsigned int most = 0;
+    for (const auto &of_pair : fields)
+      most = std::max<unsigned int>(
+          most, std::count_if(of_pair.state.begin(), of_pair.state.end(), [](const auto state) {
+            return state != ContactStatus::open;
+          }));
+    return most;
+  }
+
+  template <int dim>
   void
   Evaluation<dim>::estimate(const Model<dim> &model, const SolutionState<dim> &state, const bool worst_so_far)
   {

@@ -135,7 +135,8 @@ namespace Amontons
           evaluation.error.quantity =
               std::max(*evaluation.error.quantity, std::pow(evaluation.error.bulk, 2));
       }
-    history.meshes.add(n_dofs, evaluation.error.of_target());
+    if (!evaluation.touches() || evaluation.resolves_contact())
+      history.meshes.add(n_dofs, evaluation.error.of_target());
   }
 
   template <int dim>

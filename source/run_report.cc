@@ -432,12 +432,14 @@ namespace Amontons
   std::string
   RunReport<dim>::missed_target(const Discretization<dim> &discretization, const Ending &ending) const
   {
-    const auto        &indicators = ending.evaluation.error.contact_indicators;
+    const auto        &error      = ending.evaluation.error;
+    const bool         touches    = ending.evaluation.touches();
+    const auto        &indicators = touches ? error.contact_indicators : error.cell_indicators;
     std::ostringstream place;
     place.precision(2);
     if (indicators.size() == discretization.geometry.triangulation.n_active_cells())
       place << place_of_largest(discretization, indicators);
-    return ending.history.meshes.why_missed(ending.target_error, ending.max_dofs, place.str());
+    return ending.history.meshes.why_missed(ending.target_error, ending.max_dofs, touches, place.str());
   }
 
   // What the answer is not, or not the whole of.

@@ -862,6 +862,10 @@ add_scene_test(NAME target_of_shear SCENE half_plane_box_friction.prm SET "Refin
                      "error_estimate.shear >= meshes.-1.reference.errors.shear_l2" "error_estimate.contact >= meshes.-1.reference.errors.pressure_l2")
 add_scene_test(NAME target_at_a_sharp_edge SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"
                CHECK "status is converged" "notes.1 has out of reach" "notes.1 has (10 " "dofs <= 5000" "pairs.0.normal_force.1 ~ -5000 1e-8")
+# A contact smaller than a cell is not one that does not converge.
+add_scene_test(NAME target_from_a_coarse_mesh SCENE verification/two_cylinders.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.03" "Discretization/Degree=1" "Refinement/Initial refinements=0"
+               CHECK "error_estimate.contact <= 0.03" "meshes.-1.reference.errors.pressure_l2 <= 0.03")
+add_scene_test(NAME target_of_nothing SCENE verification/no_contact.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01" CHECK "notes.2 has Nothing touches" "dofs <= 10000")
 # Numbers, against their closed forms.
 add_scene_test(NAME target_stick_size SCENE half_plane_box_friction.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.003" "Refinement/Target quantity=stick size"
                CHECK "error_estimate.quantity <= 0.003" "meshes.-1.reference.errors.stick_size <= 0.003" "dofs <= 15000")

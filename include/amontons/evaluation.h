@@ -15,6 +15,18 @@ namespace Amontons
     std::unique_ptr<StressRecovery<dim>> recovery;
     ErrorEstimate<dim>                   error;
 
+    bool
+    touches() const
+    {
+      return n_closed_nodes() > 0;
+    }
+    /// Enough nodes are closed that errors fall as they do in the end.
+    bool
+    resolves_contact() const
+    {
+      return n_closed_nodes() >= (dim == 2 ? 12 : 60);
+    }
+
     void
     collect_fields(const Model<dim> &model, const SolutionState<dim> &state);
 
@@ -22,5 +34,10 @@ namespace Amontons
     /// mesh (what a load history needs is the worst of its increments).
     void
     estimate(const Model<dim> &model, const SolutionState<dim> &state, const bool worst_so_far);
+
+  private:
+    /// Of the pair that has most.
+    unsigned int
+    n_closed_nodes() const;
   };
 } // namespace Amontons

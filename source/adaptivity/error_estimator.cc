@@ -179,9 +179,11 @@ namespace Amontons
             estimate.cell_indicators[c]    = std::sqrt(squares[c]);
             estimate.contact_indicators[c] = std::sqrt(contact_squares[c]);
           }
-        estimate.bulk      = relative(total(bulk_error), total(bulk_energy));
-        estimate.contact   = relative(total(pressure_error), total(pressure_square));
-        estimate.shear     = relative(total(shear_error), total(shear_square));
+        estimate.bulk    = relative(total(bulk_error), total(bulk_energy));
+        estimate.contact = relative(total(pressure_error), total(pressure_square));
+        estimate.shear =
+            relative(total(shear_error),
+                     std::max(total(shear_square), std::pow(noteworthy_shear, 2) * total(pressure_square)));
         estimate.recovered = {estimate.contact, estimate.shear};
         estimate.facets_of = facets_of;
         double facets      = 0;

@@ -140,7 +140,8 @@ namespace Amontons
               error.recovered.pressure,
               pressure,
               before.pressure_factor);
-        raise(ratio(squares.shear_difference, squares.shear),
+        raise(ratio(squares.shear_difference,
+                    std::max(squares.shear, std::pow(noteworthy_shear, 2) * squares.pressure)),
               before.recovered.shear,
               error.recovered.shear,
               shear,

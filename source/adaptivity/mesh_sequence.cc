@@ -44,17 +44,24 @@ namespace Amontons
   }
 
   std::string
-  MeshSequence::why_missed(const double target, const double max_dofs, const std::string &place) const
+  MeshSequence::why_missed(const double       target,
+                           const double       max_dofs,
+                           const bool         touches,
+                           const std::string &place) const
   {
     std::ostringstream text;
     text.precision(2);
     if (is_hopeless(target, max_dofs))
       {
-        text << "warning: the target error is out of reach: the estimated error falls like the " << order()
-             << "th power of 1/DoFs only, most of it near (" << place
-             << "). Where a sharp edge presses, the pressure is infinite, and its mean square does not "
-                "converge; forces, contact sizes and the pressure away from the edge do: round the edge, or "
-                "ask for those ('Target quantity')";
+        text << "warning: the target error is out of reach: the estimated error "
+             << (order() > 0.005 ? "hardly falls" : "does not fall") << " with the DoFs, most of it is near ("
+             << place << "). "
+             << (touches
+                     ? "Where a sharp edge presses, the pressure is infinite, and its mean square does not "
+                       "converge; forces, contact sizes and the pressure away from the edge do: round the "
+                       "edge, or ask for those ('Target quantity')"
+                     : "Nothing touches, and the error is that of the stress, which corners and the ends of "
+                       "supports make infinite");
         return text.str();
       }
     text << "the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'";

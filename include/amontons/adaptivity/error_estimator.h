@@ -17,6 +17,9 @@ namespace Amontons
     double angle = 0, size = 0, gap = 0, closed_gap = 0, pressure = 0;
   };
 
+  // Errors of the tangential traction are relative to it or to this part of the pressure, if that is larger.
+  constexpr double noteworthy_shear = 0.05;
+
   // By recovery alone, relative L2 errors of the pressure and, with friction, of the tangential traction.
   struct RecoveredErrors
   {

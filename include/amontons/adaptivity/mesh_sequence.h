@@ -1,4 +1,5 @@
-/// The meshes of a run: how the estimated error falls with the unknowns, and what a target would take.
+/// The meshes of a run that resolve its contact: how the estimated error falls with the unknowns, and what a
+/// target would take.
 #pragma once
 
 #include <string>
@@ -28,9 +29,13 @@ namespace Amontons
     bool
     is_hopeless(const double target, const double max_dofs) const;
 
-    /// For the user. place: of most of the error.
+    /// For the user. place: of most of the error; touches: anything does (else the error is that of the
+    /// stress).
     std::string
-    why_missed(const double target, const double max_dofs, const std::string &place) const;
+    why_missed(const double       target,
+               const double       max_dofs,
+               const bool         touches,
+               const std::string &place) const;
 
   private:
     struct Mesh

@@ -7,7 +7,7 @@ BOUNDS = """A row is green where its error is at most `floor` + `estimate`:
 
 | | | from |
 |---|---|---|
-| estimate | of pressures, sizes and forces `error_estimate.contact`; of displacements, stresses and what a singular pressure gives `error_estimate.bulk`; with friction also what `increments` says of the quantity | the program: `summary.json` of the same run |
+| estimate | of pressures, sizes and forces `error_estimate.contact`; of shears and slips `error_estimate.shear`; of displacements, stresses and what a singular pressure gives `error_estimate.bulk`; with friction also what `increments` says of the quantity | the program: `summary.json` of the same run |
 | finite block | of a, plane: 0.38 (a/H)^2; axisymmetric: 0.19 (a/H)^3, of p0 0.39 (a/H)^3; of the approach 0.52 a/H, of which 1 % is left (two digits) where it is taken off | measured for a rigid parabola on a block of half-width = height = H, far face fixed; for other bodies H is the nearest there is, and each body has its share of the compliance |
 | circle for parabola | of a: 3/16 (a/R)^2, spheres 2/15 (a/R)^2 | half-plane elasticity, true circle |
 | both, of an L2 norm | the change of the ellipse by that part of a: more, since its edge is steep | integral |

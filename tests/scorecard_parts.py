@@ -141,9 +141,9 @@ class Answer:
     # ---- What the program says of its own error
 
     def estimate(self, *increments):
-        """Of the pressure; with friction also of these quantities by the increments."""
-        told = self.summary.get("increments", {})
-        return self.summary["error_estimate"]["contact"] + sum(told.get(name) or 0 for name in increments)
+        """Of the pressure, or of the tangential traction for "shear"; with friction also of these quantities by the increments."""
+        told, errors = self.summary.get("increments", {}), self.summary["error_estimate"]
+        return (errors["shear"] if "shear" in increments else errors["contact"]) + sum(told.get(name) or 0 for name in increments)
 
     @property
     def bulk(self):

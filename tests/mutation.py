@@ -141,9 +141,9 @@ CHANGES = [
     # ---- bodies that only nodes beyond an edge hold, corners, targets
     ("region beyond the edge", "solver/contact_region.cc", "centre + stretch * (points[i].x_slave - centre)", "centre + 2 * stretch * (points[i].x_slave - centre)", "scenes/tipping_falls_first$"),
     ("forces of the region on one side", "solver/contact_region.cc", "floating.velocity(motion, slave, point.x_slave) -", "floating.velocity(motion, slave, point.x_slave) +", "scenes/tipping_.*"),
-    ("corners that enter", "solver/old_partners.cc", "depth > nothing && depth < moved + nothing", "depth < -nothing", "scenes/corner_on_corner_.*"),
+    ("corners that enter", "solver/old_partners.cc", "depth > nothing && depth < moved + nothing", "depth < -nothing", "scenes/corner_.*"),
     ("error by the difference", "adaptivity/mesh_difference.cc", "difference * q / std::sqrt(1 - q * q)", "difference * q", "^adaptivity/mesh_difference$"),
-    ("difference of pressures", "adaptivity/mesh_difference.cc", "difference += N[i] * (now[node] - before[node]);", ";", "scenes/target_.*"),
+    ("difference of pressures", "adaptivity/mesh_difference.cc", "difference += N[i] * (now[node] - before[node]);", ";", "scenes/target_alone$"),
     ("error of the shear", "adaptivity/error_estimator.cc", "shear_error += shear_part;", ";", "scenes/target_of_shear$"),
     ("what is left of a number", "adaptivity/quantity_sequence.cc", "rho / (1 - rho)", "rho", "^adaptivity/mesh_difference$"),
     ("contact that is not resolved", "load_stepping.cc", "!evaluation.touches() || evaluation.resolves_contact()", "true", "scenes/target_from_a_coarse_mesh$"),

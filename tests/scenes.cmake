@@ -638,7 +638,7 @@ add_scene_test(NAME transfer_nafems_roller SCENE nafems_roller_friction.prm SET 
 # Corner on corner: refused where no normal finds the other side, whichever is the slave; beside it nothing touches.
 foreach(slave first second)
   add_scene_test(NAME corner_on_corner_${slave} SCENE verification/corner_on_corner.prm FAILS SET "Contact c/Slave=${slave}"
-                 CHECK "status has not converged" "failure has entered" "message has corner")
+                 CHECK "status has not converged" "failure has entered" "message has corner" "history.-1.t >= 0.001" "history.-1.t <= 0.004") # a thousandth of a face deep
   add_scene_test(NAME corner_beside_corner_${slave} SCENE verification/corner_on_corner.prm SET "Contact c/Slave=${slave}" "Body upper/Shift=0.2, 1.0142"
                  CHECK "pairs.0.n_slip <= 0" "pairs.0.smallest_gap ~ 0.0707 1e-3")
 endforeach()
@@ -652,6 +652,8 @@ foreach(slave first second)
 endforeach()
 add_scene_test(NAME tipping_falls_finite SCENE verification/tipping.prm FAILS SET "Kinematics=finite strain" "Body block/Shift=1.03, 0")
 add_scene_test(NAME tipping_stands_finite SCENE verification/tipping.prm SET "Kinematics=finite strain" "Body block/Shift=0.97, 0" CHECK "checks.force_balance <= 1e-9")
+add_scene_test(NAME tipping_tower SCENE verification/tipping_tower.prm SET "Body block/Shift=-0.97, 0"
+               CHECK "status is converged" "pairs.0.normal_force.1 ~ 60 1e-9" "pairs.1.normal_force.1 ~ 60 1e-9" "checks.moment_balance <= 1e-8")
 add_scene_test(NAME tipping_stands_3d SCENE verification/tipping_3d.prm CHECK "checks.force_balance <= 1e-9" "checks.moment_balance <= 1e-8")
 foreach(place "1.03, 0.5" "1.03, 1.03")
   string(MAKE_C_IDENTIFIER "${place}" name)
@@ -856,7 +858,8 @@ add_scene_test(NAME target_error SCENE hertz_cylinder.prm SET "Refinement/Cycles
 # A target alone is enough, and is kept: of the pressure, and of the tangential traction where that is worse. Where a sharp edge presses nothing keeps it, and that is
 # seen long before the mesh is large.
 add_scene_test(NAME target_alone SCENE hertz_cylinder.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"
-               CHECK "error_estimate.contact <= 0.01" "meshes.-1.reference.errors.pressure_l2 <= 0.01" "dofs <= 6000")
+               CHECK "error_estimate.contact <= 0.01" "meshes.-1.reference.errors.pressure_l2 <= 0.01" "dofs <= 6000"
+                     "meshes.2.error_estimate.contact >= 0.1") # an answer that has just changed by 14 % is not known to 8 %
 add_scene_test(NAME target_of_shear SCENE half_plane_box_friction.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.1"
                CHECK "error_estimate.shear <= 0.1" "error_estimate.contact <= 0.03" "meshes.-1.reference.errors.shear_l2 <= 0.1"
                      "error_estimate.shear >= meshes.-1.reference.errors.shear_l2" "error_estimate.contact >= meshes.-1.reference.errors.pressure_l2")

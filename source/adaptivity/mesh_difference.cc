@@ -13,18 +13,18 @@ namespace Amontons
       double pressure = 0, shear = 0, pressure_difference = 0, shear_difference = 0;
     };
 
-    // Over the slave faces; now, before: nodal values of the faces' surface.
+    // Of one slave face; now, before: nodal values of the faces' surface.
     template <int dim>
     void
     add_face(const ContactSurface<dim>         &slave,
              const unsigned int                 face,
+             const Quadrature<dim - 1>         &gauss,
              const std::vector<Tensor<1, dim>> &now,
              const std::vector<Tensor<1, dim>> &before,
              const ProblemType                  kind,
              const bool                         has_friction,
              Squares                           &squares)
     {
-      const QGauss<dim - 1> gauss(slave.degree + 1);
       for (unsigned int q = 0; q < gauss.size(); ++q)
         {
           const auto    &xi = gauss.point(q);
@@ -120,8 +120,9 @@ namespace Amontons
            shear    = error.recovered.shear * before.shear_factor;
     if (before.traction.size() == discretization.dof_handler.n_dofs() && before.t == t)
       {
-        const LA::Vector now = surface_tractions(discretization, interfaces, fields);
-        Squares          squares;
+        const LA::Vector      now = surface_tractions(discretization, interfaces, fields);
+        Squares               squares;
+        const QGauss<dim - 1> gauss(discretization.fe.degree + 1);
         for (const auto &interface : interfaces)
           {
             const auto values = values_on(*interface.slave, now),
@@ -129,6 +130,7 @@ namespace Amontons
             for (unsigned int f = 0; f < interface.slave->faces.size(); ++f)
               add_face(*interface.slave,
                        f,
+                       gauss,
                        values,
                        old,
                        discretization.scene.kind,

@@ -61,6 +61,18 @@ namespace Amontons
   } // namespace
 
   template <int dim>
+  std::vector<const LinearEquation *>
+  holding_equations(const std::vector<SlaveNode<dim>> &nodes, const bool only_tied)
+  {
+    std::vector<const LinearEquation *> equations;
+    for (const auto &node : nodes)
+      if (node.tied || !only_tied)
+        for (const auto *e : node.holding())
+          equations.push_back(&e->equation);
+    return equations;
+  }
+
+  template <int dim>
   std::string
   places_of(const std::vector<Point<dim>> &points)
   {
@@ -376,6 +388,10 @@ namespace Amontons
                     const unsigned int,
                     const double,
                     const bool);
+  template std::vector<const LinearEquation *>
+  holding_equations(const std::vector<SlaveNode<2>> &, const bool);
+  template std::vector<const LinearEquation *>
+  holding_equations(const std::vector<SlaveNode<3>> &, const bool);
   template std::string
   places_of(const std::vector<Point<2>> &);
   template std::string

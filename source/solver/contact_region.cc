@@ -22,16 +22,6 @@ namespace Amontons
       return touches;
     }
 
-    template <int dim>
-    bool
-    ends_at_an_edge(const ContactInterface<dim> &interface, const std::vector<bool> &touches)
-    {
-      for (unsigned int f = 0; f < touches.size(); ++f)
-        if (touches[f] && interface.coupling.whole_faces.count(f) == 0)
-          return true;
-      return false;
-    }
-
     // What is covered of the touching faces: points of quadrature formulas, drawn apart from the centre of
     // their piece until they reach its ends.
     template <int dim>
@@ -104,69 +94,63 @@ namespace Amontons
       const std::vector<std::vector<double>> &motions;
       const unsigned int                      slave, master;
     };
-
-    template <int dim>
-    std::vector<std::vector<double>>
-    motions_left_by_ties(const FloatingBodies<dim> &floating, const ContactKinematics<dim> &contact)
-    {
-      std::vector<const LinearEquation *> tied;
-      for (const auto &node : contact.nodes())
-        if (node.tied)
-          for (const auto *e : node.holding())
-            tied.push_back(&e->equation);
-      return floating.free_rigid_modes(tied);
-    }
   } // namespace
 
   template <int dim>
-  std::vector<double>
-  motion_beyond_region(const FloatingBodies<dim>                &floating,
-                       const ContactKinematics<dim>             &contact,
-                       const std::vector<ContactInterface<dim>> &interfaces,
-                       const std::vector<NodalContacts<dim>>    &known,
-                       const unsigned int                        n_bodies,
-                       const double                              t,
-                       const ContactRegion                       region)
+  bool
+  ends_at_an_edge(const ContactEquilibrium<dim> &problem, const ContactRegion region)
   {
-    constexpr double          unlimited = 1e3, margin = 1e-3;
-    const auto                motions  = motions_left_by_ties(floating, contact);
-    bool                      any_edge = false;
+    for (unsigned int i = 0; i < problem.interfaces.size(); ++i)
+      {
+        const auto &interface = problem.interfaces[i];
+        if (interface.pair->tied)
+          continue;
+        const auto touches = touching_faces(interface, problem.state.contact[i], region);
+        for (unsigned int f = 0; f < touches.size(); ++f)
+          if (touches[f] && interface.coupling.whole_faces.count(f) == 0)
+            return true;
+      }
+    return false;
+  }
+
+  template <int dim>
+  std::vector<double>
+  motion_beyond_region(const ContactEquilibrium<dim> &problem,
+                       const FloatingBodies<dim>     &floating,
+                       const ContactRegion            region)
+  {
+    constexpr double   unlimited = 1e3, margin = 1e-3;
+    const unsigned int n_bodies = problem.discretization.scene.bodies.size();
+    const auto         motions  = floating.free_rigid_modes(holding_equations(problem.contact.nodes(), true));
     std::vector<RigidContact> forces;
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      if (const auto &pair = *interfaces[i].pair; !pair.tied)
-        {
-          const auto              touches = touching_faces(interfaces[i], known[i], region);
-          const RegionForces<dim> force(floating, motions, interfaces[i], n_bodies);
-          const bool              has_bound =
-              region == ContactRegion::closed && pair.friction && pair.friction->is_constant();
-          any_edge = any_edge || ends_at_an_edge(interfaces[i], touches);
-          for (const auto &point : corners_of_region(interfaces[i], touches))
-            forces.push_back(force.at(point,
-                                      !pair.has_friction() ? 0
-                                      : has_bound          ? pair.friction->value(as_3d(point.x_slave), t)
-                                                           : unlimited));
-        }
+    for (unsigned int i = 0; i < problem.interfaces.size(); ++i)
+      {
+        const auto &interface = problem.interfaces[i];
+        const auto &pair      = *interface.pair;
+        if (pair.tied)
+          continue;
+        const RegionForces<dim> force(floating, motions, interface, n_bodies);
+        const bool              has_bound =
+            region == ContactRegion::closed && pair.friction && pair.friction->is_constant();
+        for (const auto &point :
+             corners_of_region(interface, touching_faces(interface, problem.state.contact[i], region)))
+          forces.push_back(force.at(point,
+                                    !pair.has_friction() ? 0
+                                    : has_bound ? pair.friction->value(as_3d(point.x_slave), problem.state.t)
+                                                : unlimited));
+      }
     std::vector<double> load;
     for (const auto &motion : motions)
       load.push_back(floating.relative_work(motion));
-    return any_edge ? combination(motions, motion_beyond_contact(load, forces, margin))
-                    : std::vector<double>();
+    return combination(motions, motion_beyond_contact(load, forces, margin));
   }
 
+  template bool
+  ends_at_an_edge(const ContactEquilibrium<2> &, const ContactRegion);
+  template bool
+  ends_at_an_edge(const ContactEquilibrium<3> &, const ContactRegion);
   template std::vector<double>
-  motion_beyond_region(const FloatingBodies<2> &,
-                       const ContactKinematics<2> &,
-                       const std::vector<ContactInterface<2>> &,
-                       const std::vector<NodalContacts<2>> &,
-                       const unsigned int,
-                       const double,
-                       const ContactRegion);
+  motion_beyond_region(const ContactEquilibrium<2> &, const FloatingBodies<2> &, const ContactRegion);
   template std::vector<double>
-  motion_beyond_region(const FloatingBodies<3> &,
-                       const ContactKinematics<3> &,
-                       const std::vector<ContactInterface<3>> &,
-                       const std::vector<NodalContacts<3>> &,
-                       const unsigned int,
-                       const double,
-                       const ContactRegion);
+  motion_beyond_region(const ContactEquilibrium<3> &, const FloatingBodies<3> &, const ContactRegion);
 } // namespace Amontons

@@ -39,10 +39,7 @@ namespace Amontons
           return false;
         }
     }
-    std::vector<const LinearEquation *> equations;
-    for (const auto &node : problem.contact.nodes())
-      for (const auto *e : node.holding())
-        equations.push_back(&e->equation);
+    const auto equations = holding_equations(problem.contact.nodes());
     floating.set_loads(problem.mechanics.loads());
     at.report.note = floating.check_loads(equations);
     floating.choose_pins(equations);

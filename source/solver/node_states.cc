@@ -207,12 +207,7 @@ namespace Amontons
   {
     if (!any_friction || !floating.any())
       return {};
-    std::vector<const LinearEquation *> tied;
-    for (const auto &node : nodes)
-      if (node.tied)
-        for (const auto *e : node.holding())
-          tied.push_back(&e->equation);
-    const auto          motions = floating.free_rigid_modes(tied);
+    const auto          motions = floating.free_rigid_modes(holding_equations(nodes, true));
     std::vector<double> load;
     for (const auto &motion : motions)
       load.push_back(floating.relative_work(motion));

@@ -12,29 +12,6 @@ namespace Amontons
 {
   namespace
   {
-    // Bodies that are held by contact alone may be in an equilibrium that there is only on this mesh; and
-    // where friction cannot hold them, perhaps no friction could.
-    template <int dim>
-    void
-    check_region(const ContactEquilibrium<dim> &problem,
-                 const FloatingBodies<dim>     &floating,
-                 NewtonReport                  &report)
-    {
-      const auto region = report.converged ? ContactRegion::closed : ContactRegion::anywhere;
-      const auto motion = motion_beyond_region(floating,
-                                               problem.contact,
-                                               problem.interfaces,
-                                               problem.state.contact,
-                                               problem.discretization.scene.bodies.size(),
-                                               problem.state.t,
-                                               region);
-      if (motion.empty())
-        return;
-      report.converged       = false;
-      report.failure         = Failure{Failure::Kind::beyond_edge};
-      report.failure->motion = floating.describe(motion);
-    }
-
     template <int dim>
     void
     check_crossing(const MovingContact<dim> &contact, const SolutionState<dim> &state, NewtonReport &report)
@@ -63,12 +40,30 @@ namespace Amontons
       FloatingBodies<dim> floating(
           problem.discretization, problem.supports, problem.interfaces, &problem.state.displacement);
       floating.set_loads(problem.mechanics.loads());
-      std::vector<const LinearEquation *> equations;
-      for (const auto &node : problem.contact.nodes())
-        for (const auto *e : node.holding())
-          equations.push_back(&e->equation);
-      floating.choose_pins(equations);
+      floating.choose_pins(holding_equations(problem.contact.nodes()));
       return floating;
+    }
+
+    // Bodies that are held by contact alone may be in an equilibrium that there is only on this mesh; and
+    // where friction cannot hold them, perhaps no friction could. at_start: of the solve.
+    template <int dim>
+    void
+    check_region(const ContactEquilibrium<dim> &problem,
+                 const FloatingBodies<dim>     &at_start,
+                 NewtonReport                  &report)
+    {
+      const bool moves  = problem.contact.moves();
+      const auto region = report.converged ? ContactRegion::closed : ContactRegion::anywhere;
+      if (!at_start.any() || !(report.converged || (!moves && is_by_friction(report.failure))) ||
+          !ends_at_an_edge(problem, region))
+        return;
+      const auto motion = moves ? motion_beyond_region(problem, floating_bodies(problem), region)
+                                : motion_beyond_region(problem, at_start, region);
+      if (motion.empty())
+        return;
+      report.converged       = false;
+      report.failure         = Failure{Failure::Kind::beyond_edge};
+      report.failure->motion = at_start.describe(motion);
     }
   } // namespace
 
@@ -108,8 +103,7 @@ namespace Amontons
         newton.prepare();
         newton.iterate();
         auto report = newton.finish();
-        if (newton.floating_bodies().any() && (report.converged || is_by_friction(report.failure)))
-          check_region(problem, newton.floating_bodies(), report);
+        check_region(problem, newton.floating_bodies(), report);
         return report;
       }
     MovingContact<dim> contact(discretization, supports, interfaces, state, parameters.scaling);
@@ -119,8 +113,7 @@ namespace Amontons
     auto               report = PseudoTransient<dim>(problem, step, newton).run(follow_motion);
     if (report.converged && !report.moved)
       check_crossing(contact, state, report);
-    if (report.converged && newton.floating_bodies().any())
-      check_region(problem, floating_bodies(problem), report);
+    check_region(problem, newton.floating_bodies(), report);
     return report;
   }
   //! [solve]

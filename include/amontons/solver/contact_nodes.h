@@ -41,6 +41,11 @@ namespace Amontons
     tangent() const; // plane problems: unit vector along the surface
   };
 
+  // What may come to hold the nodes, or only the tied ones.
+  template <int dim>
+  std::vector<const LinearEquation *>
+  holding_equations(const std::vector<SlaveNode<dim>> &nodes, const bool only_tied = false);
+
   // Of one coupling row. with_components: for frictionless nodes, too.
   template <int dim>
   SlaveNode<dim>

@@ -1,7 +1,7 @@
 /// Where two surfaces touch, as a region: can pressures on it hold the bodies?
 #pragma once
 
-#include <amontons/solver/contact_kinematics.h>
+#include <amontons/solver/newton_step.h>
 
 namespace Amontons
 {
@@ -12,6 +12,11 @@ namespace Amontons
     anywhere // all that is covered, with whatever friction
   };
 
+  /// Whether the region ends within a slave face: else nodes carry nothing from beyond.
+  template <int dim>
+  bool
+  ends_at_an_edge(const ContactEquilibrium<dim> &problem, const ContactRegion region);
+
   /// A rigid motion that the loads drive although neither supports nor any traction on the region works
   /// against it; empty if there is none. A node beyond the edge of the other side carries the pressure of the
   /// covered part of its faces, and its resultant lies at the node (int psi_i x = D_i x_i), where nothing is
@@ -20,11 +25,7 @@ namespace Amontons
   /// excluded rightly. floating: with the loads, and where the surfaces are.
   template <int dim>
   std::vector<double>
-  motion_beyond_region(const FloatingBodies<dim>                &floating,
-                       const ContactKinematics<dim>             &contact,
-                       const std::vector<ContactInterface<dim>> &interfaces,
-                       const std::vector<NodalContacts<dim>>    &known,
-                       const unsigned int                        n_bodies,
-                       const double                              t,
-                       const ContactRegion                       region);
+  motion_beyond_region(const ContactEquilibrium<dim> &problem,
+                       const FloatingBodies<dim>     &floating,
+                       const ContactRegion            region);
 } // namespace Amontons

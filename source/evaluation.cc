@@ -72,6 +72,10 @@ namespace Amontons
       {
         keep_largest(before.cell_indicators, error.cell_indicators);
         keep_largest(before.contact_indicators, error.contact_indicators);
+        keep_largest(before.shear_indicators, error.shear_indicators);
+        error.energy_norm   = std::max(before.energy_norm, error.energy_norm);
+        error.pressure_norm = std::max(before.pressure_norm, error.pressure_norm);
+        error.shear_norm    = std::max(before.shear_norm, error.shear_norm);
       }
   }
 

@@ -117,17 +117,30 @@ namespace Amontons
       }
   }
 
-  // Two aims: the stress everywhere, on which contact forces and sizes depend, and the pressure itself.
+  // Unless tractions have a target there are two aims: the stress everywhere, on which contact forces and
+  // sizes depend, and the tractions themselves.
   template <int dim>
   bool
   Model<dim>::mark_cells(const RefinementParameters &parameters, const ErrorEstimate<dim> &error)
   {
+    deeper.clear();
+    if (parameters.target_error > 0 && parameters.strategy == "adaptive" && !error.quantity &&
+        error.contact > 0)
+      return mark_cells_for_target(discretization(),
+                                   mesh->geometry,
+                                   parameters.max_dofs,
+                                   error.indicators_for(parameters.target_error),
+                                   parameters.target_error / error.of_target(),
+                                   deeper);
     const auto mark = [&](const Vector<float> &indicators) {
       return Amontons::mark_cells(discretization(), mesh->geometry, parameters, indicators);
     };
     const bool bulk = mark(error.cell_indicators);
     if (bulk && parameters.strategy == "adaptive")
-      mark(error.contact_indicators);
+      {
+        mark(error.contact_indicators);
+        mark(error.shear_indicators);
+      }
     return bulk;
   }
 
@@ -135,10 +148,18 @@ namespace Amontons
   void
   Model<dim>::refine(const std::vector<LA::Vector *> &fields)
   {
-    refine_and_transfer(*mesh->discretization, mesh->geometry, fields, [&]() {
-      rebuild();
-      couple_refined();
-    });
+    bool is_last = false;
+    while (!is_last)
+      {
+        is_last = deeper.empty();
+        refine_and_transfer(*mesh->discretization, mesh->geometry, fields, [&]() {
+          if (!is_last)
+            return mesh->discretization->distribute_dofs();
+          rebuild();
+          couple_refined();
+        });
+        mark_children(discretization(), mesh->geometry, deeper);
+      }
     ++mesh->n_refinements;
   }
 

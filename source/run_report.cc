@@ -434,7 +434,7 @@ namespace Amontons
   {
     const auto        &error      = ending.evaluation.error;
     const bool         touches    = ending.evaluation.touches();
-    const auto        &indicators = touches ? error.contact_indicators : error.cell_indicators;
+    const auto         indicators = touches ? error.indicators_for(0) : error.cell_indicators;
     std::ostringstream place;
     place.precision(2);
     if (indicators.size() == discretization.geometry.triangulation.n_active_cells())

@@ -858,8 +858,9 @@ add_scene_test(NAME target_error SCENE hertz_cylinder.prm SET "Refinement/Cycles
 # A target alone is enough, and is kept: of the pressure, and of the tangential traction where that is worse. Where a sharp edge presses nothing keeps it, and that is
 # seen long before the mesh is large.
 add_scene_test(NAME target_alone SCENE hertz_cylinder.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"
-               CHECK "error_estimate.contact <= 0.01" "meshes.-1.reference.errors.pressure_l2 <= 0.01" "dofs <= 6000"
-                     "meshes.2.error_estimate.contact >= 0.1") # an answer that has just changed by 14 % is not known to 8 %
+               CHECK "error_estimate.contact <= 0.01" "meshes.-1.reference.errors.pressure_l2 <= 0.01" "dofs <= 3000")
+# An answer that has just changed by 14 % is not known to 8 %.
+add_scene_test(NAME estimate_after_a_change SCENE hertz_cylinder.prm SET "Refinement/Cycles=2" CHECK "meshes.2.error_estimate.contact >= 0.1")
 add_scene_test(NAME target_of_shear SCENE half_plane_box_friction.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.1"
                CHECK "error_estimate.shear <= 0.1" "error_estimate.contact <= 0.03" "meshes.-1.reference.errors.shear_l2 <= 0.1"
                      "error_estimate.shear >= meshes.-1.reference.errors.shear_l2" "error_estimate.contact >= meshes.-1.reference.errors.pressure_l2")

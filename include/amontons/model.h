@@ -117,7 +117,8 @@ namespace Amontons
     void
     rebuild();
 
-    double t; // of the supports
+    double      t;      // of the supports
+    DeeperCells deeper; // of the refinement that is marked
   };
 
   /// At time t, with the surfaces coupled where the bodies are undeformed. timer: of the run.

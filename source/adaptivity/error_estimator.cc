@@ -56,7 +56,8 @@ namespace Amontons
                                                           discretization.fe,
                                                           gauss,
                                                           update_quadrature_points | update_JxW_values),
-            squares(discretization.geometry.triangulation.n_active_cells()), contact_squares(squares.size())
+            squares(discretization.geometry.triangulation.n_active_cells()), contact_squares(squares.size()),
+            shear_squares(squares.size())
       {
         prepare_faces();
       }
@@ -96,15 +97,16 @@ namespace Amontons
         for (const auto &row : interface.coupling.rows)
           has_row[row.node] = true;
 
-        // By slave face: eta_F^2, then the squared error of the pressure.
+        // By slave face: eta_F^2, then the squared errors of pressure and shear.
         const unsigned int  n = slave.faces.size();
-        std::vector<double> face_squares(2 * n, 0.);
+        std::vector<double> face_squares(3 * n, 0.);
         for (unsigned int f = 0; f < slave.faces.size(); ++f)
           if (slave.faces[f].rank == my_rank() &&
               std::any_of(slave.faces[f].nodes.begin(),
                           slave.faces[f].nodes.end(),
                           [&](const unsigned int i) { return has_row[i]; }))
-            std::tie(face_squares[f], face_squares[n + f]) = add_slave_face(interface, fields, f);
+            std::tie(face_squares[f], face_squares[n + f], face_squares[2 * n + f]) =
+                add_slave_face(interface, fields, f);
         Utilities::MPI::sum(make_array_view(std::as_const(face_squares)),
                             discretization.geometry.communicator,
                             make_array_view(face_squares));
@@ -174,11 +176,17 @@ namespace Amontons
         ErrorEstimate<dim> estimate;
         estimate.cell_indicators.reinit(squares.size());
         estimate.contact_indicators.reinit(squares.size());
+        estimate.shear_indicators.reinit(squares.size());
         for (unsigned int c = 0; c < squares.size(); ++c)
           {
             estimate.cell_indicators[c]    = std::sqrt(squares[c]);
             estimate.contact_indicators[c] = std::sqrt(contact_squares[c]);
+            estimate.shear_indicators[c]   = std::sqrt(shear_squares[c]);
           }
+        estimate.energy_norm   = std::sqrt(total(bulk_energy));
+        estimate.pressure_norm = std::sqrt(total(pressure_square));
+        estimate.shear_norm =
+            std::max(std::sqrt(total(shear_square)), noteworthy_shear * estimate.pressure_norm);
         estimate.bulk    = relative(total(bulk_error), total(bulk_energy));
         estimate.contact = relative(total(pressure_error), total(pressure_square));
         estimate.shear =
@@ -290,21 +298,9 @@ namespace Amontons
         return result;
       }
 
-      // Shears are as large as the pressure times this: their errors count as much. 0 where they are only
-      // what the iteration leaves (a tolerance of 1e-8 and the rounding of sums over ranks), which is no
-      // traction.
-      double
-      shear_scale(const SurfaceFields<dim> &fields) const
-      {
-        double largest = 0;
-        for (const auto &traction : fields.traction)
-          largest = std::max(largest, traction.norm());
-        return largest > 1e-6 * fields.peak_pressure ? largest / fields.peak_pressure : 0;
-      }
-
-      // eta_F^2 of an owned slave face, and its part of the squared L2 error of the pressure (with friction
-      // also of the shear).
-      std::pair<double, double>
+      // eta_F^2 of an owned slave face, and its parts of the squared L2 errors of the pressure and, with
+      // friction, of the shear.
+      std::tuple<double, double, double>
       add_slave_face(const ContactInterface<dim> &interface,
                      const SurfaceFields<dim>    &fields,
                      const unsigned int           face)
@@ -312,13 +308,12 @@ namespace Amontons
         const ContactSurface<dim> &slave = *interface.slave;
         const auto &[cell, f]            = slave.owned[slave.faces[face].owned_index];
         if (!discretization.is_deformable(cell->material_id()))
-          return {0., 0.};
+          return {0., 0., 0.};
         recovered_on_face[f]->reinit(recovery_cell(cell));
         const auto sigma  = stress_on_face(cell, f);
         const auto smooth = recovery.values_at(*recovered_on_face[f]);
 
-        const double scale  = interface.pair->has_friction() ? shear_scale(fields) : 0;
-        double       square = 0, pressure_part = 0, shear_part = 0;
+        double square = 0, pressure_part = 0, shear_part = 0;
         for (unsigned int q = 0; q < on_face.size(); ++q)
           {
             const Point<dim - 1> &xi = on_face.point(q);
@@ -342,7 +337,7 @@ namespace Amontons
 
             const Tensor<1, dim> t_star = traction<dim>(smooth[q], n);
             const double         p_star = -(n * t_star);
-            if (scale > 0)
+            if (interface.pair->has_friction())
               {
                 shear_part += weight * (t_star + p_star * n - shear).norm_square();
                 shear_square += weight * shear.norm_square();
@@ -352,11 +347,11 @@ namespace Amontons
           }
         square *= slave.faces[face].size / discretization.scene.bodies[cell->material_id()].material.young;
         shear_error += shear_part;
-        shear_part /= scale > 0 ? scale * scale : 1;
         squares[cell->active_cell_index()] += square;
-        contact_squares[cell->active_cell_index()] += pressure_part + shear_part;
+        contact_squares[cell->active_cell_index()] += pressure_part;
+        shear_squares[cell->active_cell_index()] += shear_part;
         pressure_error += pressure_part;
-        return {square, pressure_part + shear_part};
+        return {square, pressure_part, shear_part};
       }
 
       // Each slave face's eta_F^2 is shared out by area between the master faces opposite.
@@ -378,6 +373,7 @@ namespace Amontons
               const double share = point.weight / areas[point.slave_face];
               squares[cell->active_cell_index()] += share * face_squares[point.slave_face];
               contact_squares[cell->active_cell_index()] += share * face_squares[n + point.slave_face];
+              shear_squares[cell->active_cell_index()] += share * face_squares[2 * n + point.slave_face];
             }
       }
 
@@ -390,13 +386,33 @@ namespace Amontons
       FEValues<dim>                       values;
       std::vector<FullMatrix<double>>     continuation;
       std::vector<std::unique_ptr<FEValues<dim>>> recovered_on_face;
-      std::vector<double>                         squares, contact_squares; // by active cell
+      std::vector<double>                         squares, contact_squares, shear_squares; // by active cell
       // of this rank
       double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0, shear_error = 0,
              shear_square = 0;
       std::vector<FacetError> facets_of;
     };
   } // namespace
+
+  template <int dim>
+  Vector<float>
+  ErrorEstimate<dim>::indicators_for(const double target) const
+  {
+    Vector<float> result(cell_indicators.size());
+    const auto    add = [&](const Vector<float> &part, const double norm, const double weight) {
+      for (unsigned int c = 0; norm > 0 && c < result.size(); ++c)
+        result[c] += weight * std::pow(part[c] / norm, 2);
+    };
+    add(contact_indicators, pressure_norm, 1);
+    add(shear_indicators, shear_norm, 1);
+    add(cell_indicators, energy_norm, std::min(1., 2 * target));
+    for (auto &square : result)
+      square = std::sqrt(square);
+    return result;
+  }
+
+  template struct ErrorEstimate<2>;
+  template struct ErrorEstimate<3>;
 
   template <int dim>
   ErrorEstimate<dim>

@@ -37,8 +37,8 @@ namespace Amontons
     prm.add_parameter(
         "Fraction",
         fraction,
-        "Adaptive refinement takes the cells with the largest estimated errors that together make up "
-        "this part of the squared error.",
+        "Without a target error: adaptive refinement takes the cells with the largest estimated errors that "
+        "together make up this part of the squared error.",
         Patterns::Double(0, 1));
     prm.add_parameter(
         "Strategy",
@@ -62,11 +62,14 @@ namespace Amontons
 
   namespace
   {
+    // p4est ends at 29 levels, in space at 18; cells of this size hardly differ from points.
     template <typename Cell, int dim>
     bool
     may_be_refined(const Discretization<dim> &discretization, const Cell &cell)
     {
-      return cell->is_locally_owned() && discretization.is_deformable(cell->material_id());
+      constexpr int most_levels = dim == 2 ? 22 : 17;
+      return cell->is_locally_owned() && discretization.is_deformable(cell->material_id()) &&
+             cell->level() < most_levels;
     }
 
     // Squared indicators of the cells that may be refined, of this rank; questions about all ranks.
@@ -88,24 +91,27 @@ namespace Amontons
         largest = Utilities::MPI::max(mine, communicator);
       }
 
+      // Of a function of the squares.
+      template <typename Function>
+      double
+      sum(const Function &f) const
+      {
+        double mine = 0;
+        for (const double square : squares)
+          mine += f(square);
+        return Utilities::MPI::sum(mine, communicator);
+      }
+
       double
       sum_above(const double threshold) const
       {
-        double sum = 0;
-        for (const double square : squares)
-          if (square >= threshold)
-            sum += square;
-        return Utilities::MPI::sum(sum, communicator);
+        return sum([&](const double square) { return square >= threshold ? square : 0; });
       }
 
       double
       count_above(const double threshold) const
       {
-        double n = 0;
-        for (const double square : squares)
-          if (square >= threshold)
-            ++n;
-        return Utilities::MPI::sum(n, communicator);
+        return sum([&](const double square) { return square >= threshold ? 1 : 0; });
       }
 
       // Bisection between 0, where `holds` is true or nothing matters, and above the largest: the largest
@@ -189,6 +195,100 @@ namespace Amontons
           ++n_marked;
         }
     return Utilities::MPI::sum(n_marked, geometry.communicator) > 0;
+  }
+
+  namespace
+  {
+    // How often a cell is refined.
+    struct Levels
+    {
+      double       threshold; // cells below stay
+      double       share;     // what a squared error is to fall to
+      unsigned int most = 3;
+
+      unsigned int
+      operator()(const double square) const
+      {
+        constexpr double per_level = 16; // a squared error falls by that: second order
+        unsigned int     levels    = square >= threshold ? 1 : 0;
+        for (double left = square / per_level; levels > 0 && levels < most && left > share; left /= per_level)
+          ++levels;
+        return levels;
+      }
+    };
+
+    // As many as can be afforded; left: of the sum of the squares.
+    Levels
+    levels_for(const SquaredErrors &errors,
+               const double         left,
+               const double         affordable,
+               const double         n_children)
+    {
+      Levels levels;
+      levels.threshold     = adaptive_threshold(errors, 1 - left, affordable);
+      levels.share         = left * errors.sum_above(0) / std::max(1., errors.count_above(levels.threshold));
+      const auto new_cells = [&](const double square) { return std::pow(n_children, levels(square)) - 1; };
+      while (levels.most > 1 && errors.sum(new_cells) > affordable * (n_children - 1))
+        --levels.most;
+      return levels;
+    }
+
+    DeeperCells
+    of_all_ranks(const DeeperCells &mine, const MPI_Comm communicator)
+    {
+      DeeperCells all;
+      for (const auto &part : Utilities::MPI::all_gather(communicator, mine))
+        all.insert(part.begin(), part.end());
+      return all;
+    }
+  } // namespace
+
+  template <int dim>
+  bool
+  mark_cells_for_target(const Discretization<dim> &discretization,
+                        Geometry<dim>             &geometry,
+                        const unsigned int         max_dofs,
+                        const Vector<float>       &indicators,
+                        const double               reduction,
+                        DeeperCells               &deeper)
+  {
+    constexpr double    least = 0.25;
+    const double        left  = std::pow(std::min(1., std::max(least, reduction)), 2) / 2;
+    const SquaredErrors errors(discretization, indicators);
+    if (errors.largest == 0)
+      return false;
+    const Levels levels = levels_for(
+        errors, left, affordable_cells(discretization, max_dofs), GeometryInfo<dim>::max_children_per_cell);
+
+    deeper.clear();
+    unsigned int n_marked = 0;
+    for (const auto &cell : geometry.triangulation.active_cell_iterators())
+      if (may_be_refined(discretization, cell))
+        if (const unsigned int n = levels(std::pow(double(indicators[cell->active_cell_index()]), 2)); n > 0)
+          {
+            cell->set_refine_flag();
+            ++n_marked;
+            if (n > 1)
+              deeper[cell->id()] = n - 1;
+          }
+    deeper = of_all_ranks(deeper, geometry.communicator);
+    return Utilities::MPI::sum(n_marked, geometry.communicator) > 0;
+  }
+
+  template <int dim>
+  void
+  mark_children(const Discretization<dim> &discretization, Geometry<dim> &geometry, DeeperCells &deeper)
+  {
+    DeeperCells children;
+    for (const auto &cell : geometry.triangulation.active_cell_iterators())
+      if (cell->level() > 0 && may_be_refined(discretization, cell))
+        if (const auto parent = deeper.find(cell->parent()->id()); parent != deeper.end())
+          {
+            cell->set_refine_flag();
+            if (parent->second > 1)
+              children[cell->id()] = parent->second - 1;
+          }
+    deeper = of_all_ranks(children, geometry.communicator);
   }
 
   template <int dim>
@@ -297,6 +397,24 @@ namespace Amontons
   mark_cells(const Discretization<2> &, Geometry<2> &, const RefinementParameters &, const Vector<float> &);
   template bool
   mark_cells(const Discretization<3> &, Geometry<3> &, const RefinementParameters &, const Vector<float> &);
+  template bool
+  mark_cells_for_target(const Discretization<2> &,
+                        Geometry<2> &,
+                        const unsigned int,
+                        const Vector<float> &,
+                        const double,
+                        DeeperCells &);
+  template bool
+  mark_cells_for_target(const Discretization<3> &,
+                        Geometry<3> &,
+                        const unsigned int,
+                        const Vector<float> &,
+                        const double,
+                        DeeperCells &);
+  template void
+  mark_children(const Discretization<2> &, Geometry<2> &, DeeperCells &);
+  template void
+  mark_children(const Discretization<3> &, Geometry<3> &, DeeperCells &);
   template Point<2>
   place_of_largest(const Discretization<2> &, const Vector<float> &);
   template Point<3>

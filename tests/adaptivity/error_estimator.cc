@@ -283,6 +283,90 @@ test_marking()
   check::is_close(n_flags(), geometry.triangulation.n_global_active_cells(), 0, "uniform marking");
 }
 
+// All cells have a squared error of 1, one (far from edges) has much more.
+void
+test_marking_for_target()
+{
+  const Scene   scene = block(ProblemType::plane_strain);
+  Problem<2>    problem(scene, 2, 1, false);
+  Geometry<2>  &geometry = problem.geometry;
+  Vector<float> indicators(geometry.triangulation.n_active_cells());
+  const auto    set_large = [&](const double large) {
+    for (const auto &cell : geometry.triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        indicators[cell->active_cell_index()] = cell->id() == CellId("0_1:0") ? large : 1;
+  };
+  const auto n_flags = [&](const bool clear) {
+    unsigned int n = 0;
+    for (const auto &cell : geometry.triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->refine_flag_set())
+        {
+          ++n;
+          if (clear)
+            cell->clear_refine_flag();
+        }
+    return Utilities::MPI::sum(n, MPI_COMM_WORLD);
+  };
+  const unsigned int n        = geometry.triangulation.n_global_active_cells();
+  unsigned int       max_dofs = 1000000;
+  DeeperCells        deeper;
+  const auto         mark = [&](const double reduction) {
+    return mark_cells_for_target(*problem.discretization, geometry, max_dofs, indicators, reduction, deeper);
+  };
+  set_large(1);
+  check::is_true(mark(1), "all alike");
+  check::is_close(n_flags(true), n, 0, "all alike: marked");
+  check::is_close(deeper.size(), 0, 0, "all alike: further levels", 1); // a half is left by one level
+  check::is_true(mark(0.25) && deeper.size() == n, "all alike: 1/32 is not left by a factor of 16");
+  n_flags(true);
+
+  // What may be left by the cells that are refined: 1/32 of the sum. Of 1e6, one level leaves 1/16, two less.
+  set_large(1000);
+  check::is_true(mark(0.25), "one large");
+  check::is_close(n_flags(false), 1, 0, "one large: marked");
+  check::is_true(deeper.size() == 1 && deeper.begin()->first == CellId("0_1:0") &&
+                     deeper.begin()->second == 1,
+                 "one large: once more");
+  geometry.triangulation.execute_coarsening_and_refinement();
+  problem.discretization->distribute_dofs();
+  mark_children(*problem.discretization, geometry, deeper);
+  check::is_close(n_flags(true), 4, 0, "children marked");
+  check::is_true(deeper.empty(), "children are the last");
+
+  indicators.reinit(geometry.triangulation.n_active_cells());
+  for (const auto &cell : geometry.triangulation.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->id() == CellId("0_2:00"))
+      indicators[cell->active_cell_index()] = 1000;
+  max_dofs = 1.15 * problem.discretization->dof_handler.n_dofs();
+  check::is_true(mark(0.25) && deeper.empty(), "one level can be afforded");
+  n_flags(true);
+  max_dofs = problem.discretization->dof_handler.n_dofs();
+  check::is_true(!mark(0.25), "none can be afforded");
+}
+
+// What counts for a target: tractions as they are, the stress by twice the target.
+void
+test_indicators_for_target()
+{
+  ErrorEstimate<2> error;
+  for (Vector<float> *part : {&error.cell_indicators, &error.contact_indicators, &error.shear_indicators})
+    part->reinit(3);
+  error.cell_indicators[0]    = 2;
+  error.contact_indicators[1] = 3;
+  error.shear_indicators[1]   = 4;
+  error.energy_norm           = 10;
+  error.pressure_norm         = 3;
+  error.shear_norm            = 2;
+  const auto result           = error.indicators_for(0.01);
+  check::is_close(result[0], std::sqrt(0.02) * 0.2, 1e-6, "of the stress");
+  check::is_close(result[1], std::sqrt(5.), 1e-6, "of the tractions");
+  check::is_close(result[2], 0, 0, "of nothing", 1);
+  check::is_close(error.indicators_for(3)[0], 0.2, 1e-6, "coarse target");
+  error.contact = 0.01;
+  error.bulk    = 0.5;
+  check::is_close(error.decisive(), 0.25, 1e-12, "forces by the square of the stress's error");
+}
+
 // A quadratic displacement is the same after the transfer.
 void
 test_transfer()
@@ -411,17 +495,14 @@ test_varying_contact_terms(const ProblemType kind, const double a, const double 
       find_overlaps(pair, *interface.slave, interface.master, 0.1, axisymmetric, MPI_COMM_WORLD);
   interface.coupling.rows.resize(interface.slave->nodes.size());
   std::vector<SurfaceFields<2>> fields(1);
-  double                        largest_shear = 0;
   for (unsigned int i = 0; i < interface.slave->nodes.size(); ++i)
     {
       const double x                  = interface.slave->nodes[i].X[0];
       interface.coupling.rows[i].node = i;
       fields[0].pressure.push_back(p + a * x);
       fields[0].traction.push_back(Tensor<1, 2>({shear + b * x, 0}));
-      largest_shear = std::max(largest_shear, shear + b * x);
     }
   fields[0].peak_pressure = p + 2 * a;
-  const double scale      = largest_shear / fields[0].peak_pressure;
 
   // int x^n over [from, to], of the full turn in axisymmetric scenes
   const auto moment = [&](const double from, const double to, const int n) {
@@ -432,26 +513,43 @@ test_varying_contact_terms(const ProblemType kind, const double a, const double 
   for (const auto &face : interface.slave->faces)
     eta += face.size / E * (a * a + b * b) *
            moment(face.centre[0] - face.size / 2, face.centre[0] + face.size / 2, 2);
-  const double wrong     = a * a * moment(0, 2, 2),
-               square    = p * p * moment(0, 2, 0) + 2 * a * p * moment(0, 2, 1) + wrong;
-  const double indicator = wrong + (b != 0 ? b * b / (scale * scale) * moment(0, 2, 2) : 0);
+  const double wrong = a * a * moment(0, 2, 2), wrong_shear = b * b * moment(0, 2, 2);
+  const auto   square_norm = [&](const double value, const double slope) {
+    return value * value * moment(0, 2, 0) + 2 * slope * value * moment(0, 2, 1) +
+           slope * slope * moment(0, 2, 2);
+  };
+  const double square = square_norm(p, a);
 
   const auto estimate = estimate_error<2>(*problem.discretization, *problem.recovery, interfaces, fields);
-  std::array<double, 2> squares = {{0, 0}}, contact = {{0, 0}};
+  std::array<double, 2> squares = {{0, 0}}, contact = {{0, 0}}, of_shear = {{0, 0}};
   for (const auto &cell : problem.discretization->dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
       {
         squares[cell->material_id()] += std::pow(estimate.cell_indicators[cell->active_cell_index()], 2);
         contact[cell->material_id()] += std::pow(estimate.contact_indicators[cell->active_cell_index()], 2);
+        of_shear[cell->material_id()] += std::pow(estimate.shear_indicators[cell->active_cell_index()], 2);
       }
   const std::string what =
       "kind " + std::to_string(int(kind)) + ", errors " + std::to_string(a) + ", " + std::to_string(b);
   for (unsigned int body = 0; body < 2; ++body)
     {
       check::is_close(Utilities::MPI::sum(squares[body], MPI_COMM_WORLD), eta, 1e-5, what + ": indicators");
-      check::is_close(
-          Utilities::MPI::sum(contact[body], MPI_COMM_WORLD), indicator, 1e-5, what + ": contact indicators");
+      check::is_close(Utilities::MPI::sum(contact[body], MPI_COMM_WORLD),
+                      wrong,
+                      1e-5,
+                      what + ": contact indicators",
+                      1e-6);
+      check::is_close(Utilities::MPI::sum(of_shear[body], MPI_COMM_WORLD),
+                      wrong_shear,
+                      1e-5,
+                      what + ": shear indicators");
     }
+  check::is_close(estimate.pressure_norm, std::sqrt(square), 1e-10, what + ": norm of the pressure");
+  if (b != 0)
+    check::is_close(estimate.shear_norm,
+                    std::max(std::sqrt(square_norm(shear, b)), noteworthy_shear * estimate.pressure_norm),
+                    1e-10,
+                    what + ": norm of the shear");
   check::is_close(estimate.contact, std::sqrt(wrong / square), 1e-10, what + ": error of the pressure", 1e-3);
 }
 
@@ -472,6 +570,8 @@ main(int argc, char **argv)
   test_smooth_field(1);
   test_smooth_field(2);
   test_marking();
+  test_marking_for_target();
+  test_indicators_for_target();
   test_transfer();
   test_contact_terms();
   for (const ProblemType kind : {ProblemType::plane_stress, ProblemType::axisymmetric})

@@ -32,7 +32,9 @@ namespace Amontons
     Vector<float> cell_indicators; // by active cell of this rank's triangulation (0 on cells of others and of
                                    // rigid bodies): energy norm
     Vector<float> contact_indicators; // the same for the L2 error of the contact pressure alone
-    double        bulk = 0;           // sqrt(sum eta_K^2) / energy norm of the recovered stress: relative
+    Vector<float> shear_indicators;   // and of the tangential traction, with friction
+    double        energy_norm = 0, pressure_norm = 0, shear_norm = 0; // what these count against
+    double        bulk = 0; // sqrt(sum eta_K^2) / energy norm of the recovered stress: relative
     double        contact =
         0; // relative L2 error of the contact pressure, estimated: see estimate_error; 0 without contact
     double                  shear  = 0; // of the tangential traction, with friction
@@ -41,17 +43,23 @@ namespace Amontons
     std::vector<FacetError> facets_of;  // by interface
     std::optional<double>   quantity;   // of `Target quantity`, if that is a number
 
-    // What refinement goes by: of the contact tractions; of the stress where nothing touches.
+    // What refinement goes by: of the contact tractions; of the stress where nothing touches. Forces that
+    // displacements cause are off by the square of the stress's error (as any work is).
     double
     decisive() const
     {
-      return contact > 0 ? std::max(contact, shear) : bulk;
+      return contact > 0 ? std::max({contact, shear, bulk * bulk}) : bulk;
     }
     double
     of_target() const
     {
       return quantity.value_or(decisive());
     }
+
+    // By cell, relative, for tractions to be that good: squared, the sum of the squares of the tractions'
+    // errors, and of 2 `target` times that of the stress, so that its square may be half of the target.
+    Vector<float>
+    indicators_for(const double target) const;
   };
 
   // Bulk: eta_K^2 = int_K (sigma* - sigma_h) : C^-1 : (sigma* - sigma_h)   (Zienkiewicz and Zhu 1987), with

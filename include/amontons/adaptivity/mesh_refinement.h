@@ -49,6 +49,28 @@ namespace Amontons
              const RefinementParameters &parameters,
              const Vector<float>        &indicators);
 
+  // Cells that are marked, or that have just been refined, and how often their children are refined in turn;
+  // the same on all ranks.
+  using DeeperCells = std::map<CellId, unsigned int>;
+
+  // The same for a target: the error is to fall to `reduction` of what it is (to a quarter at least: coarse
+  // meshes do not know more). The cells that together have half of the squared error that may be left stay;
+  // the others share the other half, and where the error of a cell is that much larger than its share that
+  // one refinement will not do, it goes to `deeper`. Collective.
+  template <int dim>
+  bool
+  mark_cells_for_target(const Discretization<dim> &discretization,
+                        Geometry<dim>             &geometry,
+                        const unsigned int         max_dofs,
+                        const Vector<float>       &indicators,
+                        const double               reduction,
+                        DeeperCells               &deeper);
+
+  // Marks the children of cells, which have been refined, and takes them for these. Collective.
+  template <int dim>
+  void
+  mark_children(const Discretization<dim> &discretization, Geometry<dim> &geometry, DeeperCells &deeper);
+
   // The centre of the cell with the largest indicator. Collective.
   template <int dim>
   Point<dim>

@@ -56,6 +56,11 @@ SCENES = [
     Scene("sphere, in space", "hertz_sphere.prm", floor=point(10, 10), targets=(0.1, 0.03)),
     Scene("cone", "verification/cone.prm", floor=lambda a: formulas.block_point(a, 10)[1]),
     Scene("Cattaneo and Mindlin", "cattaneo_mindlin.prm", floor=line(10, 10), targets=(0.1, 0.03, 0.01)),
+    Scene("disk between platens", "verification/disk_platen.prm"),
+    Scene("cap in a seat", "verification/cap_in_seat.prm", targets=(0.1, 0.03, 0.01)),
+    Scene("crossed cylinders", "crossed_cylinders.prm", targets=(0.1, 0.03)),
+    Scene("two spheres", "two_spheres.prm", targets=(0.1, 0.03)),
+    Scene("Mindlin's spheres", "mindlin_sphere.prm", targets=(0.1,)),
 ]
 
 

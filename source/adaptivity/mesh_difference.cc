@@ -66,23 +66,47 @@ namespace Amontons
       return whole > 0 ? std::sqrt(difference / whole) : 0;
     }
 
-    // The error, and by what factor recovery is below it.
-    void
-    raise(const double difference, const double eta_before, const double eta, double &error, double &factor)
+  } // namespace
+
+  namespace
+  {
+    // By what part the error falls, as recovery sees it.
+    double
+    reduction(const double eta_before, const double eta)
     {
-      error  = error_by_difference(difference, eta_before, eta);
-      factor = eta > 0 ? error / eta : 1;
+      return std::min(0.8, eta / eta_before);
     }
   } // namespace
+
+  double
+  factor_by_difference(const double difference, const double eta_before, const double eta)
+  {
+    const double q = reduction(eta_before, eta);
+    return eta_before > 0 ? difference / (eta_before * std::sqrt(1 - q * q)) : 1;
+  }
 
   double
   error_by_difference(const double difference, const double eta_before, const double eta)
   {
     if (!(eta_before > 0))
       return eta;
-    const double q    = std::min(0.8, eta / eta_before);
+    const double e    = factor_by_difference(difference, eta_before, eta) * eta_before;
     const double left = std::sqrt(std::max(0., eta_before * eta_before - difference * difference));
-    return std::max({eta, difference * q / std::sqrt(1 - q * q), std::sqrt(eta * left)});
+    return std::max({eta, e * reduction(eta_before, eta), std::sqrt(eta * left)});
+  }
+
+  double
+  error_by_comparisons(const double     difference,
+                       const double     eta_before,
+                       const double     eta,
+                       RecoveryFactors &factors)
+  {
+    constexpr double least = 0.25, safety = 1.4;
+    const double     of_coarser = factor_by_difference(difference, eta_before, eta);
+    const double     proven     = safety * std::max({of_coarser, factors.of_coarser, least});
+    const double     error = proven < 1 ? proven * eta : error_by_difference(difference, eta_before, eta);
+    factors                = {eta > 0 ? error / eta : 1, of_coarser};
+    return error;
   }
 
   template <int dim>
@@ -116,8 +140,8 @@ namespace Amontons
                           CoarserTractions<dim>                    &before,
                           ErrorEstimate<dim>                       &error)
   {
-    double pressure = error.recovered.pressure * before.pressure_factor,
-           shear    = error.recovered.shear * before.shear_factor;
+    double pressure = error.recovered.pressure * before.pressure.of_this,
+           shear    = error.recovered.shear * before.shear.of_this;
     if (before.traction.size() == discretization.dof_handler.n_dofs() && before.t == t)
       {
         const LA::Vector      now = surface_tractions(discretization, interfaces, fields);
@@ -137,17 +161,16 @@ namespace Amontons
                        interface.pair->has_friction(),
                        squares);
           }
-        raise(ratio(squares.pressure_difference, squares.pressure),
-              before.recovered.pressure,
-              error.recovered.pressure,
-              pressure,
-              before.pressure_factor);
-        raise(ratio(squares.shear_difference,
-                    std::max(squares.shear, std::pow(noteworthy_shear, 2) * squares.pressure)),
-              before.recovered.shear,
-              error.recovered.shear,
-              shear,
-              before.shear_factor);
+        pressure = error_by_comparisons(ratio(squares.pressure_difference, squares.pressure),
+                                        before.recovered.pressure,
+                                        error.recovered.pressure,
+                                        before.pressure);
+        shear    = error_by_comparisons(
+            ratio(squares.shear_difference,
+                  std::max(squares.shear, std::pow(noteworthy_shear, 2) * squares.pressure)),
+            before.recovered.shear,
+            error.recovered.shear,
+            before.shear);
       }
     error.contact = std::hypot(pressure, error.facets);
     error.shear   = shear;

@@ -35,6 +35,24 @@ main()
                   1e-12,
                   "an estimate that does not fall is believed to fall a little");
 
+  // Errors fall by four, recovery is too large by three, then six, then a hundred twice; the first comparison
+  // stands alone, and a fall that is seen once only is not believed.
+  const auto      change = [](const double e) { return std::sqrt(1 - 1. / 16) * e; };
+  RecoveryFactors factors;
+  check::is_close(error_by_comparisons(change(1), 3, 0.75, factors),
+                  error_by_difference(change(1), 3, 0.75),
+                  1e-14,
+                  "the first comparison");
+  check::is_close(factors.of_coarser, 1. / 3, 1e-12, "factor of the first mesh");
+  check::is_close(
+      error_by_comparisons(change(0.25), 1.5, 0.375, factors), 1.4 / 3 * 0.375, 1e-12, "the larger of both");
+  check::is_close(factors.of_this, 1.4 / 3, 1e-12, "factor of this mesh");
+  error_by_comparisons(change(1), 100, 25, factors);
+  check::is_close(
+      error_by_comparisons(change(1), 100, 25, factors), 1.4 * 0.25 * 25, 1e-12, "the least factor");
+  check::is_true(error_by_comparisons(change(1), 0.8, 0.2, factors) >= 0.2, "too small again");
+  check::is_true(error_by_comparisons(change(1), 3, 0.75, factors) >= 0.75, "once only");
+
   MeshSequence smooth, edge, short_one;
   for (unsigned int i = 0; i < 6; ++i)
     {

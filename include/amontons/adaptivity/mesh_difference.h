@@ -5,6 +5,13 @@
 
 namespace Amontons
 {
+  /// How much larger errors are than what recovery says of them: what is told of this mesh, and what the
+  /// last comparison says of the mesh before.
+  struct RecoveryFactors
+  {
+    double of_this = 1, of_coarser = std::numeric_limits<double>::infinity();
+  };
+
   /// Pressure and tangential traction of the mesh before, as a field that goes along to the refined one.
   template <int dim>
   struct CoarserTractions
@@ -12,8 +19,7 @@ namespace Amontons
     double          t = 0;
     LA::Vector      traction; // p n + shear on the slave nodes' DoFs, of all pairs; empty: none known
     RecoveredErrors recovered;
-    /// Of the last comparison: how much larger the errors are than what recovery says.
-    double pressure_factor = 1, shear_factor = 1;
+    RecoveryFactors pressure, shear; // of the last comparison
   };
 
   template <int dim>
@@ -22,8 +28,10 @@ namespace Amontons
                     const std::vector<ContactInterface<dim>> &interfaces,
                     const std::vector<SurfaceFields<dim>>    &fields);
 
-  /// Raises `error` (of this mesh, fields too) to error_by_difference(); where there is nothing to compare
-  /// with, by the last factor.
+  /// The errors of tractions in `error` (of this mesh, as fields) by error_by_difference(). Where two
+  /// comparisons, one after the other, say that recovery is too large (factor_by_difference() below 1), by
+  /// the larger of these factors: the edge of a contact does not stay badly placed. Where there is nothing to
+  /// compare with, by the last factor.
   template <int dim>
   void
   combine_with_difference(const Discretization<dim>                &discretization,
@@ -46,4 +54,17 @@ namespace Amontons
   /// The largest of eta' and of both.
   double
   error_by_difference(const double difference, const double eta_before, const double eta);
+
+  /// e / eta of the coarser mesh, with the first of these two.
+  double
+  factor_by_difference(const double difference, const double eta_before, const double eta);
+
+  /// error_by_difference(), unless two comparisons, one after the other, say that recovery is too large (with
+  /// shears it is, by 2 to 4): the edge of a contact does not stay badly placed. Then the larger factor
+  /// counts, 1/4 at least, and is made safer by 1.4. factors: of the comparison before, and then of this one.
+  double
+  error_by_comparisons(const double     difference,
+                       const double     eta_before,
+                       const double     eta,
+                       RecoveryFactors &factors);
 } // namespace Amontons

@@ -103,7 +103,8 @@ namespace Amontons
   {
     constexpr double least = 0.25, safety = 1.4;
     const double     of_coarser = factor_by_difference(difference, eta_before, eta);
-    const double     proven     = safety * std::max({of_coarser, factors.of_coarser, least});
+    const double     next       = of_coarser * std::max(1., of_coarser / factors.of_coarser);
+    const double     proven     = safety * std::max({next, factors.of_coarser, least});
     const double     error = proven < 1 ? proven * eta : error_by_difference(difference, eta_before, eta);
     factors                = {eta > 0 ? error / eta : 1, of_coarser};
     return error;

@@ -35,7 +35,7 @@ main()
                   1e-12,
                   "an estimate that does not fall is believed to fall a little");
 
-  // Errors fall by four, recovery is too large by three, then six, then a hundred twice; the first comparison
+  // Errors fall by four, recovery is too large by three, six, five, and a hundred twice; the first comparison
   // stands alone, and a fall that is seen once only is not believed.
   const auto      change = [](const double e) { return std::sqrt(1 - 1. / 16) * e; };
   RecoveryFactors factors;
@@ -47,9 +47,18 @@ main()
   check::is_close(
       error_by_comparisons(change(0.25), 1.5, 0.375, factors), 1.4 / 3 * 0.375, 1e-12, "the larger of both");
   check::is_close(factors.of_this, 1.4 / 3, 1e-12, "factor of this mesh");
+  check::is_close(error_by_comparisons(change(1), 5, 1.25, factors),
+                  1.4 * 0.25 * 1.25,
+                  1e-12,
+                  "from 1/6 to 1/5, and so on: less than the least");
   error_by_comparisons(change(1), 100, 25, factors);
   check::is_close(
       error_by_comparisons(change(1), 100, 25, factors), 1.4 * 0.25 * 25, 1e-12, "the least factor");
+  factors = {1, 0.4};
+  check::is_close(error_by_comparisons(change(1), 2, 0.5, factors),
+                  1.4 * 0.5 * 0.5 / 0.4 * 0.5,
+                  1e-12,
+                  "growing factors");
   check::is_true(error_by_comparisons(change(1), 0.8, 0.2, factors) >= 0.2, "too small again");
   check::is_true(error_by_comparisons(change(1), 3, 0.75, factors) >= 0.75, "once only");
 

@@ -61,7 +61,8 @@ namespace Amontons
 
   /// error_by_difference(), unless two comparisons, one after the other, say that recovery is too large (with
   /// shears it is, by 2 to 4): the edge of a contact does not stay badly placed. Then the larger factor
-  /// counts, 1/4 at least, and is made safer by 1.4. factors: of the comparison before, and then of this one.
+  /// counts; factors that grow (as those of pressures on coarse meshes do) are taken to grow on as much; 1/4
+  /// at least, made safer by 1.4. factors: of the comparison before, and then of this one.
   double
   error_by_comparisons(const double     difference,
                        const double     eta_before,

@@ -221,7 +221,12 @@ namespace Amontons
     part.probes.clear();
     Parameters replay         = parameters;
     replay.refinement.history = "replay";
-    replay.output.vtu         = false;
+    if (replay.refinement.target_error > 0) // which would choose other increments
+      {
+        replay.refinement.cycles       = mesh->n_refinements;
+        replay.refinement.target_error = 0;
+      }
+    replay.output.vtu = false;
     return ContactProblem<dim>(part, replay, folder, true)
         .run_to_measure_increments(steps->model->finite_strain());
   }

@@ -5,6 +5,12 @@
 
 namespace Amontons
 {
+  namespace
+  {
+    // In each piece of the load path; see LoadProgram.
+    constexpr double increments_by_default = 10, increments_at_first = 4;
+  } // namespace
+
   template <int dim>
   LoadStepping<dim>::LoadStepping(const Parameters             &parameters,
                                   std::unique_ptr<Model<dim>>   start,
@@ -15,6 +21,8 @@ namespace Amontons
                    : parameters.refinement.history == "replay" ? Refinement::between_replays
                                                                : Refinement::on_the_way)
   {
+    if (chooses_increments())
+      increment_length = increments_by_default / increments_at_first; // until their error is known
   }
 
   template <int dim>
@@ -29,7 +37,7 @@ namespace Amontons
             resolves_friction(model->interfaces, history.state))
           measure_increments();
       }
-    while (!(until_measured && measured) && replay_refined());
+    while (!(until_measured && measured) && (needs_more_increments() || replay_refined()));
     return true;
   }
 
@@ -37,8 +45,9 @@ namespace Amontons
   bool
   LoadStepping<dim>::run_load_program()
   {
-    LoadProgram program(scene, is_incremental());
+    LoadProgram program(scene, is_incremental(), increment_length);
     Failures    failures;
+    const auto  n_known = history.path.size(); // on the mesh before
     history.restart();
     evaluation.error = ErrorEstimate<dim>();
     if (neglected != nullptr)
@@ -64,6 +73,7 @@ namespace Amontons
         report.progress(program);
       }
     //! [load program]
+    history.path.erase(history.path.begin(), history.path.begin() + n_known);
     return true;
   }
 
@@ -310,6 +320,40 @@ namespace Amontons
     return true;
   }
 
+  // Of scenes that do not say how many, and where their error is known before the last mesh.
+  template <int dim>
+  bool
+  LoadStepping<dim>::chooses_increments() const
+  {
+    return scene.n_increments == 0 && parameters.refinement.target_error > 0 &&
+           refinement == Refinement::between_replays;
+  }
+
+  // After their error, which is as large as they are long, has been measured: as many as make it half of the
+  // target, but not more than by default. One alone, which has no shorter ones to compare with, takes ten
+  // times less. True: these are more, and there is no finer mesh to take them on.
+  template <int dim>
+  bool
+  LoadStepping<dim>::needs_more_increments()
+  {
+    if (!chooses_increments() || !measured || has_chosen || !report.error_of_increments())
+      return false;
+    has_chosen           = true;
+    const double error   = report.error_of_increments()->largest() * increments_at_first; // of a single one
+    const double allowed = parameters.refinement.target_error / 2;
+    double       n       = std::min(std::ceil(error / allowed), increments_by_default);
+    if (n <= 1)
+      n = 10 * error <= allowed ? 1 : 2;
+    if (n <= increments_at_first && !wants_refinement())
+      return false;
+    increment_length = increments_by_default / n;
+    report.set_error_of_increments(report.error_of_increments()->scaled(increments_at_first / n));
+    if (wants_refinement())
+      return false;
+    report.replay();
+    return true;
+  }
+
   // The last converged state goes along to the refined mesh: the next increment starts from it there.
   template <int dim>
   bool
@@ -391,12 +435,12 @@ namespace Amontons
   LoadStepping<dim>::measure_increments()
   {
     TimerOutput::Scope scope(timer, "error of the increments");
-    LoadProgram        plan(scene, is_incremental());
+    LoadProgram        plan(scene, is_incremental(), increment_length);
     while (!plan.finished())
       plan.accept(1);
     const bool few = plan.number() - 1 < 4 * plan.n_breakpoints();
 
-    LoadProgram   program(scene, is_incremental(), few ? 0.5 : 2);
+    LoadProgram   program(scene, is_incremental(), increment_length * (few ? 0.5 : 2));
     LoadPath<dim> repeat(parameters, model->at_rest(program.next()), timer);
     repeat.history.path.swap(history.path); // first guesses for both
     const bool success = repeat.run(program);

@@ -864,6 +864,11 @@ add_scene_test(NAME estimate_after_a_change SCENE hertz_cylinder.prm SET "Refine
 add_scene_test(NAME target_of_shear SCENE half_plane_box_friction.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.1"
                CHECK "error_estimate.shear <= 0.1" "error_estimate.contact <= 0.03" "meshes.-1.reference.errors.shear_l2 <= 0.1"
                      "error_estimate.shear >= meshes.-1.reference.errors.shear_l2" "error_estimate.contact >= meshes.-1.reference.errors.pressure_l2")
+# As many increments as the target asks for: one in each of five pieces where the path does not matter, five (in one piece, on the mesh that was enough) where it does.
+add_scene_test(NAME target_of_increments SCENE cattaneo_mindlin.prm SET "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target error=0.1"
+               CHECK "meshes.-1.increment == 5" "meshes.0.t == 0.25" "error_estimate.shear <= 0.1" "reference.errors.shear_l2 <= 0.05" "reference.errors.stick_size <= 0.005")
+add_scene_test(NAME target_of_more_increments SCENE nafems_roller_friction.prm SET "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target error=0.08"
+               CHECK "meshes.-1.increment == 5" "meshes.0.t == 0.25" "error_estimate.shear <= 0.08" "newton.:.iterations <= 12")
 add_scene_test(NAME target_at_a_sharp_edge SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"
                CHECK "status is converged" "notes.1 has out of reach" "notes.1 has (10 " "dofs <= 5000" "pairs.0.normal_force.1 ~ -5000 1e-8")
 # A contact smaller than a cell is not one that does not converge.

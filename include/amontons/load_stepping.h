@@ -98,6 +98,10 @@ namespace Amontons
     bool
     replay_refined();
     bool
+    chooses_increments() const;
+    bool
+    needs_more_increments();
+    bool
     may_transfer() const;
     bool
     refine();
@@ -117,6 +121,8 @@ namespace Amontons
     RunReport<dim>               &report;
     NeglectedTermsOfHistory<dim> *neglected;
     const Refinement              refinement;
-    bool                          measured = false; // the increments, once
+    bool                          measured         = false; // the increments, once
+    bool                          has_chosen       = false; // how many increments
+    double                        increment_length = 1;     // times what the scene says
   };
 } // namespace Amontons

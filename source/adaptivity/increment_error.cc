@@ -53,6 +53,20 @@ namespace Amontons
   } // namespace
 
   IncrementErrors
+  IncrementErrors::scaled(const double factor) const
+  {
+    IncrementErrors result = *this;
+    for (double *const part : {&result.pressure,
+                               &result.shear,
+                               &result.stick_size,
+                               &result.normal_force,
+                               &result.tangential_force,
+                               &result.dissipation})
+      *part *= factor;
+    return result;
+  }
+
+  IncrementErrors
   error_of_increments(const LoadRecord &run, const LoadRecord &repeat)
   {
     IncrementErrors errors;

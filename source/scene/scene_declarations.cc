@@ -250,7 +250,8 @@ namespace Amontons
                       anything,
                       "automatic, or the number of equal steps that the load program starts with; automatic: "
                       "one where nothing depends on the history (no friction), else ten for each straight "
-                      "piece of the load path. Steps follow the number of iterations, are cut back on "
+                      "piece of the load path (fewer where a target error allows it). Steps follow the "
+                      "number of iterations, are cut back on "
                       "failure, and end at all output times and corners of tables.");
     prm.declare_entry("Minimum increment",
                       "1e-4",

@@ -46,6 +46,10 @@ namespace Amontons
     double       tangential_force = 0; // of the largest that the bound allows
     double       dissipation      = 0; // of the work
 
+    // With increments that are `factor` times as long.
+    IncrementErrors
+    scaled(const double factor) const;
+
     // Of the state; the work of friction may be wrong where that is right.
     double
     largest() const

@@ -116,9 +116,14 @@ CHANGES = [
     # ---- adaptivity
     ("hoop strain that is left out", "elasticity/elasticity_operator.cc", "out = 0.5 * hoop * hoop;", "out = hoop * hoop;", "^elasticity/elasticity$"),
     ("affordable cells", "adaptivity/mesh_refinement.cc", "growth * n_cells / (GeometryInfo<dim>::max_children_per_cell - 1)", "growth * n_cells / GeometryInfo<dim>::max_children_per_cell", "^adaptivity/"),
-    ("errors of one rank", "adaptivity/mesh_refinement.cc", "        return Utilities::MPI::sum(sum, communicator);", "        return sum;", RANKS),
+    ("errors of one rank", "adaptivity/mesh_refinement.cc", "        return Utilities::MPI::sum(mine, communicator);", "        return mine;", RANKS),
     ("shear of the estimate", "adaptivity/error_estimator.cc", "square += weight * (t - (n * t) * n - shear).norm_square();", ";", "^adaptivity/error_estimator$"),
     ("share of the master's cells", "adaptivity/error_estimator.cc", "const double share = point.weight / areas[point.slave_face];", "const double share = point.weight;", "^adaptivity/error_estimator$"),
+    ("levels for a target", "adaptivity/mesh_refinement.cc", "left > share; left /= per_level", "left > share && false; left /= per_level", "^adaptivity/error_estimator$"),
+    ("stress for a target", "adaptivity/error_estimator.cc", "std::min(1., 2 * target)", "1", "^adaptivity/error_estimator$"),
+    ("factors that grow", "adaptivity/mesh_difference.cc", "of_coarser * std::max(1., of_coarser / factors.of_coarser)", "of_coarser", "^adaptivity/mesh_difference$"),
+    ("increments on the same mesh", "load_stepping.cc", "if (n <= increments_at_first && !wants_refinement())", "if (!wants_refinement())", "scenes/target_of_more_increments$"),
+    ("increments for a target", "load_stepping.cc", "std::min(std::ceil(error / allowed), increments_by_default)", "increments_by_default", "scenes/target_of_increments$"),
     ("worst of the increments", "evaluation.cc", "keep_largest(before.contact_indicators, error.contact_indicators);", ";", "scenes/unloaded_two_cylinders$"),
     ("target error", "load_stepping.cc", "(mendable <= target ||", "(mendable >= target ||", "scenes/.*target.*"),
     # ---- output

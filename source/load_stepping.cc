@@ -33,8 +33,9 @@ namespace Amontons
       {
         if (!run_load_program())
           return false;
+        const bool sees_slip = resolves_friction(model->interfaces, history.state);
         if (refinement == Refinement::between_replays && !measured &&
-            resolves_friction(model->interfaces, history.state))
+            (sees_slip || (chooses_increments() && !wants_refinement())))
           measure_increments();
       }
     while (!(until_measured && measured) && (needs_more_increments() || replay_refined()));

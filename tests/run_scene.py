@@ -89,14 +89,14 @@ def skew(contact):
 
 
 def slowdown(newton):
-    """Ratio of the last two reductions of the residual, the largest of all solves: well below 1 where convergence is superlinear. Residuals after the
-    first one below 1e-7 are left out, since they show how far linear systems were solved."""
+    """Ratio of two reductions of the residual, one after the other, the largest of all solves: well below 1 where convergence is superlinear. Of a solve, those
+    at the first residual below 1e-7, or after it if they show more: what comes after may also be how far linear systems were solved."""
     largest = 0
     for solve in newton:
         r = solve["residuals"]
         n = next((k for k, residual in enumerate(r) if residual < 1e-7), 0)
         if n >= 2:
-            largest = max(largest, r[n] * r[n - 2] / r[n - 1] ** 2)
+            largest = max(largest, min(r[k] * r[k - 2] / r[k - 1] ** 2 for k in range(n, min(n + 2, len(r)))))
     return largest
 
 

@@ -66,10 +66,6 @@ namespace Amontons
       return whole > 0 ? std::sqrt(difference / whole) : 0;
     }
 
-  } // namespace
-
-  namespace
-  {
     // By what part the error falls, as recovery sees it.
     double
     reduction(const double eta_before, const double eta)

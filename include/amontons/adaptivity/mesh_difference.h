@@ -28,10 +28,8 @@ namespace Amontons
                     const std::vector<ContactInterface<dim>> &interfaces,
                     const std::vector<SurfaceFields<dim>>    &fields);
 
-  /// The errors of tractions in `error` (of this mesh, as fields) by error_by_difference(). Where two
-  /// comparisons, one after the other, say that recovery is too large (factor_by_difference() below 1), by
-  /// the larger of these factors: the edge of a contact does not stay badly placed. Where there is nothing to
-  /// compare with, by the last factor.
+  /// The errors of tractions in `error` (of this mesh, as fields) by error_by_comparisons(); where there is
+  /// nothing to compare with, by the last factor.
   template <int dim>
   void
   combine_with_difference(const Discretization<dim>                &discretization,

@@ -7,8 +7,8 @@ namespace Amontons
 {
   namespace
   {
-    // In each piece of the load path; see LoadProgram.
-    constexpr double increments_by_default = 10, increments_at_first = 4;
+    // In each piece of the load path, until their error is known.
+    constexpr double increments_at_first = 4;
   } // namespace
 
   template <int dim>
@@ -22,23 +22,28 @@ namespace Amontons
                                                                : Refinement::on_the_way)
   {
     if (chooses_increments())
-      increment_length = increments_by_default / increments_at_first; // until their error is known
+      increment_length = LoadProgram::increments_by_default / increments_at_first;
   }
 
   template <int dim>
   bool
   LoadStepping<dim>::run(const bool until_measured)
   {
+    bool again;
     do
       {
         if (!run_load_program())
           return false;
+        again                = false;
         const bool sees_slip = resolves_friction(model->interfaces, history.state);
         if (refinement == Refinement::between_replays && !measured &&
             (sees_slip || (chooses_increments() && !wants_refinement())))
-          measure_increments();
+          {
+            measure_increments();
+            again = choose_increments();
+          }
       }
-    while (!(until_measured && measured) && (needs_more_increments() || replay_refined()));
+    while (again || (!(until_measured && measured) && replay_refined()));
     return true;
   }
 
@@ -335,19 +340,18 @@ namespace Amontons
   // times less. True: these are more, and there is no finer mesh to take them on.
   template <int dim>
   bool
-  LoadStepping<dim>::needs_more_increments()
+  LoadStepping<dim>::choose_increments()
   {
-    if (!chooses_increments() || !measured || has_chosen || !report.error_of_increments())
+    if (!chooses_increments() || !report.error_of_increments())
       return false;
-    has_chosen           = true;
     const double error   = report.error_of_increments()->largest() * increments_at_first; // of a single one
     const double allowed = parameters.refinement.target_error / 2;
-    double       n       = std::min(std::ceil(error / allowed), increments_by_default);
+    double       n       = std::min(std::ceil(error / allowed), LoadProgram::increments_by_default);
     if (n <= 1)
       n = 10 * error <= allowed ? 1 : 2;
     if (n <= increments_at_first && !wants_refinement())
       return false;
-    increment_length = increments_by_default / n;
+    increment_length = LoadProgram::increments_by_default / n;
     report.set_error_of_increments(report.error_of_increments()->scaled(increments_at_first / n));
     if (wants_refinement())
       return false;

@@ -148,18 +148,17 @@ namespace Amontons
   void
   Model<dim>::refine(const std::vector<LA::Vector *> &fields)
   {
-    bool is_last = false;
-    while (!is_last)
+    while (!deeper.empty())
       {
-        is_last = deeper.empty();
         refine_and_transfer(*mesh->discretization, mesh->geometry, fields, [&]() {
-          if (!is_last)
-            return mesh->discretization->distribute_dofs();
-          rebuild();
-          couple_refined();
+          mesh->discretization->distribute_dofs();
         });
         mark_children(discretization(), mesh->geometry, deeper);
       }
+    refine_and_transfer(*mesh->discretization, mesh->geometry, fields, [&]() {
+      rebuild();
+      couple_refined();
+    });
     ++mesh->n_refinements;
   }
 

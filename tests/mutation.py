@@ -123,7 +123,7 @@ CHANGES = [
     ("stress for a target", "adaptivity/error_estimator.cc", "std::min(1., 2 * target)", "1", "^adaptivity/error_estimator$"),
     ("factors that grow", "adaptivity/mesh_difference.cc", "of_coarser * std::max(1., of_coarser / factors.of_coarser)", "of_coarser", "^adaptivity/mesh_difference$"),
     ("increments on the same mesh", "load_stepping.cc", "if (n <= increments_at_first && !wants_refinement())", "if (!wants_refinement())", "scenes/target_of_more_increments$"),
-    ("increments for a target", "load_stepping.cc", "std::min(std::ceil(error / allowed), increments_by_default)", "increments_by_default", "scenes/target_of_increments$"),
+    ("increments for a target", "load_stepping.cc", "std::min(std::ceil(error / allowed), LoadProgram::increments_by_default)", "LoadProgram::increments_by_default", "scenes/target_of_increments$"),
     ("worst of the increments", "evaluation.cc", "keep_largest(before.contact_indicators, error.contact_indicators);", ";", "scenes/unloaded_two_cylinders$"),
     ("target error", "load_stepping.cc", "(mendable <= target ||", "(mendable >= target ||", "scenes/.*target.*"),
     # ---- output

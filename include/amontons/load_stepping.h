@@ -100,7 +100,7 @@ namespace Amontons
     bool
     chooses_increments() const;
     bool
-    needs_more_increments();
+    choose_increments();
     bool
     may_transfer() const;
     bool
@@ -122,7 +122,6 @@ namespace Amontons
     NeglectedTermsOfHistory<dim> *neglected;
     const Refinement              refinement;
     bool                          measured         = false; // the increments, once
-    bool                          has_chosen       = false; // how many increments
     double                        increment_length = 1;     // times what the scene says
   };
 } // namespace Amontons

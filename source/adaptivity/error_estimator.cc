@@ -183,24 +183,23 @@ namespace Amontons
             estimate.contact_indicators[c] = std::sqrt(contact_squares[c]);
             estimate.shear_indicators[c]   = std::sqrt(shear_squares[c]);
           }
-        estimate.energy_norm   = std::sqrt(total(bulk_energy));
-        estimate.pressure_norm = std::sqrt(total(pressure_square));
-        estimate.shear_norm =
-            std::max(std::sqrt(total(shear_square)), noteworthy_shear * estimate.pressure_norm);
-        estimate.bulk    = relative(total(bulk_error), total(bulk_energy));
-        estimate.contact = relative(total(pressure_error), total(pressure_square));
-        estimate.shear =
-            relative(total(shear_error),
-                     std::max(total(shear_square), std::pow(noteworthy_shear, 2) * total(pressure_square)));
-        estimate.recovered = {estimate.contact, estimate.shear};
-        estimate.facets_of = facets_of;
-        double facets      = 0;
+        const double energy = total(bulk_energy), pressure = total(pressure_square),
+                     shear     = std::max(total(shear_square), std::pow(noteworthy_shear, 2) * pressure);
+        estimate.energy_norm   = std::sqrt(energy);
+        estimate.pressure_norm = std::sqrt(pressure);
+        estimate.shear_norm    = std::sqrt(shear);
+        estimate.bulk          = relative(total(bulk_error), energy);
+        estimate.contact       = relative(total(pressure_error), pressure);
+        estimate.shear         = relative(total(shear_error), shear);
+        estimate.recovered     = {estimate.contact, estimate.shear};
+        estimate.facets_of     = facets_of;
+        double facets          = 0;
         for (auto &of_pair : estimate.facets_of)
           {
             facets += of_pair.pressure;
-            of_pair.pressure = relative(of_pair.pressure, total(pressure_square));
+            of_pair.pressure = relative(of_pair.pressure, pressure);
           }
-        estimate.facets  = relative(facets, total(pressure_square));
+        estimate.facets  = relative(facets, pressure);
         estimate.contact = std::hypot(estimate.contact, estimate.facets);
         return estimate;
       }

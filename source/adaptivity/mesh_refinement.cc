@@ -37,8 +37,8 @@ namespace Amontons
     prm.add_parameter(
         "Fraction",
         fraction,
-        "Without a target error: adaptive refinement takes the cells with the largest estimated errors that "
-        "together make up this part of the squared error.",
+        "Adaptive refinement takes the cells with the largest estimated errors that together make up "
+        "this part of the squared error; 'Target error' of the contact pressure says itself which.",
         Patterns::Double(0, 1));
     prm.add_parameter(
         "Strategy",
@@ -164,47 +164,13 @@ namespace Amontons
       return errors.largest_threshold([&](const double t) { return errors.count_above(t) > affordable; }) /
              alike;
     }
-  } // namespace
 
-  template <int dim>
-  bool
-  mark_cells(const Discretization<dim>  &discretization,
-             Geometry<dim>              &geometry,
-             const RefinementParameters &parameters,
-             const Vector<float>        &indicators)
-  {
-    const double        affordable = affordable_cells(discretization, parameters.max_dofs);
-    const SquaredErrors errors(discretization, indicators);
-    double              threshold = 0;
-    if (parameters.strategy == "uniform")
-      {
-        if (errors.count_above(0) > affordable)
-          return false;
-      }
-    else if (errors.largest > 0)
-      threshold = adaptive_threshold(errors, parameters.fraction, affordable);
-    else
-      return false;
-
-    unsigned int n_marked = 0;
-    for (const auto &cell : geometry.triangulation.active_cell_iterators())
-      if (may_be_refined(discretization, cell) &&
-          std::pow(double(indicators[cell->active_cell_index()]), 2) >= threshold)
-        {
-          cell->set_refine_flag();
-          ++n_marked;
-        }
-    return Utilities::MPI::sum(n_marked, geometry.communicator) > 0;
-  }
-
-  namespace
-  {
     // How often a cell is refined.
     struct Levels
     {
-      double       threshold; // cells below stay
-      double       share;     // what a squared error is to fall to
-      unsigned int most = 3;
+      double       threshold = 0; // cells below stay
+      double       share     = 0; // what a squared error is to fall to
+      unsigned int most      = 3;
 
       unsigned int
       operator()(const double square) const
@@ -217,6 +183,56 @@ namespace Amontons
       }
     };
 
+    // Marks cells by their squared errors; deeper: as in mark_cells_for_target, of this rank.
+    template <int dim>
+    bool
+    mark(const Discretization<dim> &discretization,
+         Geometry<dim>             &geometry,
+         const Vector<float>       &indicators,
+         const Levels              &levels,
+         DeeperCells               &deeper)
+    {
+      unsigned int n_marked = 0;
+      for (const auto &cell : geometry.triangulation.active_cell_iterators())
+        if (may_be_refined(discretization, cell))
+          if (const unsigned int n = levels(std::pow(double(indicators[cell->active_cell_index()]), 2));
+              n > 0)
+            {
+              cell->set_refine_flag();
+              ++n_marked;
+              if (n > 1)
+                deeper[cell->id()] = n - 1;
+            }
+      return Utilities::MPI::sum(n_marked, geometry.communicator) > 0;
+    }
+  } // namespace
+
+  template <int dim>
+  bool
+  mark_cells(const Discretization<dim>  &discretization,
+             Geometry<dim>              &geometry,
+             const RefinementParameters &parameters,
+             const Vector<float>        &indicators)
+  {
+    const double        affordable = affordable_cells(discretization, parameters.max_dofs);
+    const SquaredErrors errors(discretization, indicators);
+    Levels              once;
+    once.most = 1;
+    if (parameters.strategy == "uniform")
+      {
+        if (errors.count_above(0) > affordable)
+          return false;
+      }
+    else if (errors.largest > 0)
+      once.threshold = adaptive_threshold(errors, parameters.fraction, affordable);
+    else
+      return false;
+    DeeperCells none;
+    return mark(discretization, geometry, indicators, once, none);
+  }
+
+  namespace
+  {
     // As many as can be afforded; left: of the sum of the squares.
     Levels
     levels_for(const SquaredErrors &errors,
@@ -261,18 +277,9 @@ namespace Amontons
         errors, left, affordable_cells(discretization, max_dofs), GeometryInfo<dim>::max_children_per_cell);
 
     deeper.clear();
-    unsigned int n_marked = 0;
-    for (const auto &cell : geometry.triangulation.active_cell_iterators())
-      if (may_be_refined(discretization, cell))
-        if (const unsigned int n = levels(std::pow(double(indicators[cell->active_cell_index()]), 2)); n > 0)
-          {
-            cell->set_refine_flag();
-            ++n_marked;
-            if (n > 1)
-              deeper[cell->id()] = n - 1;
-          }
-    deeper = of_all_ranks(deeper, geometry.communicator);
-    return Utilities::MPI::sum(n_marked, geometry.communicator) > 0;
+    const bool any = mark(discretization, geometry, indicators, levels, deeper);
+    deeper         = of_all_ranks(deeper, geometry.communicator);
+    return any;
   }
 
   template <int dim>

@@ -39,7 +39,7 @@ namespace Amontons
       return coarser * constant_size;
     const auto   end   = std::upper_bound(breakpoints.begin(), breakpoints.end(), t);
     const double begin = end == breakpoints.begin() ? 0. : *(end - 1);
-    return coarser * (*end - begin) / 10;
+    return coarser * (*end - begin) / increments_by_default;
   }
 
   double

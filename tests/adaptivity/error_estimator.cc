@@ -216,6 +216,21 @@ test_smooth_field(const unsigned int degree)
     }
 }
 
+// Of all ranks; clear: and leaves none.
+unsigned int
+take_flags(const Geometry<2> &geometry, const bool clear = true)
+{
+  unsigned int n = 0;
+  for (const auto &cell : geometry.triangulation.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->refine_flag_set())
+      {
+        ++n;
+        if (clear)
+          cell->clear_refine_flag();
+      }
+  return Utilities::MPI::sum(n, MPI_COMM_WORLD);
+}
+
 void
 test_marking()
 {
@@ -233,17 +248,8 @@ test_marking()
         indicators[cell->active_cell_index()] = large ? 4 * (1 + 1e-7 * cell->index()) : 1;
         n_large += large;
       }
-  const auto n_flags = [&]() {
-    unsigned int n = 0;
-    for (const auto &cell : geometry.triangulation.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->refine_flag_set())
-        {
-          ++n;
-          cell->clear_refine_flag();
-        }
-    return Utilities::MPI::sum(n, MPI_COMM_WORLD);
-  };
-  n_large = Utilities::MPI::sum(n_large, MPI_COMM_WORLD);
+  const auto n_flags = [&]() { return take_flags(geometry); };
+  n_large            = Utilities::MPI::sum(n_large, MPI_COMM_WORLD);
 
   parameters.fraction = 0.7;
   check::is_true(mark_cells(*problem.discretization, geometry, parameters, indicators),
@@ -296,17 +302,6 @@ test_marking_for_target()
       if (cell->is_locally_owned())
         indicators[cell->active_cell_index()] = cell->id() == CellId("0_1:0") ? large : 1;
   };
-  const auto n_flags = [&](const bool clear) {
-    unsigned int n = 0;
-    for (const auto &cell : geometry.triangulation.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->refine_flag_set())
-        {
-          ++n;
-          if (clear)
-            cell->clear_refine_flag();
-        }
-    return Utilities::MPI::sum(n, MPI_COMM_WORLD);
-  };
   const unsigned int n        = geometry.triangulation.n_global_active_cells();
   unsigned int       max_dofs = 1000000;
   DeeperCells        deeper;
@@ -315,22 +310,22 @@ test_marking_for_target()
   };
   set_large(1);
   check::is_true(mark(1), "all alike");
-  check::is_close(n_flags(true), n, 0, "all alike: marked");
+  check::is_close(take_flags(geometry), n, 0, "all alike: marked");
   check::is_close(deeper.size(), 0, 0, "all alike: further levels", 1); // a half is left by one level
   check::is_true(mark(0.25) && deeper.size() == n, "all alike: 1/32 is not left by a factor of 16");
-  n_flags(true);
+  take_flags(geometry);
 
   // What may be left by the cells that are refined: 1/32 of the sum. Of 1e6, one level leaves 1/16, two less.
   set_large(1000);
   check::is_true(mark(0.25), "one large");
-  check::is_close(n_flags(false), 1, 0, "one large: marked");
+  check::is_close(take_flags(geometry, false), 1, 0, "one large: marked");
   check::is_true(deeper.size() == 1 && deeper.begin()->first == CellId("0_1:0") &&
                      deeper.begin()->second == 1,
                  "one large: once more");
   geometry.triangulation.execute_coarsening_and_refinement();
   problem.discretization->distribute_dofs();
   mark_children(*problem.discretization, geometry, deeper);
-  check::is_close(n_flags(true), 4, 0, "children marked");
+  check::is_close(take_flags(geometry), 4, 0, "children marked");
   check::is_true(deeper.empty(), "children are the last");
 
   indicators.reinit(geometry.triangulation.n_active_cells());
@@ -339,7 +334,7 @@ test_marking_for_target()
       indicators[cell->active_cell_index()] = 1000;
   max_dofs = 1.15 * problem.discretization->dof_handler.n_dofs();
   check::is_true(mark(0.25) && deeper.empty(), "one level can be afforded");
-  n_flags(true);
+  take_flags(geometry);
   max_dofs = problem.discretization->dof_handler.n_dofs();
   check::is_true(!mark(0.25), "none can be afforded");
 }

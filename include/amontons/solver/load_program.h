@@ -11,6 +11,9 @@ namespace Amontons
   class LoadProgram
   {
   public:
+    // In each piece between landings, unless the scene says how many over all.
+    static constexpr double increments_by_default = 10;
+
     // coarser: how many times longer increments may be than the scene says.
     LoadProgram(const Scene &scene, const bool has_history, const double coarser = 1);
 
@@ -63,7 +66,7 @@ namespace Amontons
     longest() const; // increment at time t
 
     std::vector<double> breakpoints, corners;
-    double              constant_size; // 0: a tenth of each piece between landings,
+    double              constant_size; // 0: increments_by_default in each piece,
     double              coarser;       // times this
     double              smallest;
     double              factor     = 1; // present size over longest()

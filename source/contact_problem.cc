@@ -15,18 +15,26 @@ namespace Amontons
                                       const MakeReference<dim> &make_reference)
       : scene(scene), parameters(parameters), folder(output_folder),
         report(this->scene, parameters.output, folder, quiet, make_reference),
-        small_strain(this->scene, parameters)
+        small_strain(this->scene, this->parameters)
   {
+    this->parameters.refinement.choose_target(scene.has_friction() ||
+                                              scene.kinematics == Kinematics::finite_strain);
     const SourceLocation entry{scene.file, 0, "Contact solver/Method"};
     if (parameters.newton.method == "node-to-segment" && scene.kinematics != Kinematics::small_strain)
       throw InputError(
           entry, "node-to-segment where surfaces move", "it with 'Kinematics = small strain' only");
-    if (parameters.refinement.target_quantity == "stick size" && !scene.has_friction())
-      throw InputError({scene.file, 0, "Refinement/Target quantity"},
-                       "the stick size of a scene without friction",
+    const SourceLocation target{scene.file, 0, "Refinement/Target quantity"};
+    const std::string   &quantity = parameters.refinement.target_quantity;
+    if ((quantity == "stick size" || quantity == "dissipation") && !scene.has_friction())
+      throw InputError(target,
+                       "the " + quantity + " of a scene without friction",
                        "another quantity, or friction in a pair");
+    if (quantity == "dissipation" && parameters.refinement.history == "transfer")
+      throw InputError(target,
+                       "the dissipation of a history on several meshes",
+                       "another quantity, or 'Refinement/History = replay'");
     if (parameters.newton.method == "penalty" && scene.has_friction() &&
-        parameters.refinement.most_cycles() > 0 && parameters.refinement.history == "transfer")
+        this->parameters.refinement.most_cycles() > 0 && parameters.refinement.history == "transfer")
       throw InputError(entry,
                        "penalty with friction, whose history is carried from mesh to mesh",
                        "'Refinement/History = replay'");
@@ -44,7 +52,7 @@ namespace Amontons
     steps->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);
     make_output_folder(folder, mesh->geometry.communicator);
 
-    bool success = steps->run();
+    bool success = run_load_program();
     if (!steps->model->finite_strain())
       success = choose_kinematics(success);
     if (success && scene.has_friction())
@@ -77,6 +85,28 @@ namespace Amontons
                                                 make_model(mesh, finite_strain, t, report.timer()),
                                                 report,
                                                 finite_strain ? nullptr : &small_strain.neglected);
+  }
+
+  // Should a mesh fail that a target asked for, the answer is that of the one before.
+  template <int dim>
+  bool
+  ContactProblem<dim>::run_load_program()
+  {
+    const bool         finite_strain = steps->model->finite_strain();
+    const unsigned int first         = mesh->n_refinements;
+    if (steps->run())
+      return true;
+    const auto &refinement = parameters.refinement;
+    if (refinement.target_error <= 0 || refinement.history == "transfer" || mesh->n_refinements == first)
+      return false;
+    report.announce("warning: on mesh " + std::to_string(mesh->n_refinements) + " " + report.message() +
+                    ": the answer is that of the mesh before");
+    report.restart_coarser();
+    parameters.refinement.cycles = mesh->n_refinements - 1;
+    make_mesh();
+    start(finite_strain);
+    steps->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);
+    return steps->run();
   }
 
   // Bodies that move by far more than their size leave nothing but rounding of their strain.
@@ -141,7 +171,7 @@ namespace Amontons
     report.announce(small_strain.description() + ": finite strain is used" + small_strain.allowance());
     report.restart();
     start(true);
-    if (steps->run())
+    if (run_load_program())
       return true;
     if (!small_strain_converged || small_strain.error() > small_strain.too_much)
       return false;

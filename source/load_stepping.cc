@@ -1,5 +1,6 @@
 #include <amontons/adaptivity/load_record.h>
 #include <amontons/load_stepping.h>
+#include <amontons/output/target_quantity.h>
 
 #include <sstream>
 
@@ -121,7 +122,8 @@ namespace Amontons
                               history.state.t,
                               history.coarser,
                               evaluation.error);
-      follow_target();
+      if (!follows_work())
+        follow_target();
     }
     report.add_estimate(evaluation.error);
     report.end_solve(answer(), {program, mesh, history.last_report, evaluation, solve_seconds});
@@ -132,27 +134,18 @@ namespace Amontons
   void
   LoadStepping<dim>::follow_target()
   {
-    const double       n_dofs   = model->discretization().dof_handler.n_dofs();
-    const std::string &quantity = parameters.refinement.target_quantity;
-    if (quantity != "contact pressure")
+    const double       n_dofs = model->discretization().dof_handler.n_dofs();
+    const std::string &name   = parameters.refinement.target_quantity;
+    auto              &error  = evaluation.error;
+    if (name != "contact pressure")
       {
-        std::vector<double> values;
-        for (const auto &fields : evaluation.fields)
-          values.push_back(quantity == "peak pressure"  ? fields.peak_pressure
-                           : quantity == "contact size" ? fields.contact_size
-                           : quantity == "stick size"   ? fields.stick_size
-                           : quantity == "total force"
-                               ? (fields.normal_force + fields.tangential_force).norm()
-                               : 0);
-        history.quantity.add(n_dofs,
-                             quantity == "energy" ? std::vector<double>{stored_energy(answer())} : values);
-        evaluation.error.quantity = history.quantity.error();
-        if (quantity == "energy") // of a Galerkin solution it is off by the square of the error in its norm
-          evaluation.error.quantity =
-              std::max(*evaluation.error.quantity, std::pow(evaluation.error.bulk, 2));
+        history.quantity.add(n_dofs, target_quantity(name, answer(), history.work));
+        error.quantity = history.quantity.error();
+        if (name == "energy") // of a Galerkin solution it is off by the square of the error in its norm
+          error.quantity = std::max(*error.quantity, std::pow(error.bulk, 2));
       }
     if (!evaluation.touches() || evaluation.resolves_contact())
-      history.meshes.add(n_dofs, evaluation.error.of_target());
+      history.meshes.add(n_dofs, error.of_target());
   }
 
   template <int dim>
@@ -163,6 +156,8 @@ namespace Amontons
     program.accept(history.last_report.moved ? 0 : history.last_report.iterations.size());
     history.follow_motion = false;
     commit(program);
+    if (follows_work()) // of which this increment is a part now
+      follow_target();
     if (refinement == Refinement::between_replays && may_refine())
       remember_path();
     if (neglected != nullptr)
@@ -221,7 +216,7 @@ namespace Amontons
         roll_back();
         return true;
       }
-    if (!is_incremental())
+    if (!is_incremental() || history.n_cut_backs >= history.most_cut_backs)
       return false;
     FailedIncrement<dim> failed(*model, history.last_report);
     const bool           from_rest = history.last_converged.displacement.size() == 0;
@@ -344,7 +339,9 @@ namespace Amontons
   {
     if (!chooses_increments() || !report.error_of_increments())
       return false;
-    const double error   = report.error_of_increments()->largest() * increments_at_first; // of a single one
+    const auto  &errors = *report.error_of_increments();
+    const double error =
+        (follows_work() ? errors.dissipation : errors.largest()) * increments_at_first; // of a single one
     const double allowed = parameters.refinement.target_error / 2;
     double       n       = std::min(std::ceil(error / allowed), LoadProgram::increments_by_default);
     if (n <= 1)
@@ -352,7 +349,7 @@ namespace Amontons
     if (n <= increments_at_first && !wants_refinement())
       return false;
     increment_length = LoadProgram::increments_by_default / n;
-    report.set_error_of_increments(report.error_of_increments()->scaled(increments_at_first / n));
+    report.set_error_of_increments(errors.scaled(increments_at_first / n));
     if (wants_refinement())
       return false;
     report.replay();
@@ -385,6 +382,8 @@ namespace Amontons
     history.coarser.recovered = evaluation.error.recovered;
     if (neglected != nullptr && parameters.refinement.history == "transfer")
       neglected->measure_gaps(model->discretization(), model->supports, model->interfaces);
+    if (parameters.refinement.target_error > 0) // else the answer is that of this mesh
+      history.most_cut_backs = 2 * history.n_cut_backs + 8;
     if (!may_transfer()) // there is none, or the history starts anew on the refined mesh
       history.last_converged = SolutionState<dim>();
     model->refine(history.fields());

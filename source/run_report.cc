@@ -251,6 +251,7 @@ namespace Amontons
                          const WorkDone<dim>   &work,
                          const Evaluation<dim> &evaluation)
   {
+    summary.meshes.back().error_estimate = summarise_estimate(evaluation.error, scene.has_friction());
     if (auto &mesh = summary.meshes.back(); mesh.external_work)
       {
         mesh.external_work = work.external_work;
@@ -450,7 +451,8 @@ namespace Amontons
     const auto  &error  = ending.evaluation.error;
     const double target = ending.target_error;
     if (target > 0 && !(error.of_target() <= target))
-      note(!error.quantity && error.facets > target
+      note(finer_mesh_failed ? "the target error was not reached, as the finer mesh failed"
+           : !error.quantity && error.facets > target
                ? "the target error cannot be reached: facets alone make a larger one"
                : missed_target(answer.discretization, ending));
     if (scene.kind == ProblemType::axisymmetric)

@@ -35,6 +35,7 @@ subsection Discretization
   set Degree = {degree}
 end
 subsection Refinement
+  set Target error = 0
   set Initial refinements = 0
 end
 """

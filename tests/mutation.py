@@ -159,7 +159,7 @@ CHANGES = [
     ("plane stress of tubes", "verification/reference_builders.cc", "return plane_stress ? Confinement::plane_stress : Confinement::plane_strain;", "return Confinement::plane_strain;", "^verification/reference_solution$|scenes/shrink_fit_plane_stress$"),
     ("error of gradients", "verification/reference_errors.cc", "std::sqrt(sums[2] / sums[3])", "std::sqrt(sums[2] / sums[1])", "scenes/half_plane_box_lengths$"),
     ("error of displacements", "verification/reference_errors.cc", "std::sqrt(sums[0] / sums[1])", "std::sqrt(sums[0] / sums[3])", "scenes/half_plane_box_lengths$"),
-    ("motion of supports across", "verification/approach.cc", "if (support->second && std::abs(values.normal_vector(0) * e) < 0.999)", "if (std::abs(values.normal_vector(0) * e) < 0)", "scenes/(two_spheres_3d|hertz_sphere)$"),
+    ("motion of supports across", "output/approach.cc", "if (support->second && std::abs(values.normal_vector(0) * e) < 0.999)", "if (std::abs(values.normal_vector(0) * e) < 0)", "scenes/(two_spheres_3d|hertz_sphere)$"),
     ("refer to the last row", "verification/convergence_study.cc", "std::abs(r.errors[q] - last[q]) / (last[q]", "std::abs(r.errors[q] + last[q]) / (last[q]", "^verification/convergence_study$"),
 ]
 

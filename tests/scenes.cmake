@@ -880,6 +880,16 @@ add_scene_test(NAME target_stick_size SCENE half_plane_box_friction.prm SET "Ref
                CHECK "error_estimate.quantity <= 0.003" "meshes.-1.reference.errors.stick_size <= 0.003" "dofs <= 15000")
 add_scene_test(NAME target_size_at_a_sharp_edge SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.001" "Refinement/Target quantity=contact size"
                CHECK "error_estimate.quantity <= 0.001" "meshes.-1.reference.errors.contact_size <= 0.001" "dofs <= 4000")
+# Of the mesh's limit, 1.7067 % below the half space's (targets of 1e-3 and less).
+add_scene_test(NAME target_approach SCENE hertz_sphere_axisymmetric.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.003" "Refinement/Target quantity=approach"
+               CHECK "error_estimate.quantity <= 0.003" "meshes.-1.reference.errors.approach ~ 0.017067 0.003" "dofs <= 3000")
+add_scene_test(NAME target_dissipation SCENE half_plane_box_friction.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01" "Refinement/Target quantity=dissipation"
+               CHECK "error_estimate.quantity <= 0.01" "meshes.-1.reference.errors.dissipation <= 0.01" "dofs <= 15000")
+# Nothing said: 1 %. Should a mesh fail (here a cell at the seal's edge is turned inside out), the answer is that of the one before.
+add_scene_test(NAME target_by_default SCENE hertz_cylinder.prm SET "Refinement/Cycles=-1"
+               CHECK "error_estimate.contact <= 0.01" "meshes.-2.error_estimate.contact >= 0.01" "meshes.-1.reference.errors.pressure_l2 <= 0.01")
+add_scene_test(NAME target_of_a_mesh_that_fails SCENE verification/o_ring.prm SET "Refinement/Target error=-1"
+               CHECK "status is converged" "notes.2 has the answer is that of the mesh before" "notes.-2 has as the finer mesh failed" "dofs >= 1000" "pairs.0.normal_force.1 ~ 405.4 0.01")
 add_scene_test(NAME target_beyond_the_limit SCENE half_plane_box.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.001" "Refinement/Maximum DoFs=4000"
                CHECK "status is converged" "dofs <= 5000" "error_estimate.contact >= 0.001")
 add_scene_test(NAME auto_target SCENE hertz_cylinder.prm SET "Kinematics=auto" "Refinement/Cycles=3" "Refinement/Target error=0.0005"

@@ -286,6 +286,12 @@ def scenes():
     change("probe of an unknown body", "set Kind", "subsection Probe P\nset Body = uper\nset Point = 0, 0\nend\nset Kind", "unknown body 'uper'",
            part="Probe P")
 
+    refinement = "subsection Refinement\n  set %s\nend\n"
+    for name, entries, words in [("negative target", "Target error = -0.5", "Target error: found -0.5.*-1 .chosen"), ("dissipation without friction", "Target quantity = dissipation", "dissipation of a scene without friction"),
+                                 ("unknown target quantity", "Target quantity = pressure", "approach")]:
+        case(name, BASE + refinement % entries, words)
+    case("dissipation on several meshes", BASE.replace("= lower/top", "= lower/top\n  set Friction coefficient = 0.3") + refinement % "Target quantity = dissipation\n  set History = transfer", "several meshes")
+
     # expressions
     change("expression error", "0; -0.01", "0; -0.01*(x", "cannot be read")
     change("unknown function", "0; -0.01", "0; sine(x)", "cannot be read.*sine")

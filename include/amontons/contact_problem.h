@@ -27,6 +27,8 @@ namespace Amontons
     void
     start(const bool finite_strain);
     bool
+    run_load_program();
+    bool
     choose_kinematics(const bool success);
     bool
     run_with_finite_strain(const bool small_strain_converged);
@@ -45,7 +47,7 @@ namespace Amontons
     ending(const bool success, Checks checks) const;
 
     const Scene                        scene;
-    const Parameters                  &parameters;
+    Parameters                         parameters;
     const std::string                  folder;
     RunReport<dim>                     report;
     std::shared_ptr<BodyMesh<dim>>     mesh;

@@ -70,6 +70,11 @@ namespace Amontons
     // The error that `Target error` is asked for.
     void
     follow_target();
+    bool
+    follows_work() const
+    {
+      return parameters.refinement.target_quantity == "dissipation";
+    }
     void
     commit_increment(LoadProgram &program);
     void

@@ -44,6 +44,13 @@ namespace Amontons
     replay();
     void
     restart();
+    /// On a coarser mesh, since the last one failed.
+    void
+    restart_coarser()
+    {
+      finer_mesh_failed = true;
+      restart();
+    }
 
     TimerOutput &
     timer()
@@ -169,6 +176,7 @@ namespace Amontons
     const std::string                     folder;
     const MPI_Comm                        communicator;
     const MakeReference<dim>              make_reference;
+    bool                                  finer_mesh_failed = false;
     Terminal                              terminal;
     Timer                                 wall;
     TimerOutput                           phases;

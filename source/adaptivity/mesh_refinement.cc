@@ -11,7 +11,7 @@ namespace Amontons
     prm.add_parameter("Cycles",
                       cycles,
                       "How often the mesh is refined after the first solution, from which the computation is "
-                      "then repeated. -1: as often as 'Target error' takes; without a target not at all.",
+                      "then repeated. -1: as often as 'Target error' takes.",
                       Patterns::Integer(-1));
     prm.add_parameter(
         "Maximum DoFs",
@@ -22,9 +22,9 @@ namespace Amontons
     prm.add_parameter("Target error",
                       target_error,
                       "Refinement stops once the estimated relative error of 'Target quantity' is below "
-                      "this. 0: only Cycles and "
-                      "Maximum DoFs count.",
-                      Patterns::Double(0));
+                      "this. 0: only Cycles and Maximum DoFs count. -1: 0 where Cycles are given, else "
+                      "0.01, as far as 100000 DoFs take it (20000 with friction or finite strain).",
+                      Patterns::Double(-1));
     prm.add_parameter(
         "Target quantity",
         target_quantity,
@@ -33,7 +33,8 @@ namespace Amontons
         "worse of pressure and tangential traction), or a number, whose error is estimated by its changes "
         "from "
         "mesh to mesh.",
-        Patterns::Selection("contact pressure|peak pressure|contact size|stick size|total force|energy"));
+        Patterns::Selection("contact pressure|peak pressure|contact size|stick size|total "
+                            "force|approach|energy|dissipation"));
     prm.add_parameter(
         "Fraction",
         fraction,
@@ -58,6 +59,24 @@ namespace Amontons
         "transfer (meshes are refined as the load goes on, from interpolated displacements).",
         Patterns::Selection("replay|transfer"));
     prm.leave_subsection();
+  }
+
+  void
+  RefinementParameters::check() const
+  {
+    if (target_error < 0 && target_error != -1)
+      throw std::invalid_argument("Target error: found " + Utilities::to_string(target_error) +
+                                  "; allowed are -1 (chosen), 0 (none) and positive numbers");
+  }
+
+  void
+  RefinementParameters::choose_target(const bool has_history)
+  {
+    if (target_error >= 0)
+      return;
+    target_error = cycles >= 0 ? 0 : 0.01;
+    if (cycles < 0)
+      max_dofs = std::min(max_dofs, has_history ? 20000u : 100000u);
   }
 
   namespace
@@ -233,18 +252,23 @@ namespace Amontons
 
   namespace
   {
-    // As many as can be afforded; left: of the sum of the squares.
+    // As many as can be afforded, several at once while the mesh grows by `most_growth` at most: with that
+    // the meshes on the way cost a tenth of the last one, so that larger steps, which go by what a coarser
+    // mesh knows, save nothing. left: of the sum of the squares.
     Levels
     levels_for(const SquaredErrors &errors,
                const double         left,
                const double         affordable,
+               const double         n_cells,
                const double         n_children)
     {
-      Levels levels;
+      constexpr double most_growth = 10;
+      Levels           levels;
       levels.threshold     = adaptive_threshold(errors, 1 - left, affordable);
       levels.share         = left * errors.sum_above(0) / std::max(1., errors.count_above(levels.threshold));
-      const auto new_cells = [&](const double square) { return std::pow(n_children, levels(square)) - 1; };
-      while (levels.most > 1 && errors.sum(new_cells) > affordable * (n_children - 1))
+      const double allowed = std::min(affordable * (n_children - 1), (most_growth - 1) * n_cells);
+      const auto   new_cells = [&](const double square) { return std::pow(n_children, levels(square)) - 1; };
+      while (levels.most > 1 && errors.sum(new_cells) > allowed)
         --levels.most;
       return levels;
     }
@@ -273,8 +297,11 @@ namespace Amontons
     const SquaredErrors errors(discretization, indicators);
     if (errors.largest == 0)
       return false;
-    const Levels levels = levels_for(
-        errors, left, affordable_cells(discretization, max_dofs), GeometryInfo<dim>::max_children_per_cell);
+    const Levels levels = levels_for(errors,
+                                     left,
+                                     affordable_cells(discretization, max_dofs),
+                                     geometry.triangulation.n_global_active_cells(),
+                                     GeometryInfo<dim>::max_children_per_cell);
 
     deeper.clear();
     const bool any = mark(discretization, geometry, indicators, levels, deeper);

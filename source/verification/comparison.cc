@@ -1,5 +1,5 @@
 #include <amontons/verification/comparison.h>
-#include <amontons/verification/approach.h>
+#include <amontons/output/approach.h>
 #include <amontons/verification/reference_errors.h>
 
 namespace Amontons

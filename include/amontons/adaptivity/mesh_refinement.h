@@ -11,12 +11,12 @@ namespace Amontons
   //! [parameters]
   struct RefinementParameters : ParameterGroup
   {
-    int          cycles   = -1;      // refinements after the first solve; -1: see most_cycles()
-    unsigned int max_dofs = 1000000; // no mesh with more than about this many DoFs
-    double       target_error =
-        0; // stop once the estimated relative error of the contact tractions is below; 0: off
+    int          cycles       = -1;      // refinements after the first solve; -1: see most_cycles()
+    unsigned int max_dofs     = 1000000; // no mesh with more than about this many DoFs
+    double       target_error = -1;      // stop once the estimated relative error is below; 0: off; -1: see
+                                         // choose_target()
     // Of what: contact pressure (with friction also of the tangential traction) | peak pressure | contact
-    // size | stick size | total force | energy
+    // size | stick size | total force | approach | energy | dissipation
     std::string target_quantity = "contact pressure";
     double      fraction        = 0.5;        // bulk (Doerfler) fraction of the squared error to be refined
     std::string strategy        = "adaptive"; // adaptive | uniform
@@ -29,8 +29,15 @@ namespace Amontons
 
     void
     declare(ParameterHandler &prm) override;
+    void
+    check() const override;
 
-    // As many as the target takes, if there is one; else none.
+    // Where none is given: none with cycles; else 1 %, as far as meshes take seconds. has_history: each of
+    // them takes many increments.
+    void
+    choose_target(const bool has_history);
+
+    // After choose_target(): as many as the target takes, if there is one; else none.
     unsigned int
     most_cycles() const
     {

@@ -1,4 +1,4 @@
-#include <amontons/verification/approach.h>
+#include <amontons/output/approach.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

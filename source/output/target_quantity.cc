@@ -1,0 +1,31 @@
+#include <amontons/output/approach.h>
+#include <amontons/output/target_quantity.h>
+
+namespace Amontons
+{
+  template <int dim>
+  std::vector<double>
+  target_quantity(const std::string &name, const Answer<dim> &answer, const WorkDone<dim> &work)
+  {
+    if (name == "energy")
+      return {stored_energy(answer)};
+    if (name == "dissipation")
+      return {work.dissipation};
+    std::vector<double> values;
+    for (unsigned int pair = 0; pair < answer.fields.size(); ++pair)
+      {
+        const auto &fields = answer.fields[pair];
+        values.push_back(name == "peak pressure"  ? fields.peak_pressure
+                         : name == "contact size" ? fields.contact_size
+                         : name == "stick size"   ? fields.stick_size
+                         : name == "approach"     ? compute_approach(answer, pair).value_or(0)
+                                                  : (fields.normal_force + fields.tangential_force).norm());
+      }
+    return values;
+  }
+
+  template std::vector<double>
+  target_quantity(const std::string &, const Answer<2> &, const WorkDone<2> &);
+  template std::vector<double>
+  target_quantity(const std::string &, const Answer<3> &, const WorkDone<3> &);
+} // namespace Amontons

@@ -17,8 +17,6 @@ namespace Amontons
         report(this->scene, parameters.output, folder, quiet, make_reference),
         small_strain(this->scene, this->parameters)
   {
-    this->parameters.refinement.choose_target(scene.has_friction() ||
-                                              scene.kinematics == Kinematics::finite_strain);
     const SourceLocation entry{scene.file, 0, "Contact solver/Method"};
     if (parameters.newton.method == "node-to-segment" && scene.kinematics != Kinematics::small_strain)
       throw InputError(
@@ -34,7 +32,7 @@ namespace Amontons
                        "the dissipation of a history on several meshes",
                        "another quantity, or 'Refinement/History = replay'");
     if (parameters.newton.method == "penalty" && scene.has_friction() &&
-        this->parameters.refinement.most_cycles() > 0 && parameters.refinement.history == "transfer")
+        parameters.refinement.most_cycles() > 0 && parameters.refinement.history == "transfer")
       throw InputError(entry,
                        "penalty with friction, whose history is carried from mesh to mesh",
                        "'Refinement/History = replay'");
@@ -42,9 +40,11 @@ namespace Amontons
 
   template <int dim>
   RunSummary
-  ContactProblem<dim>::run()
+  ContactProblem<dim>::run(const std::vector<std::string> &notes)
   {
     report.start();
+    for (const auto &note : notes)
+      report.announce(note);
     //! [run]
     make_mesh();
     start(scene.kinematics == Kinematics::finite_strain);
@@ -171,9 +171,12 @@ namespace Amontons
     report.announce(small_strain.description() + ": finite strain is used" + small_strain.allowance());
     report.restart();
     start(true);
+    const bool has_fallback = small_strain_converged && small_strain.error() <= small_strain.too_much;
+    if (has_fallback)
+      steps->history.most_cut_backs = LoadHistory<dim>::many_cut_backs;
     if (run_load_program())
       return true;
-    if (!small_strain_converged || small_strain.error() > small_strain.too_much)
+    if (!has_fallback)
       return false;
     report.announce("warning: finite strain failed (" + report.message() +
                     "): the answer is that of small strain");

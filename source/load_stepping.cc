@@ -383,7 +383,7 @@ namespace Amontons
     if (neglected != nullptr && parameters.refinement.history == "transfer")
       neglected->measure_gaps(model->discretization(), model->supports, model->interfaces);
     if (parameters.refinement.target_error > 0) // else the answer is that of this mesh
-      history.most_cut_backs = 2 * history.n_cut_backs + 8;
+      history.most_cut_backs = 2 * history.n_cut_backs + history.many_cut_backs;
     if (!may_transfer()) // there is none, or the history starts anew on the refined mesh
       history.last_converged = SolutionState<dim>();
     model->refine(history.fields());

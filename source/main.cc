@@ -1,6 +1,7 @@
 #include <amontons/base/blas_threads.h>
 #include <amontons/base/version.h>
 #include <amontons/contact_problem.h>
+#include <amontons/model_reduction.h>
 #include <amontons/output/files.h>
 #include <amontons/scene/scene_reader.h>
 #include <amontons/scene/text.h>
@@ -114,6 +115,22 @@ namespace
     return "output/" + name.substr(0, name.find_last_of('.'));
   }
 
+  // With less model, if the target allows it and the answer is found.
+  template <int dim>
+  RunSummary
+  solve(const Scene &scene, const Parameters &parameters, const std::string &folder, const bool quiet)
+  {
+    const ReducedScene reduced = reduce_model<dim>(scene, parameters);
+    if (!reduced.notes.empty())
+      {
+        const RunSummary summary =
+            ContactProblem<dim>(reduced.scene, parameters, folder, quiet).run(reduced.notes);
+        if (summary.converged)
+          return summary;
+      }
+    return ContactProblem<dim>(scene, parameters, folder, quiet, make_reference<dim>).run();
+  }
+
   RunSummary
   run_scene(const std::string              &file,
             const std::vector<std::string> &overrides,
@@ -123,11 +140,12 @@ namespace
     Parameters  parameters;
     const Scene scene = read_scene(
         file, overrides, parameters.groups(), {make_displacement_field, displacement_field_corners});
-    const std::string folder = output.empty() ? default_output(file) : output;
-    const RunSummary  summary =
-        scene.kind == ProblemType::three_dimensional
-             ? ContactProblem<3>(scene, parameters, folder, quiet, make_reference<3>).run()
-             : ContactProblem<2>(scene, parameters, folder, quiet, make_reference<2>).run();
+    parameters.refinement.choose_target(scene.has_friction() ||
+                                        scene.kinematics == Kinematics::finite_strain);
+    const std::string folder  = output.empty() ? default_output(file) : output;
+    const RunSummary  summary = scene.kind == ProblemType::three_dimensional
+                                    ? solve<3>(scene, parameters, folder, quiet)
+                                    : solve<2>(scene, parameters, folder, quiet);
     keep_output_folder();
     return summary;
   }

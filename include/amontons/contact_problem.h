@@ -17,9 +17,10 @@ namespace Amontons
                    const bool                quiet,
                    const MakeReference<dim> &make_reference = {});
 
-    /// Throws InputError; a failed iteration is reported in the summary's status.
+    /// Throws InputError; a failed iteration is reported in the summary's status. notes: what there is to say
+    /// beforehand.
     RunSummary
-    run();
+    run(const std::vector<std::string> &notes = {});
 
   private:
     void

@@ -38,7 +38,9 @@ namespace Amontons
     double                       last_speed        = 0; // largest displacement over t in the last increment
     double                       transfer_residual = 0; // largest, of the transferred state on its new mesh
     unsigned int                 n_cut_backs       = 0;
-    unsigned int                 most_cut_backs    = std::numeric_limits<unsigned int>::max();
+    // Beyond these an increment is given up, where another answer is known.
+    unsigned int                  most_cut_backs = std::numeric_limits<unsigned int>::max();
+    static constexpr unsigned int many_cut_backs = 8;
 
     /// All that moves to a refined mesh; what is not known stays empty.
     std::vector<LA::Vector *>

@@ -226,6 +226,25 @@ namespace Amontons
     return nullptr;
   }
 
+  static void
+  declare_model(ParameterHandler &prm)
+  {
+    prm.declare_entry(
+        "Kinematics",
+        "auto",
+        Patterns::Selection("small strain|finite strain|auto"),
+        "small strain | finite strain | auto. small strain: linear, with contact surfaces where "
+        "they were at the start. finite strain: large deformation, rotation and sliding. auto: "
+        "small strain, then finite strain if small strain leaves out more than the target error "
+        "(or 1 %) and the answer would change by more than that.");
+    prm.declare_entry(
+        "Model",
+        "automatic",
+        Patterns::Selection("automatic|full"),
+        "automatic | full. automatic: with a target error, bodies that are stiff enough for it become "
+        "rigid, and friction that cannot matter is left out; notes say so.");
+  }
+
   void
   declare_top_level(ParameterHandler &prm)
   {
@@ -235,14 +254,7 @@ namespace Amontons
                       Patterns::Selection("plane strain|plane stress|axisymmetric|3D"),
                       "plane strain | plane stress | axisymmetric | 3D. axisymmetric: x is the radius (r in "
                       "expressions) and y the axis; forces are for the full turn.");
-    prm.declare_entry(
-        "Kinematics",
-        "auto",
-        Patterns::Selection("small strain|finite strain|auto"),
-        "small strain | finite strain | auto. small strain: linear, with contact surfaces where "
-        "they were at the start. finite strain: large deformation, rotation and sliding. auto: "
-        "small strain, then finite strain if small strain leaves out more than the target error "
-        "(or 1 %) and the answer would change by more than that.");
+    declare_model(prm);
     prm.declare_entry(
         "End time", "1", Patterns::Double(), "Loads are functions of a time t from 0 to this one.");
     prm.declare_entry("Increments",

@@ -21,6 +21,7 @@ namespace Amontons
       scene.kinematics             = kinematics == "small strain"    ? Kinematics::small_strain
                                      : kinematics == "finite strain" ? Kinematics::finite_strain
                                                                      : Kinematics::automatic;
+      scene.full_model             = top.text("Model") == "full";
       read_load_program(top, scene);
       if (reference.is_given("Solution"))
         scene.reference = ReferenceData{reference.field("Solution"), reference.text("Contact")};

@@ -251,6 +251,7 @@ namespace Amontons
     std::string                  file; // path as given
     ProblemType                  kind              = ProblemType::plane_strain;
     Kinematics                   kinematics        = Kinematics::small_strain;
+    bool                         full_model        = false; // nothing is left out, see model_reduction.h
     double                       end_time          = 1;
     unsigned int                 n_increments      = 0;    // to start with, over the end time; 0: automatic
     double                       minimum_increment = 1e-4; // of the end time

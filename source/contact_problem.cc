@@ -1,6 +1,7 @@
 #include <amontons/contact/surface_search.h>
 #include <amontons/contact_problem.h>
 #include <amontons/output/files.h>
+#include <amontons/output/mirror_symmetry.h>
 #include <amontons/output/physics_checks.h>
 
 #include <sstream>
@@ -57,6 +58,10 @@ namespace Amontons
       success = choose_kinematics(success);
     if (success && scene.has_friction())
       add_error_of_increments();
+    if (success && parameters.refinement.target_error > 0 && !scene.full_model)
+      for (const auto &plane : mirror_planes(steps->answer(), parameters.refinement.target_error / 10))
+        report.note("model: the scene is its own mirror image at " + plane +
+                    ": half of it, with 'Type = symmetry' on the cut, has the same answer");
     Checks checks;
     if (report.has_answer())
       checks = check_physics(steps->answer());

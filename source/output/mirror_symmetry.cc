@@ -1,0 +1,117 @@
+#include <amontons/output/mirror_symmetry.h>
+
+#include <deal.II/base/bounding_box.h>
+
+#include <sstream>
+
+namespace Amontons
+{
+  namespace
+  {
+    template <int dim>
+    struct Vertex
+    {
+      types::material_id body = 0;
+      Point<dim>         place;
+      Tensor<1, dim>     displacement;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &body &place &displacement;
+      }
+    };
+
+    // Of the coarse mesh, the same on all ranks.
+    template <int dim>
+    std::vector<Vertex<dim>>
+    coarse_vertices(const Answer<dim> &answer)
+    {
+      const auto            &discretization = answer.discretization;
+      std::set<unsigned int> coarse;
+      for (const auto &cell : discretization.geometry.triangulation.cell_iterators_on_level(0))
+        for (const unsigned int v : cell->vertex_indices())
+          coarse.insert(cell->vertex_index(v));
+      std::map<unsigned int, Vertex<dim>> found;
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned() && cell->material_id() < discretization.scene.bodies.size())
+          for (const unsigned int v : cell->vertex_indices())
+            if (const unsigned int index = cell->vertex_index(v); coarse.count(index) > 0)
+              {
+                Vertex<dim> &vertex = found[index];
+                vertex.body         = cell->material_id();
+                vertex.place        = cell->vertex(v);
+                for (unsigned int c = 0; c < dim; ++c)
+                  vertex.displacement[c] = answer.state.displacement(cell->vertex_dof_index(v, c));
+              }
+      std::vector<Vertex<dim>> mine, all;
+      for (const auto &entry : found)
+        mine.push_back(entry.second);
+      for (const auto &part : Utilities::MPI::all_gather(discretization.geometry.communicator, mine))
+        all.insert(all.end(), part.begin(), part.end());
+      return all;
+    }
+
+    template <int dim, typename Vector>
+    Vector
+    mirrored(Vector vector, const unsigned int axis, const double middle)
+    {
+      vector[axis] = 2 * middle - vector[axis];
+      return vector;
+    }
+
+    template <int dim>
+    bool
+    is_mirrored(const std::vector<Vertex<dim>> &vertices,
+                const unsigned int              axis,
+                const double                    middle,
+                const double                    size,
+                const double                    allowed)
+    {
+      return std::all_of(vertices.begin(), vertices.end(), [&](const auto &vertex) {
+        const Point<dim>     place = mirrored<dim>(vertex.place, axis, middle);
+        const Tensor<1, dim> u     = mirrored<dim>(vertex.displacement, axis, 0);
+        return std::any_of(vertices.begin(), vertices.end(), [&](const auto &other) {
+          return other.body == vertex.body && (other.place - place).norm() <= 1e-8 * size &&
+                 (other.displacement - u).norm() <= allowed;
+        });
+      });
+    }
+  } // namespace
+
+  template <int dim>
+  std::vector<std::string>
+  mirror_planes(const Answer<dim> &answer, const double tolerance)
+  {
+    constexpr unsigned int many     = 2000; // each is compared with each
+    const auto             vertices = coarse_vertices(answer);
+    if (vertices.size() > many)
+      return {};
+    std::vector<Point<dim>> places;
+    double                  largest = 0;
+    for (const auto &vertex : vertices)
+      {
+        places.push_back(vertex.place);
+        largest = std::max(largest, vertex.displacement.norm());
+      }
+    const auto               corners = BoundingBox<dim>(places).get_boundary_points();
+    const double             size    = corners.first.distance(corners.second);
+    const bool               turned  = answer.discretization.scene.kind == ProblemType::axisymmetric;
+    std::vector<std::string> planes;
+    for (unsigned int axis = turned ? 1 : 0; axis < dim; ++axis)
+      if (const double middle = (corners.first[axis] + corners.second[axis]) / 2;
+          is_mirrored(vertices, axis, middle, size, tolerance * largest))
+        {
+          std::ostringstream text;
+          text << "xyz"[axis] << " = " << (std::abs(middle) < 1e-8 * size ? 0 : middle);
+          planes.push_back(text.str());
+        }
+    return planes;
+  }
+
+  template std::vector<std::string>
+  mirror_planes(const Answer<2> &, const double);
+  template std::vector<std::string>
+  mirror_planes(const Answer<3> &, const double);
+} // namespace Amontons

@@ -7,6 +7,68 @@ namespace Amontons
 {
   namespace
   {
+    // Bytes of the UTF-8 character at text[i]; 0: what stands there is none, or controls the terminal.
+    std::size_t
+    length_of_character(const std::string &text, const std::size_t i)
+    {
+      const auto        byte   = [&](const std::size_t k) { return static_cast<unsigned char>(text[k]); };
+      const std::size_t length = byte(i) < 0x80   ? 1
+                                 : byte(i) < 0xc2 ? 0
+                                 : byte(i) < 0xe0 ? 2
+                                 : byte(i) < 0xf0 ? 3
+                                 : byte(i) < 0xf5 ? 4
+                                                  : 0;
+      if (i + length > text.size() || (length == 1 && (byte(i) < 0x20 || byte(i) == 0x7f)))
+        return 0;
+      for (std::size_t k = 1; k < length; ++k)
+        if ((byte(i + k) & 0xc0) != 0x80)
+          return 0;
+      return length;
+    }
+
+    // One line of valid UTF-8: other bytes as \xNN; of what is quoted 80 characters.
+    std::string
+    printable(const std::string &text)
+    {
+      constexpr unsigned int most = 80;
+      std::string            result;
+      unsigned int           quoted = 0; // characters since the opening quote, which is the first
+      for (std::size_t i = 0; i < text.size();)
+        {
+          const std::size_t length = text[i] == '\n' ? 1 : length_of_character(text, i);
+          if (text[i] == '\'')
+            {
+              if (quoted > most + 1)
+                result += "...";
+              quoted = quoted > 0 ? 0 : 1;
+            }
+          else if (quoted > 0)
+            ++quoted;
+          if (quoted <= most + 1)
+            {
+              constexpr char digits[] = "0123456789abcdef";
+              const auto     byte     = static_cast<unsigned char>(text[i]);
+              if (length == 0)
+                result += std::string("\\x") + digits[byte / 16] + digits[byte % 16];
+              else
+                result += text[i] == '\n' ? " " : text.substr(i, length);
+            }
+          i += std::max<std::size_t>(1, length);
+        }
+      return result;
+    }
+
+    std::string
+    shortened(const std::string &text, const std::size_t most)
+    {
+      if (text.size() <= most)
+        return text;
+      std::size_t end = most;
+      while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
+        --end;
+      return text.substr(0, end) + " ...";
+    }
+
     std::string
     message(const SourceLocation &where, const std::string &found, const std::string &allowed)
     {
@@ -15,10 +77,10 @@ namespace Amontons
         text += ":" + std::to_string(where.line);
       for (const std::string &part : {where.entry, found})
         if (!part.empty())
-          text += (text.empty() ? "" : ": ") + part;
+          text += (text.empty() ? "" : ": ") + shortened(printable(part), 600);
       if (!allowed.empty())
-        text += (allowed.rfind("allowed", 0) == 0 ? "; " : "; allowed: ") + allowed;
-      std::replace(text.begin(), text.end(), '\n', ' ');
+        text +=
+            (allowed.rfind("allowed", 0) == 0 ? "; " : "; allowed: ") + shortened(printable(allowed), 800);
       return text;
     }
 

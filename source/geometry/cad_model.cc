@@ -17,7 +17,11 @@
 #include <gp_Trsf.hxx>
 
 #include <algorithm>
+#include <csignal>
 #include <limits>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace Amontons
 {
@@ -192,23 +196,65 @@ namespace Amontons
     return largest;
   }
 
+  namespace
+  {
+    CadModel
+    make_cad_model(const TrueGeometry &geometry, const BodyData &body)
+    {
+      std::vector<TopoDS_Face>   faces;
+      std::vector<TopoDS_Edge>   edges;
+      std::vector<TopoDS_Vertex> vertices;
+      OpenCASCADE::extract_geometrical_shapes(
+          place(read_shape(geometry, body.where), body), faces, edges, vertices);
+      if (faces.empty())
+        throw InputError(body.where, "'" + geometry.file + "' has no surfaces", "a CAD file with faces");
+
+      CadModel model;
+      for (const TopoDS_Face &face : faces)
+        model.faces.push_back(make_face(face));
+      for (const TopoDS_Edge &edge : edges)
+        if (!BRep_Tool::Degenerated(edge))
+          model.edges.push_back(make_edge(edge));
+      return model;
+    }
+
+    // Damaged files make OpenCASCADE end in a signal, or search for ever: a child process tries first.
+    void
+    refuse_deadly(const TrueGeometry &geometry, const BodyData &body)
+    {
+      constexpr unsigned int seconds = 60;
+      const pid_t            child   = fork();
+      if (child == 0)
+        {
+          const struct rlimit no_core = {};
+          setrlimit(RLIMIT_CORE, &no_core);
+          for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL, SIGALRM})
+            std::signal(signal, SIG_DFL);
+          alarm(seconds);
+          try
+            {
+              make_cad_model(geometry, body);
+            }
+          catch (...) // the parent meets it, too
+            {
+            }
+          _exit(0);
+        }
+      int status = 0;
+      if (child > 0 && waitpid(child, &status, 0) == child && WIFSIGNALED(status))
+        throw InputError(body.where,
+                         "OpenCASCADE cannot read '" + geometry.file + "': " +
+                             (WTERMSIG(status) == SIGALRM
+                                  ? "it takes more than " + std::to_string(seconds) + " seconds"
+                                  : "it breaks down (signal " + std::to_string(WTERMSIG(status)) + ")"),
+                         "a file that is not damaged");
+    }
+  } // namespace
+
   CadModel
   read_cad_model(const TrueGeometry &geometry, const BodyData &body)
   {
-    std::vector<TopoDS_Face>   faces;
-    std::vector<TopoDS_Edge>   edges;
-    std::vector<TopoDS_Vertex> vertices;
-    OpenCASCADE::extract_geometrical_shapes(
-        place(read_shape(geometry, body.where), body), faces, edges, vertices);
-    if (faces.empty())
-      throw InputError(body.where, "'" + geometry.file + "' has no surfaces", "a CAD file with faces");
-
-    CadModel model;
-    for (const TopoDS_Face &face : faces)
-      model.faces.push_back(make_face(face));
-    for (const TopoDS_Edge &edge : edges)
-      if (!BRep_Tool::Degenerated(edge))
-        model.edges.push_back(make_edge(edge));
-    return model;
+    refuse_deadly(geometry, body);
+    return make_cad_model(geometry, body);
   }
 } // namespace Amontons

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <sys/wait.h>
 
 namespace Amontons
 {
@@ -45,6 +46,23 @@ namespace Amontons
       return result + "'";
     }
 
+    // What gmsh says first of an error; with nothing of the kind, its first words.
+    std::string
+    first_error(const std::string &messages)
+    {
+      constexpr std::size_t most = 300;
+      std::istringstream    lines(messages);
+      std::string           first;
+      for (std::string line; std::getline(lines, line);)
+        {
+          if (line.find("Error   :") != std::string::npos)
+            return line.substr(0, most);
+          if (first.empty())
+            first = line.substr(0, most);
+        }
+      return first.empty() ? "no message" : first;
+    }
+
     // The mesh that gmsh writes with the given options. gmsh runs without the environment of mpirun, since an
     // MPI program started by an MPI program would take itself for one of its ranks.
     std::string
@@ -54,21 +72,25 @@ namespace Amontons
       if (mkdtemp(folder.data()) == nullptr)
         throw InputError(where, "cannot make a temporary folder " + folder);
 
+      constexpr int     seconds = 60, timed_out = 124;
       const std::string mesh = folder + "/mesh.msh", log = folder + "/log";
       const std::string command =
-          "env -i PATH=\"$PATH\" HOME=\"$HOME\" LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\" gmsh " + quoted(file) +
-          " " + options + " -o " + quoted(mesh) + " -format msh22 -string 'Mesh.Binary = 0;' -v 2 > " +
-          quoted(log) + " 2>&1 < /dev/null";
+          "env -i PATH=\"$PATH\" HOME=\"$HOME\" LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\" timeout -k 1 " +
+          std::to_string(seconds) + " gmsh " + quoted(file) + " " + options + " -o " + quoted(mesh) +
+          " -format msh22 -string 'Mesh.Binary = 0;' -v 2 > " + quoted(log) + " 2>&1 < /dev/null";
       const int   status = std::system(command.c_str());
       std::string text, messages;
       const bool  found = read_text(mesh, text);
       read_text(log, messages);
       std::filesystem::remove_all(folder);
 
-      std::replace(messages.begin(), messages.end(), '\n', ' ');
+      if (WIFEXITED(status) && WEXITSTATUS(status) == timed_out)
+        throw InputError(where,
+                         "gmsh did not mesh " + file + " within " + std::to_string(seconds) + " seconds",
+                         "a mesh file of it (.msh), made with patience");
       if (status != 0 || !found || text.empty())
         throw InputError(where,
-                         "gmsh made no mesh of " + file + ": " + (messages.empty() ? "no message" : messages),
+                         "gmsh made no mesh of " + file + ": " + first_error(messages),
                          "a .geo file that 'gmsh " + options + "' can mesh (is gmsh installed?)");
       return text;
     }

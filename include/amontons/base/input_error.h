@@ -15,7 +15,8 @@ namespace Amontons
     std::string entry; // "Body lower/Material/Poisson ratio"
   };
 
-  // what() is one line: "FILE:LINE: ENTRY: FOUND; ALLOWED".
+  // what() is one line: "FILE:LINE: ENTRY: FOUND; ALLOWED", less than 2 kB of valid UTF-8 (other bytes as
+  // \\xNN), with 80 characters at most of what is 'quoted'.
   class InputError : public std::runtime_error
   {
   public:

@@ -68,8 +68,12 @@ namespace Amontons
     recovery->recover(state.displacement);
     const auto before = error;
     error             = estimate_error(model.discretization(), *recovery, model.interfaces, fields);
+    pressure_norm     = error.pressure_norm;
+    shear_norm        = error.shear_norm;
     if (worst_so_far)
       {
+        error.worst_pressure = before.worst_pressure;
+        error.worst_shear    = before.worst_shear;
         keep_largest(before.cell_indicators, error.cell_indicators);
         keep_largest(before.contact_indicators, error.contact_indicators);
         keep_largest(before.shear_indicators, error.shear_indicators);
@@ -77,6 +81,19 @@ namespace Amontons
         error.pressure_norm = std::max(before.pressure_norm, error.pressure_norm);
         error.shear_norm    = std::max(before.shear_norm, error.shear_norm);
       }
+  }
+
+  template <int dim>
+  void
+  Evaluation<dim>::judge_by_history()
+  {
+    constexpr double little = 0.05;
+    error.worst_pressure    = std::max(error.worst_pressure, error.contact * pressure_norm);
+    error.worst_shear       = std::max(error.worst_shear, error.shear * shear_norm);
+    if (pressure_norm >= little * error.pressure_norm)
+      return;
+    error.contact = error.worst_pressure / error.pressure_norm;
+    error.shear   = error.shear_norm > 0 ? error.worst_shear / error.shear_norm : 0;
   }
 
   template struct Evaluation<2>;

@@ -122,6 +122,8 @@ namespace Amontons
                               history.state.t,
                               history.coarser,
                               evaluation.error);
+      if (has_history() && history.last_report.converged)
+        evaluation.judge_by_history();
       if (!follows_work())
         follow_target();
     }
@@ -295,7 +297,7 @@ namespace Amontons
         std::sqrt(std::max(0., std::pow(error.decisive(), 2) - std::pow(error.facets, 2))));
     const bool is_enough = target > 0 && (mendable <= target ||
                                           history.meshes.is_hopeless(target, parameters.refinement.max_dofs));
-    return may_refine() && !is_enough;
+    return may_refine() && !is_enough && !history.quantity.is_zero();
   }
 
   // On the way: evenly over the load program, or whenever the target asks for it.

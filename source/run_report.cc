@@ -433,6 +433,8 @@ namespace Amontons
   std::string
   RunReport<dim>::missed_target(const Discretization<dim> &discretization, const Ending &ending) const
   {
+    if (ending.history.quantity.is_zero())
+      return "the target error has no meaning: there is no such 'Target quantity', or it is 0";
     const auto        &error      = ending.evaluation.error;
     const bool         touches    = ending.evaluation.touches();
     const auto         indicators = touches ? error.indicators_for(0) : error.cell_indicators;

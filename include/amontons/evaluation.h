@@ -35,7 +35,15 @@ namespace Amontons
     void
     estimate(const Model<dim> &model, const SolutionState<dim> &state, const bool worst_so_far);
 
+    /// In the end of an increment of a history. A state with less than a twentieth of the largest pressure so
+    /// far (unloaded, or open) is not what a target is about: the largest errors so far count, against that
+    /// pressure.
+    void
+    judge_by_history();
+
   private:
+    double pressure_norm = 0, shear_norm = 0; // of the state, what its errors count against
+
     /// Of the pair that has most.
     unsigned int
     n_closed_nodes() const;

@@ -23,7 +23,7 @@ namespace Amontons
                       target_error,
                       "Refinement stops once the estimated relative error of 'Target quantity' is below "
                       "this. 0: only Cycles and Maximum DoFs count. -1: 0 where Cycles are given, else "
-                      "0.01, as far as 100000 DoFs take it (20000 with friction or finite strain).",
+                      "0.01, as far as 100000 DoFs take it (10000 with friction or finite strain).",
                       Patterns::Double(-1));
     prm.add_parameter(
         "Target quantity",
@@ -76,7 +76,7 @@ namespace Amontons
       return;
     target_error = cycles >= 0 ? 0 : 0.01;
     if (cycles < 0)
-      max_dofs = std::min(max_dofs, has_history ? 20000u : 100000u);
+      max_dofs = std::min(max_dofs, has_history ? 10000u : 100000u);
   }
 
   namespace

@@ -37,6 +37,15 @@ namespace Amontons
     return meshes.size();
   }
 
+  bool
+  QuantitySequence::is_zero() const
+  {
+    return meshes.size() > 1 && std::all_of(meshes.begin(), meshes.end(), [](const Mesh &mesh) {
+             return std::all_of(
+                 mesh.values.begin(), mesh.values.end(), [](const double v) { return v == 0; });
+           });
+  }
+
   double
   QuantitySequence::error() const
   {

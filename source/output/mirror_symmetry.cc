@@ -53,6 +53,26 @@ namespace Amontons
       return all;
     }
 
+    // Of each pair that touches, and of all supports: their own mirror images, too, if the scene is.
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    resulting_forces(const Answer<dim> &answer)
+    {
+      std::vector<Tensor<1, dim>> forces;
+      for (const auto &fields : answer.fields)
+        if (const Tensor<1, dim> force = fields.normal_force + fields.tangential_force; force.norm() > 0)
+          forces.push_back(force);
+      if (forces.empty())
+        return forces;
+      Tensor<1, dim> sum;
+      for (const auto &reaction : compute_reactions(answer))
+        for (unsigned int c = 0; c < dim; ++c)
+          sum[c] += reaction.force[c];
+      if (sum.norm() > 1e-3 * forces.front().norm())
+        forces.push_back(sum);
+      return forces;
+    }
+
     template <int dim, typename Vector>
     Vector
     mirrored(Vector vector, const unsigned int axis, const double middle)
@@ -86,7 +106,8 @@ namespace Amontons
   {
     constexpr unsigned int many     = 2000; // each is compared with each
     const auto             vertices = coarse_vertices(answer);
-    if (vertices.size() > many)
+    const auto             forces   = resulting_forces(answer);
+    if (vertices.size() > many || forces.empty())
       return {};
     std::vector<Point<dim>> places;
     double                  largest = 0;
@@ -101,6 +122,9 @@ namespace Amontons
     std::vector<std::string> planes;
     for (unsigned int axis = turned ? 1 : 0; axis < dim; ++axis)
       if (const double middle = (corners.first[axis] + corners.second[axis]) / 2;
+          std::all_of(forces.begin(),
+                      forces.end(),
+                      [&](const auto &f) { return std::abs(f[axis]) <= 1e-6 * f.norm(); }) &&
           is_mirrored(vertices, axis, middle, size, tolerance * largest))
         {
           std::ostringstream text;

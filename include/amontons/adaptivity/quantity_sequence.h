@@ -21,6 +21,10 @@ namespace Amontons
     double
     error() const;
 
+    /// All values on two meshes or more: what does not exist, or vanishes.
+    bool
+    is_zero() const;
+
   private:
     struct Mesh
     {

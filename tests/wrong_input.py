@@ -292,6 +292,9 @@ def scenes():
         case(name, BASE + refinement % entries, words)
     case("dissipation on several meshes", BASE.replace("= lower/top", "= lower/top\n  set Friction coefficient = 0.3") + refinement % "Target quantity = dissipation\n  set History = transfer", "several meshes")
 
+    for name, bytes_, words in [("bytes that are no UTF-8", b"\xff\xd4", r"found '\\xff\\xd4'"), ("a very long word", b"x" * 3000, r"found 'x{80}\.\.\.'"), ("a control character", b"\x1b[2J", r"found '\\x1b\[2J'")]:
+        case(name, BASE.encode().replace(b"= plane strain", b"= " + bytes_), "^scene\.prm:1: Kind: " + words)
+
     # expressions
     change("expression error", "0; -0.01", "0; -0.01*(x", "cannot be read")
     change("unknown function", "0; -0.01", "0; sine(x)", "cannot be read.*sine")
@@ -484,6 +487,7 @@ def scenes():
     case("empty IGES file", {"scene.prm": on_top % "cad(a.igs)", "m.msh": dome, "a.igs": ""}, r"^scene\.prm:2: .*cannot read '.*a\.igs'.*IGES")
     case("CAD model elsewhere", {"scene.prm": on_top % "cad(a.step, 1.1)", "m.msh": dome, "a.step": step}, r"^scene\.prm:2: .*'top'.*lies on no single face.*1e-3", ranks=2)
     case("truncated CAD file", {"scene.prm": on_top % "cad(a.step)", "m.msh": dome, "a.step": step[:len(step) // 2]}, r"^scene\.prm:2: .*a\.step")
+    case("CAD file that breaks OpenCASCADE", {"scene.prm": on_top % "cad(a.step)", "m.msh": dome, "a.step": step[:2147] + step[2186:]}, r"^scene\.prm:2: .*a\.step'.*breaks down .signal 11.*not damaged", ranks=2)
     case("disk in 3D", solid % "  set Mesh = half disk", r"^scene\.prm:3: .*found 'half disk', a shape of scenes in 2D; .*half sphere.*cylinder")
     case("sphere in 2D", ONE_BODY % "  set Mesh = sphere", r"^scene\.prm:2: .*found 'sphere', a shape of scenes in 3D; .*half disk.*ring")
     case("length of a sphere", solid % "  set Mesh = sphere\n  set Radius = 1\n  set Length = 2", r"^scene\.prm:5: .*no meaning.*sphere")
@@ -537,6 +541,8 @@ def run(executable, folder, name, files, arguments, ranks, words, keep):
     except subprocess.TimeoutExpired:
         return [f"not done after {SECONDS} s"]
     errors, text = [], done.stderr.decode(errors="replace")
+    if "\ufffd" in text or len(done.stderr) > 2000:
+        errors.append(f"no valid UTF-8, or too much of it: {len(done.stderr)} bytes")
     out = done.stdout.decode(errors="replace")
     if words is None:
         if done.returncode != 0:

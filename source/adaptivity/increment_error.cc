@@ -63,6 +63,8 @@ namespace Amontons
                                &result.tangential_force,
                                &result.dissipation})
       *part *= factor;
+    for (unsigned int *const number : {&result.n_increments, &result.repeated_with})
+      *number = static_cast<unsigned int>(std::lround(*number / factor));
     return result;
   }
 

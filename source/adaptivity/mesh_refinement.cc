@@ -253,8 +253,8 @@ namespace Amontons
   namespace
   {
     // As many as can be afforded, several at once while the mesh grows by `most_growth` at most: with that
-    // the meshes on the way cost a tenth of the last one, so that larger steps, which go by what a coarser
-    // mesh knows, save nothing. left: of the sum of the squares.
+    // the meshes on the way cost a fifteenth of the last one, so that larger steps, which go by what a
+    // coarser mesh knows, save nothing. left: of the sum of the squares.
     Levels
     levels_for(const SquaredErrors &errors,
                const double         left,
@@ -262,7 +262,7 @@ namespace Amontons
                const double         n_cells,
                const double         n_children)
     {
-      constexpr double most_growth = 10;
+      constexpr double most_growth = 16; // in the plane all cells twice
       Levels           levels;
       levels.threshold     = adaptive_threshold(errors, 1 - left, affordable);
       levels.share         = left * errors.sum_above(0) / std::max(1., errors.count_above(levels.threshold));

@@ -26,11 +26,12 @@ namespace Amontons
       return length;
     }
 
-    // One line of valid UTF-8: other bytes as \xNN; of what is quoted 80 characters.
+    // One line of valid UTF-8: other bytes as \xNN; of what is quoted 80 characters, of paths more.
     std::string
     printable(const std::string &text)
     {
-      constexpr unsigned int most = 80;
+      constexpr unsigned int most_of_words = 80, most_of_paths = 400;
+      unsigned int           most = most_of_words;
       std::string            result;
       unsigned int           quoted = 0; // characters since the opening quote, which is the first
       for (std::size_t i = 0; i < text.size();)
@@ -41,6 +42,7 @@ namespace Amontons
               if (quoted > most + 1)
                 result += "...";
               quoted = quoted > 0 ? 0 : 1;
+              most   = text.compare(i, 2, "'/") == 0 ? most_of_paths : most_of_words;
             }
           else if (quoted > 0)
             ++quoted;

@@ -47,10 +47,7 @@ namespace Amontons
     for (const auto &note : notes)
       report.announce(note);
     //! [run]
-    make_mesh();
-    start(scene.kinematics == Kinematics::finite_strain);
-    refuse_hidden_sides(steps->model->discretization(), steps->model->interfaces);
-    steps->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);
+    start_on_first_mesh(scene.kinematics == Kinematics::finite_strain);
     make_output_folder(folder, mesh->geometry.communicator);
 
     bool success = run_load_program();
@@ -92,6 +89,16 @@ namespace Amontons
                                                 finite_strain ? nullptr : &small_strain.neglected);
   }
 
+  template <int dim>
+  void
+  ContactProblem<dim>::start_on_first_mesh(const bool finite_strain)
+  {
+    make_mesh();
+    start(finite_strain);
+    refuse_hidden_sides(steps->model->discretization(), steps->model->interfaces);
+    steps->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);
+  }
+
   // Should a mesh fail that a target asked for, the answer is that of the one before.
   template <int dim>
   bool
@@ -108,9 +115,7 @@ namespace Amontons
                     ": the answer is that of the mesh before");
     report.restart_coarser();
     parameters.refinement.cycles = mesh->n_refinements - 1;
-    make_mesh();
-    start(finite_strain);
-    steps->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);
+    start_on_first_mesh(finite_strain);
     return steps->run();
   }
 
@@ -273,9 +278,7 @@ namespace Amontons
   std::optional<IncrementErrors>
   ContactProblem<dim>::run_to_measure_increments(const bool finite_strain)
   {
-    make_mesh();
-    start(finite_strain);
-    steps->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);
+    start_on_first_mesh(finite_strain);
     if (steps->run(true) && !steps->has_measured_increments())
       steps->measure_increments();
     return report.error_of_increments();

@@ -6,12 +6,6 @@
 
 namespace Amontons
 {
-  namespace
-  {
-    // In each piece of the load path, until their error is known.
-    constexpr double increments_at_first = 4;
-  } // namespace
-
   template <int dim>
   LoadStepping<dim>::LoadStepping(const Parameters             &parameters,
                                   std::unique_ptr<Model<dim>>   start,
@@ -23,7 +17,7 @@ namespace Amontons
                                                                : Refinement::on_the_way)
   {
     if (chooses_increments())
-      increment_length = LoadProgram::increments_by_default / increments_at_first;
+      increment_length = LoadProgram::increments_by_default / LoadProgram::increments_at_first;
   }
 
   template <int dim>
@@ -342,16 +336,16 @@ namespace Amontons
     if (!chooses_increments() || !report.error_of_increments())
       return false;
     const auto  &errors = *report.error_of_increments();
-    const double error =
-        (follows_work() ? errors.dissipation : errors.largest()) * increments_at_first; // of a single one
+    const double error  = (follows_work() ? errors.dissipation : errors.largest()) *
+                         LoadProgram::increments_at_first; // of a single one
     const double allowed = parameters.refinement.target_error / 2;
     double       n       = std::min(std::ceil(error / allowed), LoadProgram::increments_by_default);
     if (n <= 1)
       n = 10 * error <= allowed ? 1 : 2;
-    if (n <= increments_at_first && !wants_refinement())
+    if (n <= LoadProgram::increments_at_first && !wants_refinement())
       return false;
     increment_length = LoadProgram::increments_by_default / n;
-    report.set_error_of_increments(errors.scaled(increments_at_first / n));
+    report.set_error_of_increments(errors.scaled(LoadProgram::increments_at_first / n));
     if (wants_refinement())
       return false;
     report.replay();

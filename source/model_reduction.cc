@@ -116,9 +116,9 @@ namespace Amontons
     }
 
     void
-    make_rigid(Scene &scene, BodyData &body)
+    make_rigid(Scene &scene, BodyData &body, const MotionData &motion)
     {
-      body.rigid       = SupportedMotion(scene, body).find();
+      body.rigid       = motion;
       body.body_force  = {};
       auto &conditions = scene.conditions;
       for (auto &condition : conditions)
@@ -150,8 +150,9 @@ namespace Amontons
             mesh(std::make_shared<BodyMesh<dim>>(scene, parameters.discretization.degree))
       {
         const bool  finite_strain = scene.kinematics == Kinematics::finite_strain;
-        LoadProgram program(
-            scene, scene.has_friction() || finite_strain, LoadProgram::increments_by_default / 4);
+        LoadProgram program(scene,
+                            scene.has_friction() || finite_strain,
+                            LoadProgram::increments_by_default / LoadProgram::increments_at_first);
         mesh->collocated = parameters.newton.method == "node-to-segment";
         path             = std::make_unique<LoadPath<dim>>(
             parameters, make_model(mesh, finite_strain, program.next(), timer), timer);
@@ -269,6 +270,7 @@ namespace Amontons
     {
       return percent(part) + ", " + percent(part / target) + " of the target error; 'Model = full' keeps it";
     }
+
     std::vector<unsigned int>
     candidates(const Scene &scene, const double target)
     {
@@ -292,7 +294,7 @@ namespace Amontons
       if (part > allowed ||
           (SupportedMotion::is_prescribed(motion) && first.distance_from(motion.displacement, b) > allowed))
         return;
-      make_rigid(reduced.scene, body);
+      make_rigid(reduced.scene, body, motion);
       reduced.notes.push_back("model: body '" + body.name + "', " + percent(first.part_of_unknowns(b)) +
                               " of the unknowns, is taken for rigid: it holds of the stored energy " +
                               worth(part, target));
@@ -302,7 +304,7 @@ namespace Amontons
     void
     leave_out_friction(const FirstAnswer<dim> &first, const double target, ReducedScene &reduced)
     {
-      const double part = first.part_of_shear() / 0.05;
+      const double part = first.part_of_shear() / noteworthy_shear;
       if (part > part_of_target * target)
         return;
       for (auto &pair : reduced.scene.pairs)

@@ -27,6 +27,8 @@ namespace Amontons
     make_mesh();
     void
     start(const bool finite_strain);
+    void
+    start_on_first_mesh(const bool finite_strain);
     bool
     run_load_program();
     bool

@@ -13,6 +13,8 @@ namespace Amontons
   public:
     // In each piece between landings, unless the scene says how many over all.
     static constexpr double increments_by_default = 10;
+    // And where a target chooses them, until their error is known.
+    static constexpr double increments_at_first = 4;
 
     // coarser: how many times longer increments may be than the scene says.
     LoadProgram(const Scene &scene, const bool has_history, const double coarser = 1);

@@ -1,7 +1,7 @@
 #include <amontons/contact/surface_search.h>
 #include <amontons/contact_problem.h>
-#include <amontons/output/files.h>
 #include <amontons/output/mirror_symmetry.h>
+#include <amontons/output/output_folder.h>
 #include <amontons/output/physics_checks.h>
 
 #include <sstream>
@@ -13,9 +13,10 @@ namespace Amontons
                                       const Parameters         &parameters,
                                       const std::string        &output_folder,
                                       const bool                quiet,
+                                      RunControl               &control,
                                       const MakeReference<dim> &make_reference)
-      : scene(scene), parameters(parameters), folder(output_folder),
-        report(this->scene, parameters.output, folder, quiet, make_reference),
+      : scene(scene), parameters(parameters), folder(output_folder), control(control),
+        report(this->scene, parameters.output, folder, quiet, control, make_reference),
         small_strain(this->scene, this->parameters)
   {
     const SourceLocation entry{scene.file, 0, "Contact solver/Method"};
@@ -48,13 +49,15 @@ namespace Amontons
       report.announce(note);
     //! [run]
     start_on_first_mesh(scene.kinematics == Kinematics::finite_strain);
-    make_output_folder(folder, mesh->geometry.communicator);
+    make_output_folder(folder, mesh->geometry.communicator, control.checkpoint.n_known() > 0);
+    report.open_log();
 
     bool success = run_load_program();
-    if (!steps->model->finite_strain())
+    if (!control.stop.is_there() && !steps->model->finite_strain())
       success = choose_kinematics(success);
     if (success && scene.has_friction())
       add_error_of_increments();
+    success = success && !is_stopped();
     if (success && parameters.refinement.target_error > 0 && !scene.full_model)
       for (const auto &plane : mirror_planes(steps->answer(), parameters.refinement.target_error / 10))
         report.note("model: the scene is its own mirror image at " + plane +
@@ -65,6 +68,22 @@ namespace Amontons
     success = success && obeys_laws(checks);
     return report.finish(steps->answer(), ending(success, std::move(checks)));
     //! [run]
+  }
+
+  template <int dim>
+  bool
+  ContactProblem<dim>::is_stopped()
+  {
+    if (!control.stop.is_there())
+      return false;
+    std::ostringstream text;
+    text << control.stop.reason()
+         << "; the last state that converged is that of t = " << steps->history.state.t << " of "
+         << scene.end_time << " on mesh " << mesh->n_refinements;
+    if (!control.checkpoint.is_off())
+      text << "; 'amontons --resume " << folder << "' goes on from there";
+    report.fail(text.str(), "stopped");
+    return true;
   }
 
   template <int dim>
@@ -109,7 +128,8 @@ namespace Amontons
     if (steps->run())
       return true;
     const auto &refinement = parameters.refinement;
-    if (refinement.target_error <= 0 || refinement.history == "transfer" || mesh->n_refinements == first)
+    if (is_stopped() || refinement.target_error <= 0 || refinement.history == "transfer" ||
+        mesh->n_refinements == first)
       return false;
     report.announce("warning: on mesh " + std::to_string(mesh->n_refinements) + " " + report.message() +
                     ": the answer is that of the mesh before");
@@ -186,7 +206,7 @@ namespace Amontons
       steps->history.most_cut_backs = LoadHistory<dim>::many_cut_backs;
     if (run_load_program())
       return true;
-    if (!has_fallback)
+    if (!has_fallback || control.stop.is_there())
       return false;
     report.announce("warning: finite strain failed (" + report.message() +
                     "): the answer is that of small strain");
@@ -232,6 +252,8 @@ namespace Amontons
         else
           steps->measure_increments();
       }
+    if (control.stop.is_there())
+      return;
     if (!report.error_of_increments())
       return report.announce(
           "the error of the increments is not known: with half as many (where they are few: twice as "
@@ -270,7 +292,7 @@ namespace Amontons
         replay.refinement.target_error = 0;
       }
     replay.output.vtu = false;
-    return ContactProblem<dim>(part, replay, folder, true)
+    return ContactProblem<dim>(part, replay, folder, true, control)
         .run_to_measure_increments(steps->model->finite_strain());
   }
 

@@ -5,8 +5,12 @@
 namespace Amontons
 {
   template <int dim>
-  LoadPath<dim>::LoadPath(const Parameters &parameters, std::unique_ptr<Model<dim>> start, TimerOutput &timer)
-      : model(std::move(start)), scene(model->discretization().scene), parameters(parameters), timer(timer)
+  LoadPath<dim>::LoadPath(const Parameters           &parameters,
+                          std::unique_ptr<Model<dim>> start,
+                          TimerOutput                &timer,
+                          RunControl                 &control)
+      : model(std::move(start)), scene(model->discretization().scene), parameters(parameters), timer(timer),
+        control(control)
   {
     history.state.t = model->time();
   }
@@ -35,7 +39,7 @@ namespace Amontons
         do
           {
             history.last_report = iterate([](const auto &) {});
-            if (!history.last_report.converged)
+            if (!history.last_report.converged || must_stop())
               return false;
           }
         while (model->widen_search(history.state));
@@ -74,6 +78,13 @@ namespace Amontons
         }
   }
 
+  template <int dim>
+  bool
+  LoadPath<dim>::must_stop()
+  {
+    return control.stop.look(model->mesh->geometry.communicator);
+  }
+
   // At state.t on the present mesh.
   template <int dim>
   NewtonReport
@@ -81,14 +92,41 @@ namespace Amontons
   {
     if (history.state.displacement.size() != model->discretization().dof_handler.n_dofs())
       history.state.displacement = model->discretization().make_relevant_vector();
-    const auto               mechanics = model->mechanics(history.state);
-    const ContactSolver<dim> solver    = {
-           parameters.newton, parameters.linear_solver, model->discretization(), timer};
-    const auto result = solver.solve(
-        *mechanics, model->interfaces, model->supports, history.state, observer, history.follow_motion);
+    const auto mechanics = model->mechanics(history.state);
+    auto       result = control.checkpoint.recall(model->discretization(), model->interfaces, history.state);
+    if (result && !mechanics->is_linear())
+      {
+        model->move_to(history.state);
+        mechanics->evaluate(history.state.displacement, {}, false);
+      }
+    else if (!result)
+      result = solve(*mechanics, observer);
     if (!mechanics->is_linear())
       model->update_loads(history.state);
-    return result;
+    return *result;
+  }
+
+  template <int dim>
+  NewtonReport
+  LoadPath<dim>::solve(Mechanics<dim> &mechanics, const typename Newton<dim>::Observer &observer)
+  {
+    const ContactSolver<dim> solver = {
+        parameters.newton, parameters.linear_solver, model->discretization(), timer};
+    const auto save_if_urgent = [&](const NewtonReport::Iteration &iteration) {
+      observer(iteration);
+      if (StopRequest::is_urgent()) // whoever sends signals may not wait for the end of the increment
+        control.try_to([&]() { control.checkpoint.flush(); });
+    };
+    auto report = solver.solve(
+        mechanics, model->interfaces, model->supports, history.state, save_if_urgent, history.follow_motion);
+    if (report.converged)
+      {
+        TimerOutput::Scope scope(timer, "output");
+        control.try_to([&]() {
+          control.checkpoint.keep(model->discretization(), model->interfaces, history.state, report);
+        });
+      }
+    return report;
   }
 
   // The increment becomes history.

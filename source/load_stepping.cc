@@ -11,7 +11,8 @@ namespace Amontons
                                   std::unique_ptr<Model<dim>>   start,
                                   RunReport<dim>               &report,
                                   NeglectedTermsOfHistory<dim> *neglected)
-      : LoadPath<dim>(parameters, std::move(start), report.timer()), report(report), neglected(neglected),
+      : LoadPath<dim>(parameters, std::move(start), report.timer(), report.control), report(report),
+        neglected(neglected),
         refinement(!has_history()                              ? Refinement::in_last_increment
                    : parameters.refinement.history == "replay" ? Refinement::between_replays
                                                                : Refinement::on_the_way)
@@ -39,7 +40,7 @@ namespace Amontons
           }
       }
     while (again || (!(until_measured && measured) && replay_refined()));
-    return true;
+    return !control.stop.is_there();
   }
 
   template <int dim>
@@ -61,6 +62,8 @@ namespace Amontons
         if (result == Result::converged)
           {
             commit_increment(program);
+            if (!program.finished() && must_stop())
+              return false;
             failures = Failures();
           }
         else if (result == Result::lost)
@@ -89,7 +92,7 @@ namespace Amontons
           if (!solve_on_mesh(program))
             return Result::failed;
         while (model->widen_search(history.state));
-        if (!refine_now(program) || !refine())
+        if (!refine_now(program) || must_stop() || !refine())
           return Result::converged;
         if (has_history() && program.time() > 0 && !rebalance(program))
           return Result::lost;
@@ -311,7 +314,7 @@ namespace Amontons
   bool
   LoadStepping<dim>::replay_refined()
   {
-    if (refinement != Refinement::between_replays || !wants_refinement() || !refine())
+    if (refinement != Refinement::between_replays || !wants_refinement() || must_stop() || !refine())
       return false;
     report.replay();
     return true;
@@ -441,7 +444,7 @@ namespace Amontons
     const bool few = plan.number() - 1 < 4 * plan.n_breakpoints();
 
     LoadProgram   program(scene, is_incremental(), increment_length * (few ? 0.5 : 2));
-    LoadPath<dim> repeat(parameters, model->at_rest(program.next()), timer);
+    LoadPath<dim> repeat(parameters, model->at_rest(program.next()), timer, control);
     repeat.history.path.swap(history.path); // first guesses for both
     const bool success = repeat.run(program);
     repeat.history.path.swap(history.path);

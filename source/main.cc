@@ -2,7 +2,7 @@
 #include <amontons/base/version.h>
 #include <amontons/contact_problem.h>
 #include <amontons/model_reduction.h>
-#include <amontons/output/files.h>
+#include <amontons/output/output_folder.h>
 #include <amontons/scene/scene_reader.h>
 #include <amontons/scene/text.h>
 #include <amontons/verification/comparison.h>
@@ -17,8 +17,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <thread>
 
@@ -30,13 +32,16 @@ namespace
   {
     std::string              scene;
     std::vector<std::string> overrides;
-    std::string              output;
-    unsigned int             n_jobs = std::max(1u, std::thread::hardware_concurrency());
+    std::string              output, resume;
+    double                   time_limit = 0; // seconds; 0: none
+    unsigned int             n_jobs     = std::max(1u, std::thread::hardware_concurrency());
     bool parameters = false, quiet = false, help = false, version = false, is_study = false;
   };
 
   const char *usage =
-      "usage: amontons SCENE.prm [--set \"Section/Name = value\"]... [--output DIR] [--quiet]\n"
+      "usage: amontons SCENE.prm [--set \"Section/Name = value\"]... [--output DIR] [--time-limit TIME] "
+      "[--quiet]\n"
+      "       amontons --resume DIR [--time-limit TIME] [--quiet]\n"
       "       amontons study STUDY.prm [--jobs N] [--output DIR]\n"
       "       amontons --parameters\n"
       "       amontons --version\n"
@@ -52,13 +57,57 @@ namespace
     return static_cast<unsigned int>(*number);
   }
 
+  // 90, 90s, 5m, 2h: in seconds.
+  double
+  duration(const std::string &text)
+  {
+    const std::map<char, double> units = {{'s', 1}, {'m', 60}, {'h', 3600}};
+    const auto                   unit  = text.empty() ? units.end() : units.find(text.back());
+    const auto number = as_number(unit == units.end() ? text : text.substr(0, text.size() - 1));
+    if (!number || !(*number > 0) || !std::isfinite(*number))
+      throw InputError({"command line", 0, "--time-limit"},
+                       "found '" + text + "'",
+                       "a positive number, of seconds or with a unit: 90, 90s, 5m, 2h");
+    return *number * (unit == units.end() ? 1 : unit->second);
+  }
+
+  void
+  check_resume(const CommandLine &line)
+  {
+    if (!line.resume.empty() && (!line.scene.empty() || !line.overrides.empty() || !line.output.empty()))
+      throw InputError({"command line", 0, "--resume"},
+                       "more than the folder of the run",
+                       "amontons --resume DIR; scene and entries are those that the run was started with");
+  }
+
   void
   check_study(const CommandLine &line)
   {
+    if (line.is_study && (line.time_limit > 0 || !line.resume.empty()))
+      throw InputError({"command line", 0, "study"},
+                       "--time-limit and --resume have no meaning for a study",
+                       "they are for single runs");
     if (line.is_study && (!line.overrides.empty() || line.scene.empty()))
       throw InputError({"command line", 0, "study"},
                        line.scene.empty() ? "no study file is given" : "--set has no meaning for a study",
                        "amontons study STUDY.prm [--jobs N] [--output DIR]; what it varies is in the file");
+  }
+
+  [[noreturn]] void
+  refuse(const std::string &argument)
+  {
+    const std::string found = argument[0] == '-' ? "unknown argument" + suggestion(argument,
+                                                                                   {"--set",
+                                                                                    "--output",
+                                                                                    "--resume",
+                                                                                    "--time-limit",
+                                                                                    "--quiet",
+                                                                                    "--jobs",
+                                                                                    "--parameters",
+                                                                                    "--version",
+                                                                                    "--help"})
+                                                 : "a second file";
+    throw InputError({"command line", 0, argument}, found, "see 'amontons --help'");
   }
 
   CommandLine
@@ -77,6 +126,10 @@ namespace
           line.overrides.push_back(next());
         else if (argument == "--output")
           line.output = next();
+        else if (argument == "--resume")
+          line.resume = next();
+        else if (argument == "--time-limit")
+          line.time_limit = duration(next());
         else if (argument == "--jobs")
           line.n_jobs = number_of_jobs(next());
         else if (argument == "--parameters")
@@ -90,19 +143,12 @@ namespace
         else if (argument == "--version")
           line.version = true;
         else if (argument[0] == '-' || !line.scene.empty())
-          throw InputError(
-              {"command line", 0, argument},
-              argument[0] == '-'
-                  ? "unknown argument" +
-                        suggestion(
-                            argument,
-                            {"--set", "--output", "--quiet", "--jobs", "--parameters", "--version", "--help"})
-                  : "a second file",
-              "see 'amontons --help'");
+          refuse(argument);
         else
           line.scene = argument;
       }
     check_study(line);
+    check_resume(line);
     return line;
   }
 
@@ -115,46 +161,99 @@ namespace
     return "output/" + name.substr(0, name.find_last_of('.'));
   }
 
+  struct Task
+  {
+    std::string              scene; // file
+    std::vector<std::string> overrides;
+    std::string              folder;
+    bool                     quiet = false, resumes = false;
+  };
+
   // With less model, if the target allows it and the answer is found.
   template <int dim>
   RunSummary
-  solve(const Scene &scene, const Parameters &parameters, const std::string &folder, const bool quiet)
+  solve(const Scene             &scene,
+        const Parameters        &parameters,
+        const Task              &task,
+        std::vector<std::string> notes,
+        RunControl              &control)
   {
-    const ReducedScene reduced = reduce_model<dim>(scene, parameters);
-    if (!reduced.notes.empty())
+    const ReducedScene reduced = reduce_model<dim>(scene, parameters, control);
+    if (!reduced.notes.empty() && !control.stop.is_there())
       {
+        auto all = notes;
+        all.insert(all.end(), reduced.notes.begin(), reduced.notes.end());
         const RunSummary summary =
-            ContactProblem<dim>(reduced.scene, parameters, folder, quiet).run(reduced.notes);
-        if (summary.converged)
+            ContactProblem<dim>(reduced.scene, parameters, task.folder, task.quiet, control).run(all);
+        if (summary.converged || control.stop.is_there())
           return summary;
       }
-    return ContactProblem<dim>(scene, parameters, folder, quiet, make_reference<dim>).run();
+    return ContactProblem<dim>(scene, parameters, task.folder, task.quiet, control, make_reference<dim>)
+        .run(notes);
+  }
+
+  // What there is to say of an unfinished run of this scene.
+  std::vector<std::string>
+  prepare_checkpoint(const Task       &task,
+                     const Scene      &scene,
+                     const Parameters &parameters,
+                     Checkpoint       &checkpoint)
+  {
+    const Checkpoint::Run run = {
+        std::filesystem::absolute(task.scene).string(), task.overrides, scene.entries};
+    const auto intervals = parameters.output.checkpoint_intervals();
+    if (task.resumes)
+      {
+        checkpoint.resume(task.folder, run, intervals);
+        return {"the run in " + task.folder + " goes on: " + std::to_string(checkpoint.n_known()) +
+                " solves are known"};
+      }
+    std::vector<std::string> notes;
+    if (Checkpoint::exists(task.folder))
+      notes.push_back("in " + task.folder +
+                      " there was a run that has not ended; 'amontons --resume' would have gone on with it, "
+                      "this one starts anew");
+    checkpoint.start(task.folder, run, intervals);
+    return notes;
   }
 
   RunSummary
-  run_scene(const std::string              &file,
-            const std::vector<std::string> &overrides,
-            const std::string              &output,
-            const bool                      quiet)
+  run_scene(const Task &task, RunControl &control)
   {
     Parameters  parameters;
-    const Scene scene = read_scene(
-        file, overrides, parameters.groups(), {make_displacement_field, displacement_field_corners});
+    const Scene scene = read_scene(task.scene,
+                                   task.overrides,
+                                   parameters.groups(),
+                                   {make_displacement_field, displacement_field_corners});
     parameters.refinement.choose_target(scene.has_friction() ||
                                         scene.kinematics == Kinematics::finite_strain);
-    const std::string folder  = output.empty() ? default_output(file) : output;
-    const RunSummary  summary = scene.kind == ProblemType::three_dimensional
-                                    ? solve<3>(scene, parameters, folder, quiet)
-                                    : solve<2>(scene, parameters, folder, quiet);
-    keep_output_folder();
-    return summary;
+    const auto notes = prepare_checkpoint(task, scene, parameters, control.checkpoint);
+    const auto save  = [&]() { control.checkpoint.flush(); };
+    try
+      {
+        const RunSummary summary = scene.kind == ProblemType::three_dimensional
+                                       ? solve<3>(scene, parameters, task, notes, control)
+                                       : solve<2>(scene, parameters, task, notes, control);
+        if (control.stop.is_there())
+          control.try_to(save);
+        else
+          control.checkpoint.remove();
+        keep_output_folder();
+        return summary;
+      }
+    catch (const std::bad_alloc &)
+      {
+        control.try_to(save);
+        throw;
+      }
   }
 
   // A scene's summary.json as the study wants it, on every rank.
   boost::property_tree::ptree
   run_for_study(const std::string &file, const std::vector<std::string> &overrides, const std::string &output)
   {
-    const RunSummary summary = run_scene(file, overrides, output, true);
+    RunControl       control{StopRequest(), Checkpoint(MPI_COMM_WORLD)};
+    const RunSummary summary = run_scene({file, overrides, output, true}, control);
     if (!summary.converged)
       throw std::runtime_error(summary.message);
     MPI_Barrier(MPI_COMM_WORLD);
@@ -187,6 +286,23 @@ namespace
         MPI_COMM_WORLD);
   }
 
+  // 2: it was stopped, or could not write its files.
+  int
+  run_single(const Task &task, const double time_limit)
+  {
+    const bool       is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    RunControl       control{StopRequest(time_limit), Checkpoint(MPI_COMM_WORLD)};
+    const RunSummary summary   = run_scene(task, control);
+    const bool       unwritten = !control.stop.is_there() && !control.stop.own_reason().empty();
+    if (unwritten)
+      std::cerr << control.stop.own_reason() + "\n";
+    else if (is_root && task.quiet && !summary.converged)
+      std::cerr << task.scene + ": not converged: " + summary.message + "\n";
+    if (control.stop.is_there() || unwritten)
+      return 2;
+    return summary.converged ? 0 : 1;
+  }
+
   int
   run(const int argc, char **argv)
   {
@@ -199,7 +315,7 @@ namespace
           std::cout << "amontons " << version << (*commit == '\0' ? "" : " " + std::string(commit)) << "\n";
         return 0;
       }
-    if (line.help || (line.scene.empty() && !line.parameters))
+    if (line.help || (line.scene.empty() && line.resume.empty() && !line.parameters))
       {
         if (is_root)
           (line.help ? std::cout : std::cerr) << usage;
@@ -213,13 +329,19 @@ namespace
       }
     if (line.is_study)
       return run_study(line);
-    const RunSummary summary = run_scene(line.scene, line.overrides, line.output, line.quiet);
-    if (summary.converged)
-      return 0;
-    if (is_root && line.quiet)
-      std::cerr << line.scene + ": not converged: " + summary.message + "\n";
-    return 1;
+    Task task = {line.scene, line.overrides, line.output, line.quiet, !line.resume.empty()};
+    if (task.resumes)
+      {
+        const Checkpoint::Run run = Checkpoint::read_run(line.resume);
+        task.scene                = run.scene;
+        task.overrides            = run.overrides;
+        task.folder               = line.resume;
+      }
+    else if (task.folder.empty())
+      task.folder = default_output(task.scene);
+    return run_single(task, line.time_limit);
   }
+
   // An error that all ranks meet is printed once, and they end in peace. Where others may wait for a rank in
   // vain, the lowest of those that failed says why, and all are stopped. `channel` is used for nothing else.
   int

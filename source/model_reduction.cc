@@ -145,7 +145,7 @@ namespace Amontons
     class FirstAnswer
     {
     public:
-      FirstAnswer(const Scene &scene, const Parameters &parameters)
+      FirstAnswer(const Scene &scene, const Parameters &parameters, RunControl &control)
           : scene(scene), timer(std::cout, TimerOutput::never, TimerOutput::wall_times),
             mesh(std::make_shared<BodyMesh<dim>>(scene, parameters.discretization.degree))
       {
@@ -155,7 +155,7 @@ namespace Amontons
                             LoadProgram::increments_by_default / LoadProgram::increments_at_first);
         mesh->collocated = parameters.newton.method == "node-to-segment";
         path             = std::make_unique<LoadPath<dim>>(
-            parameters, make_model(mesh, finite_strain, program.next(), timer), timer);
+            parameters, make_model(mesh, finite_strain, program.next(), timer), timer, control);
         path->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);
         converged = path->run(program);
         if (converged)
@@ -317,7 +317,7 @@ namespace Amontons
 
   template <int dim>
   ReducedScene
-  reduce_model(const Scene &scene, const Parameters &parameters)
+  reduce_model(const Scene &scene, const Parameters &parameters, RunControl &control)
   {
     const double target  = parameters.refinement.target_error;
     ReducedScene reduced = {scene, {}};
@@ -326,7 +326,7 @@ namespace Amontons
     const auto stiff = candidates(scene, target);
     if (stiff.empty() && !scene.has_friction())
       return reduced;
-    const FirstAnswer<dim> first(scene, parameters);
+    const FirstAnswer<dim> first(scene, parameters, control);
     if (!first.is_known())
       return reduced;
     for (const unsigned int b : stiff)
@@ -337,7 +337,7 @@ namespace Amontons
   }
 
   template ReducedScene
-  reduce_model<2>(const Scene &, const Parameters &);
+  reduce_model<2>(const Scene &, const Parameters &, RunControl &);
   template ReducedScene
-  reduce_model<3>(const Scene &, const Parameters &);
+  reduce_model<3>(const Scene &, const Parameters &, RunControl &);
 } // namespace Amontons

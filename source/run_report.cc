@@ -1,6 +1,3 @@
-#include <amontons/output/contact_csv.h>
-#include <amontons/output/files.h>
-#include <amontons/output/history.h>
 #include <amontons/output/probes.h>
 #include <amontons/run_report.h>
 
@@ -33,22 +30,14 @@ namespace Amontons
     }
   } // namespace
 
-  void
-  OutputParameters::declare(ParameterHandler &prm)
-  {
-    prm.enter_subsection("Output");
-    prm.add_parameter("VTU", vtu, "Write .pvd and .vtu files of the bodies and of the contact surfaces.");
-    prm.add_parameter("Report", report, "Write report.html, a self-contained page with pictures.");
-    prm.leave_subsection();
-  }
-
   template <int dim>
   RunReport<dim>::RunReport(const Scene              &scene,
                             const OutputParameters   &parameters,
                             const std::string        &folder,
                             const bool                quiet,
+                            RunControl               &control,
                             const MakeReference<dim> &make_reference)
-      : scene(scene), parameters(parameters), folder(folder), communicator(MPI_COMM_WORLD),
+      : control(control), scene(scene), parameters(parameters), folder(folder), communicator(MPI_COMM_WORLD),
         make_reference(make_reference), terminal(communicator, quiet),
         phases(std::cout, TimerOutput::never, TimerOutput::wall_times), vtu(folder, communicator)
   {
@@ -68,6 +57,7 @@ namespace Amontons
   RunReport<dim>::replay()
   {
     vtu.restart();
+    n_tables = 0;
   }
 
   template <int dim>
@@ -77,7 +67,7 @@ namespace Amontons
     summary.meshes.clear();
     summary.newton.clear();
     summary.increments.reset();
-    vtu.restart();
+    replay();
   }
 
   template <int dim>
@@ -106,8 +96,9 @@ namespace Amontons
   void
   RunReport<dim>::progress(const LoadProgram &program)
   {
+    fraction = program.time() / scene.end_time;
     if (!program.finished())
-      terminal.progress("load increments", program.time() / scene.end_time);
+      terminal.progress("load increments", fraction);
   }
 
   template <int dim>
@@ -260,15 +251,7 @@ namespace Amontons
         if (mesh.reference)
           reference->compare_dissipation(answer, work.dissipation, *mesh.reference);
       }
-    if (!parameters.vtu)
-      return;
-    TimerOutput::Scope scope(phases, "output");
-    vtu.write_bodies(BodyFields<dim>{answer.discretization,
-                                     answer.state.displacement,
-                                     *evaluation.recovery,
-                                     evaluation.error.cell_indicators},
-                     answer.state.t);
-    vtu.write_contact(answer.interfaces, answer.fields, answer.state.t);
+    write_increment(answer, evaluation);
   }
 
   template <int dim>
@@ -316,8 +299,8 @@ namespace Amontons
     const auto linear_solves   = calls.find("linear solve");
     summary.cost.linear_solves = linear_solves == calls.end() ? 0 : linear_solves->second;
     summary.cost.wall_seconds  = wall.wall_time();
+    terminal.answer(summary); // whatever becomes of the files
     write_files(answer, ending.evaluation.recovery.get());
-    terminal.answer(summary);
     return summary;
   }
 
@@ -463,34 +446,6 @@ namespace Amontons
           return fields.symmetry_factor > 1;
         }))
       note("symmetry planes cut the contact: forces are those of the meshed part");
-  }
-
-  template <int dim>
-  void
-  RunReport<dim>::write_files(const Answer<dim> &answer, const StressRecovery<dim> *recovery) const
-  {
-    MeshPicture picture;
-    if (parameters.report && recovery != nullptr)
-      picture = gather_mesh_picture(answer.discretization, *recovery, answer.state.displacement);
-    if (Utilities::MPI::this_mpi_process(communicator) != 0)
-      return;
-    const auto table = contact_table(answer.interfaces, answer.fields, answer.state.t);
-    if (parameters.report)
-      {
-        std::vector<std::pair<std::string, MeshPicture>> pressure_maps;
-        for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
-          pressure_maps.emplace_back(answer.interfaces[i].pair->name,
-                                     make_pressure_picture(answer.interfaces[i], answer.fields[i]));
-        const auto tractions = reference ? reference->tractions() : ReferenceTractions();
-        write_report(folder + "/report.html",
-                     summary,
-                     pressure_curves(table, summary.pairs, dim, tractions),
-                     picture,
-                     pressure_maps);
-      }
-    write_contact_csv(folder + "/contact.csv", table);
-    write_history(folder + "/history.csv", summary.meshes, scene.kind);
-    write_summary(summary, folder + "/summary.json");
   }
 
   template class RunReport<2>;

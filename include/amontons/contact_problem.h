@@ -10,11 +10,12 @@ namespace Amontons
   class ContactProblem
   {
   public:
-    /// make_reference: not needed for scenes without `reference`.
+    /// make_reference: not needed for scenes without `reference`. control: of the process.
     ContactProblem(const Scene              &scene,
                    const Parameters         &parameters,
                    const std::string        &output_folder,
                    const bool                quiet,
+                   RunControl               &control,
                    const MakeReference<dim> &make_reference = {});
 
     /// Throws InputError; a failed iteration is reported in the summary's status. notes: what there is to say
@@ -46,12 +47,15 @@ namespace Amontons
     using Checks = std::map<std::string, double>;
     bool
     obeys_laws(Checks checks);
+    bool
+    is_stopped();
     typename RunReport<dim>::Ending
     ending(const bool success, Checks checks) const;
 
     const Scene                        scene;
     Parameters                         parameters;
     const std::string                  folder;
+    RunControl                        &control;
     RunReport<dim>                     report;
     std::shared_ptr<BodyMesh<dim>>     mesh;
     std::unique_ptr<LoadStepping<dim>> steps; // with the kinematics in effect

@@ -3,6 +3,7 @@
 
 #include <amontons/evaluation.h>
 #include <amontons/load_history.h>
+#include <amontons/run_control.h>
 #include <amontons/run_parameters.h>
 #include <amontons/solver/load_program.h>
 #include <amontons/solver/solve_contact.h>
@@ -13,10 +14,14 @@ namespace Amontons
   class LoadPath
   {
   public:
-    /// start: at rest, at the time of the first increment. timer: of the run.
-    LoadPath(const Parameters &parameters, std::unique_ptr<Model<dim>> start, TimerOutput &timer);
+    /// start: at rest, at the time of the first increment. timer, control: of the run.
+    LoadPath(const Parameters           &parameters,
+             std::unique_ptr<Model<dim>> start,
+             TimerOutput                &timer,
+             RunControl                 &control);
 
-    /// The load program on this mesh, if every increment converges at once; nobody is told.
+    /// The load program on this mesh, if every increment converges at once and nothing stops it; nobody is
+    /// told.
     bool
     run(LoadProgram &program);
 
@@ -34,6 +39,8 @@ namespace Amontons
     start_increment(const double t);
     NewtonReport
     iterate(const typename Newton<dim>::Observer &observer);
+    bool
+    must_stop();
     void
     commit(const LoadProgram &program);
     void
@@ -58,5 +65,10 @@ namespace Amontons
     const Scene      &scene;
     const Parameters &parameters;
     TimerOutput      &timer;
+    RunControl       &control;
+
+  private:
+    NewtonReport
+    solve(Mechanics<dim> &mechanics, const typename Newton<dim>::Observer &observer);
   };
 } // namespace Amontons

@@ -25,8 +25,9 @@ namespace Amontons
                  RunReport<dim>               &report,
                  NeglectedTermsOfHistory<dim> *neglected);
 
-    /// False: not to the end. Why not is in the report; the state is the last one that converged, where there
-    /// is one. until_measured: no more than it takes to know the error of the increments.
+    /// False: not to the end. Why not is in the report, or in the request to stop; the state is the last one
+    /// that converged, where there is one. until_measured: no more than it takes to know the error of the
+    /// increments.
     bool
     run(const bool until_measured = false);
 
@@ -43,11 +44,13 @@ namespace Amontons
     using LoadPath<dim>::scene;
     using LoadPath<dim>::parameters;
     using LoadPath<dim>::timer;
+    using LoadPath<dim>::control;
     using LoadPath<dim>::has_history;
     using LoadPath<dim>::is_incremental;
     using LoadPath<dim>::set_time;
     using LoadPath<dim>::start_increment;
     using LoadPath<dim>::iterate;
+    using LoadPath<dim>::must_stop;
     using LoadPath<dim>::commit;
     using LoadPath<dim>::begin_next;
     using LoadPath<dim>::store_contact;

@@ -1,6 +1,7 @@
 /// No more model than the target needs: bodies that may be rigid, friction that cannot matter.
 #pragma once
 
+#include <amontons/run_control.h>
 #include <amontons/run_parameters.h>
 #include <amontons/scene/scene.h>
 
@@ -21,10 +22,9 @@ namespace Amontons
   ///   or displacements of all of it; on the first mesh it moves so, to that part of the largest
   ///   displacement.
   /// - Friction, if shear is nowhere more than that part of what the target looks at, 5 % of the pressure
-  /// (both
-  ///   in the mean square).
+  ///   (both in the mean square).
   /// Not in scenes with a reference, nor bodies with probes. Collective.
   template <int dim>
   ReducedScene
-  reduce_model(const Scene &scene, const Parameters &parameters);
+  reduce_model(const Scene &scene, const Parameters &parameters, RunControl &control);
 } // namespace Amontons

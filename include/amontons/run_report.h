@@ -7,6 +7,7 @@
 #include <amontons/output/reference.h>
 #include <amontons/output/terminal.h>
 #include <amontons/output/vtu_output.h>
+#include <amontons/run_control.h>
 #include <amontons/solver/load_program.h>
 
 #include <deal.II/base/timer.h>
@@ -15,11 +16,18 @@ namespace Amontons
 {
   struct OutputParameters : ParameterGroup
   {
-    bool vtu    = true;
-    bool report = true;
+    bool        vtu              = true;
+    bool        report           = true;
+    bool        contact_tables   = false;
+    std::string checkpoint_every = "10 minutes";
 
     void
     declare(ParameterHandler &prm) override;
+    void
+    check() const override;
+    /// After check().
+    Checkpoint::Intervals
+    checkpoint_intervals() const;
   };
 
   /// Gathers the summary of one run; nothing that the run decides on is here. Methods that take an answer are
@@ -33,11 +41,16 @@ namespace Amontons
               const OutputParameters   &parameters,
               const std::string        &folder,
               const bool                quiet,
+              RunControl               &control,
               const MakeReference<dim> &make_reference);
 
     /// Introduces the scene; throws InputError where its reference cannot be made.
     void
     start();
+
+    /// The folder is there: all that is on the screen is in amontons.log, too.
+    void
+    open_log();
 
     /// The load program starts again, on a refined mesh; with another model, whose solves alone count.
     void
@@ -149,6 +162,8 @@ namespace Amontons
     const RunSummary &
     finish(const Answer<dim> &answer, const Ending &ending);
 
+    RunControl &control;
+
   private:
     std::string
     missed_target(const Discretization<dim> &discretization, const Ending &ending) const;
@@ -168,6 +183,11 @@ namespace Amontons
     note_facets(const std::vector<ContactInterface<dim>> &interfaces, const ErrorEstimate<dim> &error);
     void
     note_limits(const Answer<dim> &answer, const Ending &ending);
+    // run_files.cc
+    void
+    write_increment(const Answer<dim> &answer, const Evaluation<dim> &evaluation);
+    void
+    write_progress(const std::string &state) const;
     void
     write_files(const Answer<dim> &answer, const StressRecovery<dim> *recovery) const;
 
@@ -182,6 +202,9 @@ namespace Amontons
     TimerOutput                           phases;
     std::unique_ptr<const Reference<dim>> reference;
     VtuOutput                             vtu;
+    unsigned int                          n_tables   = 0;
+    double                                fraction   = 0; // of the load program on this mesh
+    double                                last_write = -1, cost_of_write = 0; // seconds
     RunSummary                            summary;
   };
 } // namespace Amontons

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 
 #include <unistd.h>
@@ -100,13 +101,31 @@ namespace Amontons
   Terminal::Terminal(const MPI_Comm communicator, const bool quiet, std::ostream *other)
       : stream(other != nullptr ? *other : std::cout),
         quiet(quiet || Utilities::MPI::this_mpi_process(communicator) != 0),
-        is_tty(other == nullptr && isatty(STDOUT_FILENO) == 1)
+        is_tty(other == nullptr && isatty(STDOUT_FILENO) == 1),
+        is_root(Utilities::MPI::this_mpi_process(communicator) == 0)
   {
+  }
+
+  void
+  Terminal::log_to(const std::string &file)
+  {
+    std::error_code error;
+    if (!is_root || log.is_open())
+      return;
+    if (std::filesystem::is_symlink(file, error))
+      std::filesystem::remove(file, error);
+    log.open(file, std::ios::app);
+    log << unlogged << std::flush;
+    unlogged.clear();
   }
 
   void
   Terminal::line(const std::string &text)
   {
+    if (log.is_open())
+      log << text << std::endl;
+    else if (is_root)
+      unlogged += text + "\n";
     if (quiet)
       return;
     if (bar_shown)

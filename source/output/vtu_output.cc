@@ -91,6 +91,34 @@ namespace Amontons
             fields.recovery.dof_handler(), fields.recovery.stress()[c], "stress_" + names[c]);
       data_out.add_data_vector(fields.recovery.dof_handler(), von_mises_stress, "von_mises");
     }
+    // Gives out what DataOut keeps to itself: a file holds the parts of several ranks.
+    template <int dim>
+    class BodyOutput : public DataOut<dim>
+    {
+    public:
+      // The parts of each `group` ranks are one file; on its lowest rank its text, else empty. Collective.
+      std::string
+      write_together(const DataOutBase::VtkFlags &flags, const int group, const MPI_Comm communicator) const
+      {
+        using namespace Utilities::MPI;
+        std::ostringstream head, part, tail;
+        DataOutBase::write_vtu_header(head, flags);
+        DataOutBase::write_vtu_footer(tail);
+        MPI_Comm together;
+        MPI_Comm_split(communicator, group, this_mpi_process(communicator), &together);
+        const bool         is_root = this_mpi_process(together) == 0;
+        const unsigned int n_mine = this->get_patches().size(), n_all = sum(n_mine, together);
+        if (n_mine > 0 || (n_all == 0 && is_root)) // ParaView wants no empty part beside others
+          DataOutBase::write_vtu_main(
+              this->get_patches(), this->get_dataset_names(), this->get_nonscalar_data_ranges(), flags, part);
+        const auto parts = gather(together, part.str());
+        MPI_Comm_free(&together);
+        std::string text = head.str();
+        for (const std::string &one : parts)
+          text += one;
+        return is_root ? text + tail.str() : "";
+      }
+    };
   } // namespace
 
   VtuOutput::VtuOutput(const std::string &folder, const MPI_Comm communicator)
@@ -113,7 +141,7 @@ namespace Amontons
     const LA::Vector           von_mises      = nodal_von_mises(fields.recovery);
     const auto                 labels         = cell_labels(discretization.geometry.triangulation);
 
-    DataOut<dim> data_out;
+    BodyOutput<dim> data_out;
     data_out.attach_triangulation(discretization.geometry.triangulation);
     select_cells(data_out, discretization.geometry);
     add_nodal_fields(data_out, fields, von_mises);
@@ -124,10 +152,23 @@ namespace Amontons
         discretization.mapping, discretization.fe.degree, DataOut<dim>::curved_inner_cells);
 
     DataOutBase::VtkFlags flags;
-    flags.compression_level = DataOutBase::VtkFlags::best_speed;
-    data_out.set_flags(flags);
-    bodies.emplace_back(
-        t, data_out.write_vtu_with_pvtu_record(folder + "/", "bodies", bodies.size(), communicator, 4));
+    flags.compression_level        = DataOutBase::VtkFlags::best_speed;
+    constexpr unsigned int most    = 4; // files
+    const unsigned int     n_files = std::min(most, Utilities::MPI::n_mpi_processes(communicator)),
+                       rank = Utilities::MPI::this_mpi_process(communicator), group = rank % n_files;
+    const std::string name    = "bodies_" + Utilities::int_to_string(bodies.size(), 4);
+    const auto        file_of = [&](const unsigned int k) { return name + "." + std::to_string(k) + ".vtu"; };
+    bodies.emplace_back(t, name + ".pvtu");
+    if (const std::string text = data_out.write_together(flags, group, communicator); !text.empty())
+      write_file(folder + "/" + file_of(group), text);
+    if (rank != 0)
+      return;
+    std::vector<std::string> files;
+    for (unsigned int k = 0; k < n_files; ++k)
+      files.push_back(file_of(k));
+    std::ostringstream record;
+    data_out.write_pvtu_record(record, files);
+    write_file(folder + "/" + name + ".pvtu", record.str());
     write_records("bodies", bodies);
   }
 

@@ -22,6 +22,9 @@ namespace Amontons
                                      : kinematics == "finite strain" ? Kinematics::finite_strain
                                                                      : Kinematics::automatic;
       scene.full_model             = top.text("Model") == "full";
+      for (const OutlineEntry &entry : input.outline.entries)
+        if (entry.section != "Output")
+          scene.entries.push_back(path_of(entry.section, entry.name) + " = " + entry.value);
       read_load_program(top, scene);
       if (reference.is_given("Solution"))
         scene.reference = ReferenceData{reference.field("Solution"), reference.text("Contact")};

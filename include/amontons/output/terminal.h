@@ -4,7 +4,7 @@
 #include <amontons/output/summary.h>
 
 #include <chrono>
-#include <iosfwd>
+#include <fstream>
 
 namespace Amontons
 {
@@ -25,6 +25,10 @@ namespace Amontons
   public:
     // stream: std::cout, or another one in tests (then never taken for a terminal).
     Terminal(const MPI_Comm communicator, const bool quiet, std::ostream *stream = nullptr);
+
+    // All lines so far and from now on go to this file, too, quiet or not; added to what it holds.
+    void
+    log_to(const std::string &file);
 
     // The scene in one paragraph.
     void
@@ -62,7 +66,9 @@ namespace Amontons
     using Clock = std::chrono::steady_clock;
 
     std::ostream &stream;
-    const bool    quiet, is_tty;
+    const bool    quiet, is_tty, is_root;
+    std::string   unlogged; // lines before log_to()
+    std::ofstream log;
     bool          bar_shown = false;
     std::string   work; // what the bar is about
 

@@ -249,8 +249,9 @@ namespace Amontons
   {
     std::string                  title;
     std::string                  file; // path as given
-    ProblemType                  kind              = ProblemType::plane_strain;
-    Kinematics                   kinematics        = Kinematics::small_strain;
+    ProblemType                  kind       = ProblemType::plane_strain;
+    Kinematics                   kinematics = Kinematics::small_strain;
+    std::vector<std::string>     entries; // "Section/Name = value" of all that the answer depends on
     bool                         full_model        = false; // nothing is left out, see model_reduction.h
     double                       end_time          = 1;
     unsigned int                 n_increments      = 0;    // to start with, over the end time; 0: automatic

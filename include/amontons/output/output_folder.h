@@ -1,0 +1,27 @@
+/// The folder that a run writes into. It holds one run, and one process writes into it.
+#pragma once
+
+#include <amontons/base/input_error.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <string>
+
+namespace Amontons
+{
+  /// Makes the folder with its parents, and locks it as long as this process has it (.lock, with the process
+  /// and the host). What an earlier run has left there moves to earlier_run/, where it stays until this run
+  /// has ended; not if this run goes on with that one. Again for the same folder: nothing. Collective: all
+  /// ranks throw InputError if it cannot be made or written to, or if another process has it.
+  void
+  make_output_folder(const std::string &folder, const MPI_Comm communicator, const bool goes_on = false);
+
+  /// The run has ended: the folder is the user's, and what was there before is removed. Not collective.
+  void
+  keep_output_folder();
+
+  /// The run has failed: if it has no history yet, all is as it was before the last make_output_folder. Not
+  /// collective.
+  void
+  remove_new_output_folder();
+} // namespace Amontons

@@ -1,0 +1,30 @@
+/// What may end a run early, and what a later one goes on from.
+#pragma once
+
+#include <amontons/base/input_error.h>
+#include <amontons/base/stop_request.h>
+#include <amontons/output/checkpoint.h>
+
+namespace Amontons
+{
+  struct RunControl
+  {
+    StopRequest stop;
+    Checkpoint  checkpoint;
+
+    /// Writes something; where that cannot be done, this is a reason to stop, not an exception.
+    template <typename Write>
+    void
+    try_to(const Write &write)
+    {
+      try
+        {
+          write();
+        }
+      catch (const InputError &error)
+        {
+          stop.because(error.what());
+        }
+    }
+  };
+} // namespace Amontons

@@ -1,0 +1,75 @@
+#include <amontons/base/stop_request.h>
+
+#include <array>
+#include <csignal>
+#include <sstream>
+
+namespace Amontons
+{
+  namespace
+  {
+    volatile std::sig_atomic_t signal_that_came = 0;
+
+    extern "C" void
+    note_signal_to_stop(const int number)
+    {
+      signal_that_came = number;
+    }
+
+    constexpr std::array<int, 2>    signals = {{SIGINT, SIGTERM}};
+    std::array<struct sigaction, 2> actions_before;
+  } // namespace
+
+  StopRequest::StopRequest(const double time_limit)
+      : time_limit(time_limit), start(std::chrono::steady_clock::now())
+  {
+    signal_that_came        = 0;
+    struct sigaction action = {};
+    action.sa_handler       = note_signal_to_stop;
+    action.sa_flags         = SA_RESETHAND | SA_RESTART;
+    for (unsigned int i = 0; i < signals.size(); ++i)
+      sigaction(signals[i], &action, &actions_before[i]);
+  }
+
+  StopRequest::~StopRequest()
+  {
+    for (unsigned int i = 0; i < signals.size(); ++i)
+      sigaction(signals[i], &actions_before[i], nullptr);
+  }
+
+  void
+  StopRequest::because(const std::string &reason)
+  {
+    if (own.empty())
+      own = reason;
+  }
+
+  bool
+  StopRequest::is_urgent()
+  {
+    return signal_that_came != 0;
+  }
+
+  bool
+  StopRequest::look(const MPI_Comm communicator)
+  {
+    if (stopped)
+      return true;
+    if (signal_that_came != 0)
+      because(std::string("stopped by ") + (signal_that_came == SIGINT ? "SIGINT" : "SIGTERM"));
+    if (time_limit > 0 &&
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > time_limit)
+      {
+        std::ostringstream text;
+        text << "stopped by the time limit of " << time_limit << " s";
+        because(text.str());
+      }
+    using namespace dealii::Utilities::MPI;
+    const unsigned int n_ranks = n_mpi_processes(communicator);
+    const unsigned int first   = min(own.empty() ? n_ranks : this_mpi_process(communicator), communicator);
+    if (first == n_ranks)
+      return false;
+    why            = broadcast(communicator, own, first);
+    return stopped = true;
+  }
+} // namespace Amontons

@@ -1,0 +1,132 @@
+#include <amontons/base/version.h>
+#include <amontons/output/checkpoint_files.h>
+#include <amontons/output/files.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/crc.hpp>
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <fstream>
+#include <sstream>
+
+namespace boost
+{
+  namespace serialization
+  {
+    using namespace Amontons;
+
+    // Structured bindings name all members: one that is added does not compile until it is here.
+    template <typename Archive>
+    void
+    serialize(Archive &archive, NewtonReport::Iteration &iteration, const unsigned int)
+    {
+      auto &[n_open, n_slip, n_stick, n_changes, krylov, residual] = iteration;
+      archive &n_open &n_slip &n_stick &n_changes &krylov &residual;
+    }
+
+    // Of a solve that converged: without the failure.
+    template <typename Archive>
+    void
+    serialize(Archive &archive, NewtonReport &report, const unsigned int)
+    {
+      auto &[converged,
+             failure,
+             iterations,
+             one_linear_solve_seconds,
+             start_residual,
+             safeguarded,
+             frozen,
+             pivoted,
+             moved,
+             unstable,
+             note] = report;
+      (void)failure;
+      archive &converged &iterations &one_linear_solve_seconds &start_residual &safeguarded &frozen &pivoted
+          &moved &unstable &note;
+    }
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, StoredSolve &solve, const unsigned int)
+    {
+      auto &[number, t, mesh, numbering, report, displacement, contact, nodes] = solve;
+      archive &number &t &mesh &numbering &report &displacement &contact &nodes;
+    }
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, StoredRun &run, const unsigned int)
+    {
+      auto &[scene, overrides, entries] = run;
+      archive &scene &overrides &entries;
+    }
+  } // namespace serialization
+} // namespace boost
+
+namespace Amontons
+{
+  namespace
+  {
+    const std::string format = "amontons checkpoint 1 ";
+  } // namespace
+
+  unsigned long
+  checksum(const std::string &text)
+  {
+    boost::crc_32_type crc;
+    crc.process_bytes(text.data(), text.size());
+    return crc.checksum();
+  }
+
+  template <typename T>
+  void
+  write_object(const std::string &name, const T &object)
+  {
+    std::ostringstream body;
+    boost::archive::binary_oarchive(body, boost::archive::no_header) << object;
+    const std::string text = body.str();
+    write_file(name,
+               format + version + " " + std::to_string(text.size()) + " " + std::to_string(checksum(text)) +
+                   "\n" + text);
+  }
+
+  template <typename T>
+  T
+  read_object(const std::string &name)
+  {
+    std::ifstream in(name, std::ios::binary);
+    std::string   head;
+    std::getline(in, head);
+    std::ostringstream rest;
+    rest << in.rdbuf();
+    const std::string text = rest.str();
+    if (head.rfind(format, 0) != 0)
+      throw InputError({name, 0, ""}, "not a file of a checkpoint", "the output folder of a run");
+    if (head.rfind(format + version + " ", 0) != 0)
+      throw InputError({name, 0, ""},
+                       "written by another version, '" + head.substr(format.size()).substr(0, 20) + "'",
+                       std::string("what version ") + version + " has written");
+    if (head != format + version + " " + std::to_string(text.size()) + " " + std::to_string(checksum(text)))
+      throw InputError({name, 0, ""}, "damaged: its checksum differs", "the file as it was written");
+    T                  object;
+    std::istringstream body(text);
+    boost::archive::binary_iarchive(body, boost::archive::no_header) >> object;
+    return object;
+  }
+
+  template void
+  write_object(const std::string &, const StoredRun &);
+  template StoredRun
+  read_object(const std::string &);
+  template void
+  write_object(const std::string &, const StoredMesh &);
+  template StoredMesh
+  read_object(const std::string &);
+  template void
+  write_object(const std::string &, const std::vector<StoredSolve> &);
+  template std::vector<StoredSolve>
+  read_object(const std::string &);
+} // namespace Amontons

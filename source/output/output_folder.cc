@@ -1,0 +1,225 @@
+#include <amontons/output/files.h>
+#include <amontons/output/output_folder.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <vector>
+
+namespace Amontons
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    const char *const set_aside = "earlier_run", *const being_set_aside = "earlier_run.tmp";
+
+    struct OutputFolder
+    {
+      fs::path              folder;      // empty: none
+      std::vector<fs::path> new_folders; // from the outermost one to this one; none if it was there
+      int                   lock = -1;   // rank 0
+    };
+
+    OutputFolder &
+    present()
+    {
+      static OutputFolder one;
+      return one;
+    }
+
+    std::vector<fs::path>
+    files_of_a_run(const fs::path &folder)
+    {
+      static const std::regex names("((summary|progress)\\.json|history\\.csv|report\\.html|amontons\\.log|"
+                                    "checkpoint|(bodies|contact)(_[0-9]{4,}(\\.[0-9]+)?)?\\."
+                                    "(vtu|pvtu|pvd|csv))(\\.tmp)?");
+      std::vector<fs::path>   files;
+      std::error_code         error;
+      for (const auto &entry : fs::directory_iterator(folder, error))
+        if (std::regex_match(entry.path().filename().string(), names))
+          files.push_back(entry.path());
+      return files;
+    }
+
+    void
+    move_into(const std::vector<fs::path> &files, const fs::path &folder)
+    {
+      std::error_code error;
+      for (const auto &file : files)
+        {
+          fs::remove_all(folder / file.filename(), error);
+          fs::rename(file, folder / file.filename(), error);
+        }
+    }
+
+    void
+    remove_files(const std::vector<fs::path> &files)
+    {
+      std::error_code error;
+      for (const auto &file : files)
+        fs::remove_all(file, error);
+    }
+
+    // Into a folder of another name first: what stands under its own is complete.
+    void
+    set_earlier_run_aside(const fs::path &folder)
+    {
+      const fs::path  aside = folder / set_aside, tmp = folder / being_set_aside;
+      std::error_code error;
+      for (const auto &path : {aside, tmp})
+        if (fs::is_symlink(path, error))
+          fs::remove(path, error);
+      if (fs::exists(tmp, error)) // that was interrupted
+        {
+          move_into(files_of_a_run(tmp), folder);
+          fs::remove_all(tmp, error);
+        }
+      const auto files = files_of_a_run(folder);
+      if (files.empty())
+        return;
+      // Of a run that did not end, after one that did:
+      if (fs::exists(aside / "summary.json", error) && !fs::exists(folder / "summary.json", error))
+        return remove_files(files);
+      fs::create_directory(tmp, error);
+      move_into(files, tmp);
+      fs::remove_all(aside, error);
+      fs::rename(tmp, aside, error);
+    }
+
+    // Empty if it is ours now; else who has it. The kernel frees it when its process ends, however.
+    std::string
+    lock_folder(const fs::path &folder, int &lock)
+    {
+      const std::string name = (folder / ".lock").string();
+      for (;;)
+        {
+          lock = open(name.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+          if (lock < 0)
+            return "a file '.lock' that cannot be opened";
+          if (flock(lock, LOCK_EX | LOCK_NB) != 0)
+            {
+              std::string   who;
+              std::ifstream in(name);
+              std::getline(in, who);
+              close(lock);
+              lock = -1;
+              return "another run, " + (who.empty() ? "which has just started" : who);
+            }
+          // Whoever had it before may have removed the file in between.
+          struct stat ours = {}, there = {};
+          if (fstat(lock, &ours) == 0 && stat(name.c_str(), &there) == 0 && ours.st_ino == there.st_ino)
+            break;
+          close(lock);
+        }
+      char host[256] = "";
+      gethostname(host, sizeof(host) - 1);
+      const std::string text = "process " + std::to_string(getpid()) + " on " + host + "\n";
+      if (ftruncate(lock, 0) != 0 || write(lock, text.data(), text.size()) < 0)
+        return ""; // a full disk: it is ours all the same
+      return "";
+    }
+
+    void
+    unlock()
+    {
+      OutputFolder &one = present();
+      if (one.lock >= 0)
+        {
+          unlink((one.folder / ".lock").c_str());
+          close(one.lock);
+        }
+      one = OutputFolder();
+    }
+
+    // For a message: what is wrong with the folder; empty if nothing is. Rank 0.
+    std::string
+    prepare(const fs::path &folder, const bool goes_on, int &lock)
+    {
+      std::error_code error;
+      fs::create_directories(folder, error);
+      const fs::path trial = folder / ".amontons_write_test";
+      const bool     good  = std::ofstream(trial).put('\n').flush().good();
+      fs::remove(trial, error);
+      if (!good)
+        return "this folder cannot be made or written to";
+      if (const std::string other = lock_folder(folder, lock); !other.empty())
+        return "this folder is in use by " + other;
+      if (goes_on)
+        fs::remove(folder / "summary.json", error); // it would say that the run has ended
+      else
+        set_earlier_run_aside(folder);
+      return "";
+    }
+  } // namespace
+
+  void
+  make_output_folder(const std::string &folder, const MPI_Comm communicator, const bool goes_on)
+  {
+    OutputFolder &one = present();
+    if (one.folder == folder)
+      return;
+    one        = OutputFolder();
+    one.folder = folder;
+    // Rank 0 says how many folders are new; then every rank can remove them.
+    std::vector<fs::path> path;
+    for (auto part = one.folder.lexically_normal(); !part.empty() && part != part.root_path();
+         part      = part.parent_path())
+      if (part.has_filename())
+        path.insert(path.begin(), part);
+    unsigned int n_new = 0;
+    std::string  wrong;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        std::error_code error;
+        for (const auto &part : path)
+          n_new += fs::exists(part, error) ? 0 : 1;
+        wrong = prepare(one.folder, goes_on, one.lock);
+      }
+    n_new = dealii::Utilities::MPI::broadcast(communicator, n_new);
+    wrong = dealii::Utilities::MPI::broadcast(communicator, wrong);
+    one.new_folders.assign(path.end() - n_new, path.end());
+    if (wrong.empty())
+      return;
+    if (one.new_folders.empty())
+      one = OutputFolder(); // not ours
+    throw InputError({"", 0, "--output " + folder}, wrong, "a folder that you may write to, of one run");
+  }
+
+  void
+  keep_output_folder()
+  {
+    OutputFolder   &one = present();
+    std::error_code error;
+    if (one.lock >= 0) // rank 0
+      fs::remove_all(one.folder / set_aside, error);
+    unlock();
+  }
+
+  void
+  remove_new_output_folder()
+  {
+    OutputFolder   &one = present();
+    std::error_code error;
+    if (one.folder.empty())
+      return;
+    if (fs::exists(one.folder / "history.csv", error))
+      return unlock();
+    if (!one.new_folders.empty())
+      fs::remove_all(one.new_folders.back(), error);
+    else if (const fs::path aside = one.folder / set_aside; fs::exists(aside, error))
+      {
+        remove_files(files_of_a_run(one.folder));
+        move_into(files_of_a_run(aside), one.folder);
+        fs::remove(aside, error);
+      }
+    for (auto folder = one.new_folders.rbegin(); folder != one.new_folders.rend(); ++folder)
+      fs::remove(*folder, error); // only an empty one
+    unlock();
+  }
+} // namespace Amontons

@@ -80,7 +80,8 @@ namespace Amontons
     text << control.stop.reason()
          << "; the last state that converged is that of t = " << steps->history.state.t << " of "
          << scene.end_time << " on mesh " << mesh->n_refinements;
-    if (!control.checkpoint.is_off())
+    control.try_to([&]() { control.checkpoint.flush(); });
+    if (Checkpoint::exists(folder))
       text << "; 'amontons --resume " << folder << "' goes on from there";
     report.fail(text.str(), "stopped");
     return true;

@@ -1,4 +1,5 @@
 #include <amontons/base/blas_threads.h>
+#include <amontons/base/temporary_folder.h>
 #include <amontons/base/version.h>
 #include <amontons/contact_problem.h>
 #include <amontons/model_reduction.h>
@@ -400,13 +401,16 @@ main(int argc, char **argv)
       return 1;
     }
 #endif
-  // Half of the start of a single process is Open MPI starting a daemon for it.
+  // Half of the start of a single process is Open MPI starting a daemon for it; without one, processes that
+  // start at once would share a folder.
+  const Amontons::TemporaryFolder own_folder;
   if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr && std::getenv("PMI_SIZE") == nullptr &&
       std::getenv("PMIX_RANK") == nullptr)
     {
       setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
       setenv("OMPI_MCA_pml", "ob1", 0);
       setenv("OMPI_MCA_btl", "self", 0);
+      setenv("OMPI_MCA_orte_tmpdir_base", own_folder.path.c_str(), 0);
     }
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const Amontons::BlasThreads              one_thread(1); // but for factorisations

@@ -188,7 +188,9 @@ namespace Amontons
       return;
     if (one.new_folders.empty())
       one = OutputFolder(); // not ours
-    throw InputError({"", 0, "--output " + folder}, wrong, "a folder that you may write to, of one run");
+    throw InputError({"", 0, "--output " + folder},
+                     wrong,
+                     "a folder that you may write to, with space, and one run in it");
   }
 
   void

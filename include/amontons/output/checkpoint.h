@@ -53,12 +53,6 @@ namespace Amontons
     void
     resume(const std::string &folder, const Run &run, const Intervals &intervals);
 
-    bool
-    is_off() const
-    {
-      return folder.empty();
-    }
-
     /// How many solves are known at first, and whether more are.
     unsigned int
     n_known() const

@@ -135,7 +135,7 @@ def gauss_jordan(a):
 
 
 def dual(p, end):
-    """psi = D M^-1 B on [0, end] (2): the matrix D M^-1, and D."""
+    """psi = D M^-1 B on [0, end], introduction.md, (8): the matrix D M^-1, and D."""
     nodes = [0.04691007703, 0.23076534495, 0.5, 0.76923465505, 0.95308992297]
     weights = [0.118463442528, 0.239314335249, 0.284444444444, 0.239314335249, 0.118463442528]
     D, M = [0.0] * (p + 1), [[0.0] * (p + 1) for _ in range(p + 1)]
@@ -218,7 +218,7 @@ def cone():
     f.arrow(*place(-0.95, 0.855), *place(-0.05, 0.045), INK)
     f.text(place(-1.55, 0)[0], place(0, 1.2)[1], "open: *p* = 0, *q* = 0", INK, "start", 13)
     f.text(place(-1.55, 0)[0], place(0, -1.35)[1], "*p* − *c g* ≤ 0", GREY, "start", 13)
-    f.text(330, 378, "hollow: the trial traction (9), (13);  full: the traction that the state gives", GREY, "middle", 13)
+    f.text(330, 378, "hollow: the trial traction (11), (15);  full: the traction that the state gives", GREY, "middle", 13)
     f.save()
 
 

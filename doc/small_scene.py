@@ -25,7 +25,7 @@ N_DOFS = 2 * 2 * (4 + 1) + 2 * 2 * (3 + 1)
 
 
 def cell_matrix(E, h):
-    """int eps(v) : C : eps(u) of a cell h x HEIGHT, with the mean of the dilatation: (1), (3)."""
+    """int eps(v) : C : eps(u) of a cell h x HEIGHT, with the mean of the dilatation: (1), (3), (29)."""
     lam, mu = E * NU / ((1 + NU) * (1 - 2 * NU)), E / (2 * (1 + NU))
 
     def strains(x, y):
@@ -74,7 +74,7 @@ SUPPORTED = {dof("lower", 0, q, d) for q in range(4) for d in (0, 1)} | {dof("up
 # ---- Coupling
 
 def couple():
-    """D and m of (7) and (8), from the segments between the ends of slave and master faces."""
+    """D and m of (5), from the segments between the ends of slave and master faces."""
     ends = sorted({float(i) for i in range(5)} | {LENGTH * q / 3 for q in range(4)})
     D, M = [0.0] * 5, [[0.0] * 4 for _ in range(5)]
     for a, b in zip(ends, ends[1:]):
@@ -82,7 +82,7 @@ def couple():
         for x, w in GAUSS:
             x, w = a + x * (b - a), w * (b - a)
             s, t = x - slave, x * 3 / LENGTH - master
-            # psi = D M^-1 B of a face that is covered whole
+            # psi = D M^-1 B (8) of a face that is covered whole
             for i, B, psi in ((slave, 1 - s, 2 - 3 * s), (slave + 1, s, 3 * s - 1)):
                 D[i] += w * B
                 M[i][master] += w * psi * (1 - t)
@@ -93,7 +93,7 @@ def couple():
 # ---- States to constraints
 
 def constraints(states, directions, m):
-    """C and C~ of (11), as lines: dof -> {dof: factor}. Dirichlet values are all zero."""
+    """C and C~ of (16), as lines: dof -> {dof: factor}. Dirichlet values are all zero."""
     trial, test = {k: {} for k in SUPPORTED}, {k: {} for k in SUPPORTED}
 
     def master(i, component, factor):
@@ -111,7 +111,7 @@ def constraints(states, directions, m):
 
 
 def solve(K, f, trial, test):
-    """C~^T K C u = C~^T f, by Gauss's method; returns u."""
+    """C~^T K C u = C~^T f (16), by Gauss's method; returns u."""
     free = [k for k in range(N_DOFS) if k not in trial]
     place = {k: n for n, k in enumerate(free)}
     A = [[0.0] * (len(free) + 1) for _ in free]
@@ -143,7 +143,7 @@ def gauss(A):
 
 
 def project(forces):
-    """The continuous pressure of (8), by node: int B_i B_j c_j = D_i p_i, but c >= 0."""
+    """The continuous pressure of (7), by node: int B_i B_j c_j = D_i p_i, but c >= 0."""
     held = set()
     while True:
         A = [[0.0] * 6 for _ in range(5)]

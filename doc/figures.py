@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the figures of introduction.md: python3 doc/figures.py writes doc/pictures/figure_*.svg. Curves are computed, not drawn."""
+"""Makes the figures of introduction.md and walk.md: python3 doc/figures.py writes doc/pictures/figure_*.svg. Curves are computed, not drawn."""
 import math
 import pathlib
 
@@ -286,6 +286,43 @@ def loops():
     f.save()
 
 
+def lug():
+    f = Figure("lug_sketch", 700, 380)
+    x0, y0, unit = 440, 180, 6.0
+
+    def place(x, y):
+        return x0 + unit * x, y0 - unit * y
+
+    outline = [place(-60, -20), place(-60, 20), place(0, 20)] + [place(20 * math.sin(a), 20 * math.cos(a)) for a in [math.pi * k / 40 for k in range(41)]]
+    f.line(outline, INK, 1.5, fill=LIGHT_BLUE, close=True)
+    circle = [(10 * math.cos(a), 10 * math.sin(a)) for a in [2 * math.pi * k / 60 for k in range(60)]]
+    f.line([place(x, y) for x, y in circle], INK, 1.5, fill="white", close=True)
+    f.line([place(0.4 + 0.955 * x, 0.955 * y) for x, y in circle], INK, 1.2, fill=LIGHT_RED, close=True)
+    # the part that is meshed
+    f.line([place(-64, 0), place(26, 0)], GREY, 1, "9 4 2 4")
+    f.text(*place(-30, 8), "lug, aluminium, E = 70 000, ν = 0.33", INK, "middle", 13)
+    f.text(*place(0.4, 3.5), "pin, steel", INK, "middle", 12)
+    f.arrow(*place(0.4, -1.6), *place(17, -1.6), GREEN, 2.2)
+    f.text(*place(21, -3), "1000 N/mm", GREEN, "start", 13)
+    y = place(0, -20)[1]
+    x = place(-60, 0)[0]
+    f.line([(x, place(0, -22)[1]), (x, place(0, 22)[1])], INK, 2)
+    for k in range(24):
+        f.line([(x, place(0, 21 - 1.8 * k)[1]), (x - 8, place(0, 21 - 1.8 * k)[1] + 8)], GREY, 1)
+    # dimensions
+    f.arrow(x, y + 34, x0, y + 34, GREY, 1, both=True)
+    f.text((x + x0) / 2, y + 29, "60", GREY, "middle", 12)
+    f.line([(x0, y0 + 62), (x0, y + 38)], GREY, 0.7)
+    f.arrow(x0, y + 34, place(20, 0)[0], y + 34, GREY, 1, both=True)
+    f.text(place(10, 0)[0], y + 29, "20", GREY, "middle", 12)
+    f.line([(place(20, 0)[0], y0), (place(20, 0)[0], y + 38)], GREY, 0.7)
+    f.line([place(7.1, 7.1), place(12, 23)], GREY, 1)
+    f.text(*place(9, 24), "hole ⌀ 20, pin ⌀ 19.9, μ = 0.2", GREY, "start", 12)
+    f.arrow(place(-52, 0)[0], place(0, -20)[1], place(-52, 0)[0], place(0, 20)[1], GREY, 1, both=True)
+    f.text(place(-51, 0)[0], place(0, -8)[1], "40", GREY, "start", 12)
+    f.save()
+
+
 if __name__ == "__main__":
-    for make in (bodies, dual_basis, cone, trial_and_test, loops):
+    for make in (bodies, dual_basis, cone, trial_and_test, loops, lug):
         make()

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Do the commands of the pages still print what stands there? check_numbers.py AMONTONS [PAGE...] (of doc/; all if none is named)
+"""Do the commands of the pages still print what stands there? check_numbers.py AMONTONS [PAGE...] [--fix] (of doc/; all if none is named)
 
 In a block "```console", lines that begin with "$ " are commands, run from top to bottom of a page in a folder that has the repository's doc/ and parameters/; what
 follows are lines of their output, in their order, "..." stands for any others. "build/amontons" is AMONTONS. Numbers may differ by 1e-3 of their size, or both be
-below 1e-9; seconds are not compared.
+below 1e-9; seconds are not compared. --fix puts what is printed now in the place of lines that differ in numbers alone; text around them has to be read again.
 """
 import math
 import os
@@ -36,13 +36,23 @@ def alike(quoted, printed):
     return True
 
 
-def missing(lines, output):
-    """The first line that does not stand there after those before; None: all do."""
-    printed = iter(output)
+def words_of(line):
+    return re.sub(r"[-+]?\d[\d.]*(?:e[-+]?\d+)?", "#", line).split()
+
+
+def compare(lines, output):
+    """The first line that does not stand there after those before (None: all do); the lines as they would have to be."""
+    first, mended, place = None, [], 0
     for line in lines:
-        if line.strip() and line.strip() != "..." and not any(alike(line, other) for other in printed):
-            return line
-    return None
+        if line.strip() and line.strip() != "...":
+            found = next((n for n in range(place, len(output)) if alike(line, output[n])), None)
+            if found is None:
+                first = first or line
+                found = next((n for n in range(place, len(output)) if words_of(line) == words_of(output[n])), None)
+                line = line if found is None else output[found]
+            place = place if found is None else found + 1
+        mended.append(line)
+    return first, mended
 
 
 def run(command, program, folder):
@@ -55,20 +65,25 @@ def run(command, program, folder):
 
 
 def check(page, program, folder):
-    """What is wrong on the page; number of commands."""
-    wrong, n_commands = [], 0
+    """The page as it would have to be; what is wrong; number of commands."""
+    wrong, mended, n_commands = [], page, 0
     for block in BLOCK.finditer(page):
-        for part in re.split(r"^\$ ", block.group("lines"), flags=re.M)[1:]:
+        begin, *parts = re.split(r"^\$ ", block.group("lines"), flags=re.M)
+        text = begin
+        for part in parts:
             command, *lines = part.splitlines()
             n_commands += 1
-            line = missing(lines, run(command, program, folder))
+            line, lines = compare(lines, run(command, program, folder))
+            text += "\n".join(["$ " + command] + lines) + "\n"
             if line is not None:
                 wrong.append(f"{page.count(chr(10), 0, block.start()) + 1}: not printed (there) by '{command}':\n  {line}")
-    return wrong, n_commands
+        mended = mended.replace(block.group("lines"), text)
+    return mended, wrong, n_commands
 
 
 def main():
-    program, pages = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:]
+    arguments = [a for a in sys.argv[1:] if a != "--fix"]
+    program, pages = str(pathlib.Path(arguments[0]).resolve()), arguments[1:]
     wrong, n_all = [], 0
     for page in sorted((ROOT / "doc").glob("*.md")):
         if pages and page.name not in pages:
@@ -76,7 +91,9 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             for name in ("doc", "parameters"):
                 os.symlink(ROOT / name, pathlib.Path(folder) / name)
-            problems, n_commands = check(page.read_text(), program, folder)
+            mended, problems, n_commands = check(page.read_text(), program, folder)
+        if "--fix" in sys.argv and problems:
+            page.write_text(mended)
         wrong += [f"doc/{page.name}:{text}" for text in problems]
         n_all += n_commands
     print("\n".join(wrong) or f"{n_all} commands print what stands in the pages")

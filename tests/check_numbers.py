@@ -48,7 +48,8 @@ def compare(lines, output):
             found = next((n for n in range(place, len(output)) if alike(line, output[n])), None)
             if found is None:
                 first = first or line
-                found = next((n for n in range(place, len(output)) if words_of(line) == words_of(output[n])), None)
+                near = [n for n in range(place, len(output)) if words_of(line) == words_of(output[n])]
+                found = max(near, key=lambda n: sum(a == b for a, b in zip(line.split(), output[n].split())), default=None)
                 line = line if found is None else output[found]
             place = place if found is None else found + 1
         mended.append(line)

@@ -368,6 +368,15 @@ foreach(degree 1 2)
 endforeach()
 
 # The last edges of open, slip and stick: no more than one node apart, on the finest faces of 0.04 to 0.16.
+# doc/walk.md: loads and forces of the contact balance.
+add_scene_test(NAME walk_pin_in_lug SCENE walk/pin_in_lug.prm SET "Refinement/Cycles=0" ${SCENE_QUIET}
+               CHECK "checks.force_balance <= 1e-8" "checks.coulomb_cone <= 1e-9" "pairs.0.normal_force.0 ~ 477.93 1e-3" "pairs.0.tangential_force.0 ~ 22.05 1e-2")
+add_scene_test(NAME walk_pin_in_lug_3d SCENE walk/pin_in_lug_3d.prm SET "Increments=4" ${SCENE_QUIET}
+               CHECK "checks.force_balance <= 1e-8" "checks.coulomb_cone <= 1e-9" "pairs.0.normal_force.0 ~ 2906 1e-2" "pairs.0.tangential_force.0 ~ 93 2e-2")
+# The numbers are those of doc/small_scene.py, which does not know the program.
+add_scene_test(NAME small_scene SCENE small_scene.prm
+               CHECK "newton.0.iterations <= 3" "contact.X=0.state is open" "contact.X=1.state is slip" "contact.X=2.state is stick" "contact.X=1.fx ~ -0.375049100 1e-8"
+                     "contact.X=2.fy ~ 1.090542052 1e-8" "contact.X=2.pressure ~ 1.143228039 1e-8" "checks.force_balance <= 1e-10")
 add_scene_test(NAME greco SCENE greco.prm
                CHECK ${LAWS} "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "pairs.0.normal_force.1 ~ 2000 1e-8"
                      "pairs.0.tangential_force.0 ~ -1405.37 1e-3" "probes.0.points.0.displacement.0 ~ 28.603e-3 3e-3"

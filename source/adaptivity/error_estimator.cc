@@ -114,7 +114,7 @@ namespace Amontons
           add_masters(interface, face_squares);
       }
 
-      // See introduction.md. All ranks know all nodes.
+      // doc/introduction.md, (32). All ranks know all nodes.
       void
       add_facets(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
       {

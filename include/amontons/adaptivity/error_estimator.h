@@ -63,14 +63,15 @@ namespace Amontons
     indicators_for(const double target) const;
   };
 
-  // Bulk: eta_K^2 = int_K (sigma* - sigma_h) : C^-1 : (sigma* - sigma_h)   (Zienkiewicz and Zhu 1987), with
-  // sigma* the recovered stress. Contact: eta_F^2 = h_F / E int_F (p + n . sigma_h n)^2 + |tangential part of
-  // sigma_h n|^2 on the slave faces of the coupling, the second term for frictionless pairs only (not for
-  // tied ones); added to the slave's cell and, in proportion to the overlaps, to the masters' cells:
-  // cell_indicators = sqrt(eta_K^2 + sum eta_F^2). `contact` = sqrt(sum_pairs int (p* - p)^2 / int p^2) over
-  // the slave faces, where p* = -n . sigma* . n is the recovered normal stress of the slave body; `shear`
-  // likewise, of the pairs with friction. n is the
-  // normal of the true surface. recovery: of the displacement. fields: by interface. Collective.
+  // Bulk: eta_K^2 = int_K (sigma* - sigma_h) : C^-1 : (sigma* - sigma_h) (doc/introduction.md, (30);
+  // Zienkiewicz and Zhu 1987), with sigma* the recovered stress. Contact: eta_F^2 = h_F / E int_F (p + n .
+  // sigma_h n)^2 + |tangential part of sigma_h n, less that of the contact|^2 (doc/introduction.md, (31)) on
+  // the slave faces of the coupling, without the second term where surfaces are tied; added to the slave's
+  // cell and, in proportion to the overlaps, to the masters' cells: cell_indicators = sqrt(eta_K^2 + sum
+  // eta_F^2). `contact` = sqrt(sum_pairs int (p* - p)^2 / int p^2) over the slave faces, where p* = -n .
+  // sigma* . n is the recovered normal stress of the slave body; `shear` likewise, of the pairs with
+  // friction. n is the normal of the true surface. recovery: of the displacement. fields: by interface.
+  // Collective.
   template <int dim>
   ErrorEstimate<dim>
   estimate_error(const Discretization<dim>                &discretization,

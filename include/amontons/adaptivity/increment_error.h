@@ -61,7 +61,7 @@ namespace Amontons
   // With n increments Q(n) = Q + C/n + O(1/n^2): the slip of an increment is counted with the traction at its
   // end, and what closes within it with its whole motion. The same program with n' of them gives
   //   Q(n) - Q = C/n + ... = (Q(n') - Q(n)) / (n/n' - 1) + O(1/n^2),
-  // for n' = n/2 the difference itself.
+  // (doc/introduction.md, (21)), for n' = n/2 the difference itself.
   IncrementErrors
   error_of_increments(const LoadRecord &run, const LoadRecord &repeat);
 } // namespace Amontons

@@ -15,9 +15,9 @@ namespace Amontons
     // strain, which a rotation alone has, too.
     double strain = 0;
     // The largest of: the work of the contact forces on the gaps that their nodes have where the surfaces
-    // really are (they should be 0), against twice the stored energy; the part of a pair's force where
-    // nothing is opposite any more; and, where surfaces overlap that carry no force, how far, against their
-    // motion.
+    // really are (they should be 0), against twice the stored energy (doc/introduction.md, (28)); the part of
+    // a pair's force where nothing is opposite any more; and, where surfaces overlap that carry no force, how
+    // far, against their motion.
     double contact = 0;
     // How much stress changes the stiffness of the most slender body, as in a cantilever under the load P:
     // P over Euler's load, 48/pi^2 (sigma/E) (L/h)^2. No error, which it overestimates (bodies may be held

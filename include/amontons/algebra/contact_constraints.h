@@ -25,7 +25,7 @@ namespace Amontons
   };
 
   // Frictionless contact, tied interfaces and stick: trial and test functions obey the same constraints
-  // (doc/introduction.md, "Closed nodes are constraints"), and the condensed matrix is symmetric. Slip with
+  // (doc/introduction.md, (12)), and the condensed matrix is symmetric. Slip with
   // friction: both eliminate the same DoF, by different lines.
   class ContactConstraints
   {
@@ -60,10 +60,10 @@ namespace Amontons
       return contact_equations;
     }
 
-    // Solves sum_c a_c,d mu_c = - r_d on the pivots d, where r = internal minus external forces, condensed
-    // with the supports, and a_c the equations (of the test functions) after substitution of the supports.
-    // residual_at_pivots: by equation (0 without pivot). Contact force on DoF d: -a_c,d mu_c, so that mu > 0
-    // pushes slave and master apart.
+    // Solves sum_c a_c,d mu_c = - r_d (doc/introduction.md, (13)) on the pivots d, where r = internal minus
+    // external forces, condensed with the supports, and a_c the equations (of the test functions) after
+    // substitution of the supports. residual_at_pivots: by equation (0 without pivot). Contact force on DoF
+    // d: -a_c,d mu_c, so that mu > 0 pushes slave and master apart.
     std::vector<double>
     recover_multipliers(const std::vector<double> &residual_at_pivots) const;
 

@@ -1,4 +1,5 @@
-// The linear system of the increments: C^T K C on what the supports and the closed nodes leave free.
+// The linear system of the increments: C^T K C on what the supports and the closed nodes leave free:
+// doc/introduction.md, (12).
 #pragma once
 
 #include <amontons/base/linear_algebra.h>

@@ -19,7 +19,7 @@ namespace Amontons
   // The gap of a node on a curved surface also depends on its neighbours, so that eliminated components would
   // refer to each other. Hence C_test^T K on all displacements that the supports leave, where the test
   // functions of closed nodes leave one row for each of their equations; the linearised gap or stick equation
-  // is written there (doc/introduction.md, "Written rows").
+  // is written there (doc/introduction.md, (24)).
   class RowSystem
   {
   public:

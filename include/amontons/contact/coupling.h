@@ -37,7 +37,7 @@ namespace Amontons
   // One multiplier. Jump: Delta = sum slave weight u - sum master weight u (each sum of weights is 1), and
   // contact says
   //   g = gap - normal . Delta >= 0,   p >= 0,   p g = 0,
-  // with virtual work -area p normal . delta(Delta).
+  // with virtual work -area p normal . delta(Delta): doc/introduction.md, (5) and (6).
   //! [coupling row]
   template <int dim>
   struct MortarRow

@@ -1,5 +1,5 @@
-// Derivatives of the coupling of moved surfaces by the displacement: what the exact tangent of large sliding
-// needs.
+// Derivatives of the coupling of moved surfaces by the displacement (doc/introduction.md, (23)): what the
+// exact tangent of large sliding needs.
 #pragma once
 
 #include <amontons/base/local_matrix.h>

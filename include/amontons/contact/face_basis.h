@@ -70,7 +70,7 @@ namespace Amontons
   traces_of_unknowns(const std::vector<double> &B, const dealii::FullMatrix<double> &A);
 
   // Control values c = T u of a Lagrange interpolant: row i gives c_i. Degree 1: the identity; degree 2:
-  // c_mid = 2 u_mid - (u_0 + u_1)/2.
+  // c_mid = 2 u_mid - (u_0 + u_1)/2 (doc/introduction.md, (4)).
   std::vector<std::vector<double>>
   control_matrix(const unsigned int degree, const unsigned int fdim);
 } // namespace Amontons

@@ -10,7 +10,7 @@ namespace Amontons
   //   Pi(u) = int W(F_bar) dV0,
   // its derivatives are forces and tangent: symmetric, and free of locking up to nu = 0.4999. All integrals
   // are those of Updated Lagrangian, over the current configuration with spatial gradients and Cauchy stress:
-  // tau dV0 = sigma dv.
+  // tau dV0 = sigma dv (doc/introduction.md, (22)).
   //
   // With spatial gradients B of a test function and A of an increment,
   //   a(B) = (P(J tr B)/theta - tr B)/3,  e_bar(B) = sym B + a(B) I,  pi = P(tr tau/(3 theta)),

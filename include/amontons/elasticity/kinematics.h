@@ -69,7 +69,7 @@ namespace Amontons
   // vector-valued element.
   //
   // Mean dilatation: div v is replaced by its projection,
-  //   B_bar = B + 1/3 (P div - div) (1, 1, 1, 0, ...).
+  //   B_bar = B + 1/3 (P div - div) (1, 1, 1, 0, ...)   (doc/introduction.md, (29)).
   // For nu = 0.3 it changes results by less than the discretisation error (doc/results), so it is always on;
   // plane stress needs none.
   template <int dim>

@@ -5,8 +5,8 @@
 
 namespace Amontons
 {
-  // sigma = lambda tr(eps) I + 2 mu eps. Plane stress: lambda is replaced by 2 lambda mu / (lambda + 2 mu)
-  // and sigma_zz = 0; eps_zz of the argument is ignored.
+  // sigma = lambda tr(eps) I + 2 mu eps (doc/introduction.md, (1)). Plane stress: lambda is replaced by 2
+  // lambda mu / (lambda + 2 mu) and sigma_zz = 0; eps_zz of the argument is ignored.
   template <int dim>
   struct LinearElastic
   {

@@ -5,11 +5,12 @@
 
 namespace Amontons
 {
-  // Complementarity p >= 0, g >= 0, p g = 0 as p - max(0, p - c g) = 0, whose semismooth Newton step is:
-  // closed where p - c g > 0 (Hintermueller, Ito, Kunisch 2003; Hueber and Wohlmuth 2005). All nodes change
-  // at once as long as the number of nodes to be changed falls to a new minimum at least once in `patience`
-  // iterations; else only the node of highest index changes (Murty's rule) until it does: finite for
-  // symmetric positive definite problems (Judice and Pires, Computers & Operations Research 21 (1994) 587).
+  // Complementarity p >= 0, g >= 0, p g = 0 as p - max(0, p - c g) = 0 (doc/introduction.md, (11)), whose
+  // semismooth Newton step is: closed where p - c g > 0 (Hintermueller, Ito, Kunisch 2003; Hueber and
+  // Wohlmuth 2005). All nodes change at once as long as the number of nodes to be changed falls to a new
+  // minimum at least once in `patience` iterations; else only the node of highest index changes (Murty's
+  // rule) until it does: finite for symmetric positive definite problems (Judice and Pires, Computers &
+  // Operations Research 21 (1994) 587).
   class ActiveSetUpdate
   {
   public:

@@ -15,7 +15,8 @@ namespace Amontons
   };
 
   // The loads f that contact forces can balance are the convex cone C of all
-  //   sum_k p_k (closing_k + friction_k sum_c d_c sliding_k,c),   p_k >= 0, |d| <= 1.
+  //   sum_k p_k (closing_k + friction_k sum_c d_c sliding_k,c),   p_k >= 0, |d| <= 1   (doc/introduction.md,
+  //   (19)).
   // Where f is not in C, there is no equilibrium, however elastic bodies share the forces between the nodes,
   // and v = f - (the nearest of C) proves it: f . v > 0, but contact forces do no positive work against it:
   //   closing_k . v + friction_k |sliding_k . v| <= 0 for all k

@@ -6,7 +6,7 @@
 
 namespace Amontons
 {
-  // phi = min(mu p, s) and its derivative by p, at a pressure p >= 0.
+  // phi = min(mu p, s) of doc/introduction.md, (14), and its derivative by p, at a pressure p >= 0.
   struct ShearBound
   {
     double value = 0, slope = 0;
@@ -15,8 +15,9 @@ namespace Amontons
   ShearBound
   shear_bound(const PairData &pair, const Point<3> &X, const double t, const double pressure);
 
-  // The law of a slipping node, linearised: q = (constant + slope p) d + stiffness (1 - d d^T) v + along d
-  // d^T v, where v is the slip (tangential, like d). Unsymmetric where slope > 0.
+  // The law of a slipping node, linearised (doc/introduction.md, (17)): q = (constant + slope p) d +
+  // stiffness (1 - d d^T) v + along d d^T v, where v is the slip (tangential, like d). Unsymmetric where
+  // slope > 0.
   template <int dim>
   struct SlipLaw
   {
@@ -38,8 +39,8 @@ namespace Amontons
   linearise_slip(const Tensor<1, dim> &trial, const double pressure, const ShearBound &bound, const double c);
 
   // A node that was open by `distance` when the increment began: it touches at some time within it only, so
-  // that friction builds up with its slip over that distance, q = phi(p) v / sqrt(v^2 + distance^2), without
-  // stick.
+  // that friction builds up with its slip over that distance, q = phi(p) v / sqrt(v^2 + distance^2)
+  // (doc/introduction.md, (26)), without stick.
   template <int dim>
   SlipLaw<dim>
   linearise_closing(const Tensor<1, dim> &slip,

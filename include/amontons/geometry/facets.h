@@ -10,7 +10,8 @@ namespace Amontons
 {
   // A face of the coarse mesh whose neighbours meet it at kinks as a polygon's do that stands for a curve.
   // Refinement leaves it flat. With the angle theta of the kinks and the length h across them, the radius is
-  // h / theta and the face lies off the curve by up to h^2 / (8 radius) = h theta / 8.
+  // h / theta and the face lies off the curve by up to h^2 / (8 radius) = h theta / 8: doc/introduction.md,
+  // (32).
   template <int dim>
   struct Facet
   {

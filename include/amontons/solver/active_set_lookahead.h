@@ -32,7 +32,7 @@ namespace Amontons
 
   // The bodies are linear. So what the nodes answer in other states than those of the base is
   //
-  //   answer = base + sum_j x_j response_j ,
+  //   answer = base + sum_j x_j response_j   (doc/introduction.md, (18)),
   //
   // where the response is that to a unit of an input. Nodes that keep their state have x = 0. One that
   // changes has as many equations as inputs (tau: its tangent),

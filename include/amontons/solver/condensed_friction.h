@@ -12,10 +12,10 @@ namespace Amontons
   ///   gap >= 0              , p >= 0           lambda - v >= 0, q+ >= 0
   ///   phi(p) - q+ - q- >= 0 , lambda >= 0      lambda + v >= 0, q- >= 0
   ///
-  /// each times its partner zero (Stewart and Trinkle, Int. J. Numer. Methods Eng. 39 (1996) 2673). The
-  /// matrix is copositive, and bodies that are held have a solution that Lemke's method finds, whatever the
-  /// coefficient (Anitescu and Potra, Nonlinear Dynamics 14 (1997) 231). Plane problems only.
-  /// base: with all nodes open but the tied ones; bounds: by node, linear in the pressure.
+  /// each times its partner zero (doc/introduction.md, (20); Stewart and Trinkle, Int. J. Numer. Methods Eng.
+  /// 39 (1996) 2673). The matrix is copositive, and bodies that are held have a solution that Lemke's method
+  /// finds, whatever the coefficient (Anitescu and Potra, Nonlinear Dynamics 14 (1997) 231). Plane problems
+  /// only. base: with all nodes open but the tied ones; bounds: by node, linear in the pressure.
   template <int dim>
   std::optional<NodalContacts<dim>>
   solve_condensed_friction(const BaseSolution<dim>                         &base,

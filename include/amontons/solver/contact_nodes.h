@@ -72,7 +72,7 @@ namespace Amontons
   evaluate(const LinearEquation &equation, const LA::Vector &u);
 
   //! [equations]
-  // What each state asks of displacements (doc/introduction.md, "Closed nodes are constraints"). Open:
+  // What each state asks of displacements (doc/introduction.md, (12) and (16)). Open:
   // nothing. Slip: the gap is closed, while test functions obey (normal + slope d) . Delta = 0 (frictionless:
   // slope = 0). Stick: Delta is that of the closed gap across and `origin` along the surface; tied: zero.
   template <int dim>

@@ -7,7 +7,8 @@
 
 namespace Amontons
 {
-  // D of the overdamped motion  D du/dtau + internal - contact forces = loads, by degree of freedom:
+  // D of the overdamped motion  D du/dtau + internal - contact forces = loads (doc/introduction.md, (27)), by
+  // degree of freedom:
   //   D = E/L^2 int N dV, L the size of the body,
   // so that tau = 1 is the time that a stretched body takes; bending of slender ones takes (length/height)^2.
   struct Damping

@@ -9,8 +9,8 @@ namespace Amontons
 {
   /// Moves on to the constraints of the closed nodes, then solves for the homogeneous increment:
   ///   C~^T K C du = C~^T (loads - K u),
-  /// symmetric without friction. Only rows of closed nodes change with the set, so that the bulk of the
-  /// matrix and a factorisation serve again.
+  /// doc/introduction.md, (16): symmetric without friction. Only rows of closed nodes change with the set, so
+  /// that the bulk of the matrix and a factorisation serve again.
   template <int dim>
   class EliminatedStep : public NewtonStep<dim>
   {

@@ -20,7 +20,8 @@ namespace Amontons
   // of that state. What the jump sum w x had along the surface then (on curved faces) is taken off by a shift
   // along the slave surface, sum_j beta_j x_j with sum_j beta_j = 0: the material points that lay opposite of
   // each other have the jump
-  //   z = sum (w - beta) x,   z_old normal to the surface,   and   v = (1 - n n^T) z.
+  //   z = sum (w - beta) x,   z_old normal to the surface,   and   v = (1 - n n^T) z   (doc/introduction.md,
+  //   (25)).
   // A rigid motion of the whole scene by any Q takes z to Q z_old and n to Q n_old, and makes none; the
   // derivative needs none of weights (Puso and Laursen 2004; Gitterle et al. 2010).
   template <int dim>

@@ -16,10 +16,10 @@ namespace Amontons
     double force = 0, gap = 0;
   };
 
-  // Open or closed as ActiveSetUpdate says. A closed node with friction slips along trial/|trial|, trial =
-  // shear + c slip, where |trial| exceeds the bound phi(p), and sticks elsewhere; nodes whose slip turns
-  // round stick first (but for directions that were guessed). Two things keep this from running in circles or
-  // away:
+  // Open or closed as ActiveSetUpdate says, stick and slip by doc/introduction.md, (15). A closed node with
+  // friction slips along trial/|trial|, trial = shear + c slip, where |trial| exceeds the bound phi(p), and
+  // sticks elsewhere; nodes whose slip turns round stick first (but for directions that were guessed). Two
+  // things keep this from running in circles or away:
   // - where the nodes that slip would leave a rigid motion of a body without hold, the node that slipped
   // least
   //   along it is held (moved back rigidly until it rests, all nodes slip the right way); if the bound is

@@ -1,4 +1,4 @@
-/// From bodies, surfaces and supports to a state in equilibrium.
+/// From bodies, surfaces and supports to a state in equilibrium: doc/introduction.md, (2) and (3).
 #pragma once
 
 #include <amontons/solver/newton.h>

@@ -110,6 +110,8 @@ namespace Amontons
     history.last_report        = iterate(report.observer());
     const double solve_seconds = seconds.wall_time();
     evaluation.collect_fields(*model, history.state);
+    const auto error_before = evaluation.error; // an increment that fails leaves nothing in the worst so far
+    const auto factors_before = std::make_pair(history.coarser.pressure, history.coarser.shear);
     {
       TimerOutput::Scope scope(timer, "error estimate");
       evaluation.estimate(*model, history.state, has_history());
@@ -121,11 +123,16 @@ namespace Amontons
                               evaluation.error);
       if (has_history() && history.last_report.converged)
         evaluation.judge_by_history();
-      if (!follows_work())
+      if (!follows_work() && history.last_report.converged)
         follow_target();
     }
     report.add_estimate(evaluation.error);
     report.end_solve(answer(), {program, mesh, history.last_report, evaluation, solve_seconds});
+    if (has_history() && !history.last_report.converged)
+      {
+        evaluation.error                                          = error_before;
+        std::tie(history.coarser.pressure, history.coarser.shear) = factors_before;
+      }
     return history.last_report.converged;
   }
 

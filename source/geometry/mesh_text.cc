@@ -1,3 +1,4 @@
+#include <amontons/base/text_file.h>
 #include <amontons/geometry/grid_reader.h>
 #include <amontons/geometry/mesh_file.h>
 
@@ -104,9 +105,8 @@ namespace Amontons
         throw InputError(
             body.where, "the mesh file " + file + " is of an unknown kind", ".msh, .geo or .inp");
 
-      std::string text;
-      if (!read_text(file, text))
-        throw InputError(body.where, "cannot read the mesh file " + file, "a file that exists");
+      constexpr std::size_t most = std::size_t(1) << 30;
+      std::string text = read_text_file(file, body.where, "the mesh file", "a file that exists", most);
       if (type == ".geo")
         return run_gmsh(file, "-" + std::to_string(dim), body.where);
       if (type == ".msh" && (text.compare(0, 18, "$MeshFormat\n4.1 1 ") == 0 ||

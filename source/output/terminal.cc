@@ -22,9 +22,9 @@ namespace Amontons
     {
       std::string result, word;
       std::size_t column = indent;
-      for (const char c : text + " ")
-        if (c != ' ')
-          word += c;
+      for (std::size_t i = 0; i <= text.size(); ++i)
+        if (i < text.size() && (text[i] != ' ' || text[i + 1] == '%')) // a number and its unit
+          word += text[i];
         else
           {
             if (column > indent && column + 1 + word.size() > line_width)
@@ -101,7 +101,9 @@ namespace Amontons
   Terminal::Terminal(const MPI_Comm communicator, const bool quiet, std::ostream *other)
       : stream(other != nullptr ? *other : std::cout),
         quiet(quiet || Utilities::MPI::this_mpi_process(communicator) != 0),
-        is_tty(other == nullptr && isatty(STDOUT_FILENO) == 1),
+        // (mpirun gives its processes terminals, whatever it writes to itself)
+        is_tty(other == nullptr && isatty(STDOUT_FILENO) == 1 &&
+               Utilities::MPI::n_mpi_processes(communicator) == 1),
         is_root(Utilities::MPI::this_mpi_process(communicator) == 0)
   {
   }

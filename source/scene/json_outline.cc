@@ -1,3 +1,4 @@
+#include <amontons/base/text_file.h>
 #include <amontons/scene/outline.h>
 #include <amontons/scene/text.h>
 
@@ -5,7 +6,7 @@
 #include <boost/property_tree/ptree.hpp>
 
 #include <algorithm>
-#include <filesystem>
+#include <sstream>
 
 namespace Amontons
 {
@@ -56,18 +57,44 @@ namespace Amontons
             }
         }
     }
+
+    // The parser calls itself for each level.
+    void
+    refuse_deep_nesting(const std::string &text, const std::string &file)
+    {
+      constexpr int most  = 100;
+      int           depth = 0, line = 1;
+      bool          in_text = false;
+      for (std::size_t i = 0; i < text.size(); ++i)
+        {
+          const char c = text[i];
+          line += c == '\n' ? 1 : 0;
+          if (c == '\\' && in_text)
+            ++i;
+          else if (c == '"')
+            in_text = !in_text;
+          else if (!in_text && (c == '{' || c == '['))
+            ++depth;
+          else if (!in_text && (c == '}' || c == ']'))
+            --depth;
+          if (depth > most)
+            throw InputError({file, line, ""},
+                             "nested more than " + std::to_string(most) + " levels deep",
+                             "{\"Section\": {\"Name\": value, ...}, ...}");
+        }
+    }
   } // namespace
 
   void
   read_json(const std::string &file, Outline &outline)
   {
-    if (!std::filesystem::is_regular_file(file))
-      throw InputError(
-          {file, 0, ""}, "the file '" + file + "' cannot be opened", "a readable .prm or .json file");
+    std::istringstream stream(
+        read_text_file(file, {file, 0, ""}, "the file", "a readable .prm or .json file", largest_scene_file));
+    refuse_deep_nesting(stream.str(), file);
     Tree tree;
     try
       {
-        boost::property_tree::read_json(file, tree);
+        boost::property_tree::read_json(stream, tree);
       }
     catch (const boost::property_tree::json_parser_error &error)
       {

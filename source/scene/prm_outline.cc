@@ -1,8 +1,9 @@
+#include <amontons/base/text_file.h>
 #include <amontons/scene/outline.h>
 #include <amontons/scene/text.h>
 
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 
 namespace Amontons
 {
@@ -136,9 +137,8 @@ namespace Amontons
   read_prm(const std::string &file, Outline &outline, const SourceLocation &included_from)
   {
     const SourceLocation place = included_from.file.empty() ? SourceLocation{file, 0, ""} : included_from;
-    std::ifstream        stream(file);
-    if (!stream || std::filesystem::is_directory(file))
-      throw InputError(place, "the file '" + file + "' cannot be opened", "a readable .prm or .json file");
+    std::istringstream   stream(
+        read_text_file(file, place, "the file", "a readable .prm or .json file", largest_scene_file));
     thread_local int depth = 0;
     if (depth > 20)
       throw InputError(place, "files include each other without end");

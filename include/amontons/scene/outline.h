@@ -8,6 +8,8 @@
 
 namespace Amontons
 {
+  constexpr std::size_t largest_scene_file = std::size_t(1) << 24; // bytes
+
   struct OutlineSection
   {
     std::string    path; // "Body lower", nested ones "Solver/Linear solver"

@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""What is left and said where a run cannot go on: stopped.py AMONTONS
+
+Signals, a time limit, files that cannot be written, a folder that is in use, links, and an earlier run in the folder."""
+
+import json
+import os
+import re
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import launch
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SCENE = os.path.join(HERE, "../parameters/half_plane_box_friction.prm")
+LONG = ["--set", "End time = 4", "--set", "Increments = 40", "--set", "Output/VTU = false"]
+QUICK = os.path.join(HERE, "../parameters/patch_test.prm")
+failures = []
+
+
+def check(condition, text):
+    if not condition:
+        failures.append(text)
+
+
+def summary_of(folder):
+    with open(os.path.join(folder, "summary.json")) as file:
+        return json.load(file)
+
+
+def start(arguments, folder, **options):
+    return subprocess.Popen([program] + arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=launch.surroundings(folder), **options)
+
+
+def run(arguments, **options):
+    return launch.run([program] + arguments, capture_output=True, text=True, timeout=300, **options)
+
+
+def wait_for(path):
+    for _ in range(3000):
+        if os.path.exists(path):
+            return
+        time.sleep(0.01)
+    failures.append("no " + path)
+
+
+def stopped_by(number, place):
+    """Ends soon, with an answer and exit code 2; goes on to the same answer as a run that nobody stopped."""
+    name = signal.Signals(number).name
+    out = os.path.join(place, name)
+    process = start([SCENE, "--output", out] + LONG, place)
+    wait_for(os.path.join(out, "history.csv"))
+    process.send_signal(number)
+    said, _ = process.communicate(timeout=300)
+    check(process.returncode == 2, f"{name}: exit code {process.returncode}")
+    summary = summary_of(out)
+    check(summary["failure"] == "stopped" and f"stopped by {name}" in summary["message"], f"{name}: {summary['message']}")
+    check("--resume" in said and os.path.isfile(os.path.join(out, "checkpoint", "run")), f"{name}: no checkpoint")
+    check(json.load(open(os.path.join(out, "progress.json")))["state"] == "stopped", f"{name}: progress.json")
+    check(0 < summary["meshes"][-1]["t"] <= 4 and summary["pairs"], f"{name}: no answer")
+    again = run(["--resume", out, "--quiet"])
+    check(again.returncode == 0, f"{name}: resumed: {again.stderr}")
+    rows = [(mesh["t"], mesh["dofs"], mesh["iterations"], mesh["energy"]) for mesh in summary_of(out)["meshes"]]
+    check(rows == whole, f"{name}: resumed it takes another way")
+    check(not os.path.exists(os.path.join(out, "checkpoint")), f"{name}: a checkpoint is left")
+
+
+def time_limit(place):
+    out = os.path.join(place, "limit")
+    done = run([SCENE, "--output", out, "--time-limit", "0.01s"] + LONG)
+    check(done.returncode == 2 and "time limit of 0.01 s" in done.stdout, "time limit: " + done.stdout[-300:])
+
+
+def other_entries(place):
+    """A checkpoint is of one scene."""
+    scene = os.path.join(place, "scene.prm")
+    text = open(SCENE).read()
+    open(scene, "w").write(text)
+    out = os.path.join(place, "changed")
+    run([scene, "--output", out, "--time-limit", "0.01s"] + LONG)
+    open(scene, "w").write(re.sub(r"Poisson ratio *= *[0-9.]+", "Poisson ratio = 0.21", text, 1))
+    done = run(["--resume", out])
+    check(done.returncode == 1 and "not what the run in" in done.stderr, "changed scene: " + done.stderr)
+    with open(os.path.join(out, "checkpoint", "states_1"), "r+b") as file:
+        file.seek(-1, 2)
+        file.write(b"!")
+    open(scene, "w").write(text)
+    done = run(["--resume", out])
+    check(done.returncode == 1 and "checksum" in done.stderr, "damaged checkpoint: " + done.stderr)
+
+
+def full_disk(place):
+    """No file may be larger than 50 kB: the answer is on the screen all the same."""
+    out = os.path.join(place, "full")
+
+    def small_files():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (50000, 50000))
+
+    done = run([SCENE, "--output", out, "--set", "Contact solver/Tolerance = 1e-9"], preexec_fn=small_files)
+    check(done.returncode == 2 and "cannot write this file" in " ".join(done.stdout.split()), f"full disk: {done.returncode} {done.stdout[-300:]} {done.stderr}")
+    check("peak pressure" in done.stdout, "full disk: no answer on the screen")
+    check(os.path.exists(os.path.join(out, "contact.csv")), "full disk: small files are not written")
+    check(not [name for name in os.listdir(out) if name.endswith(".tmp")], "full disk: halves of files are left")
+
+
+def two_at_once(place):
+    out = os.path.join(place, "two")
+    process = start([SCENE, "--output", out] + LONG, place)
+    wait_for(os.path.join(out, "history.csv"))
+    second = run([QUICK, "--output", out])
+    check(second.returncode == 1 and f"in use by another run, process {process.pid} on" in second.stderr, "two at once: " + second.stderr)
+    process.kill()
+    process.communicate()
+    third = run([QUICK, "--output", out])  # the lock of a dead process counts no longer
+    check(third.returncode == 0, "after a kill: " + third.stderr)
+    check(summary_of(out)["scene"] == QUICK and not os.path.exists(os.path.join(out, "earlier_run")), "after a kill: mixed folder")
+    check(not os.path.exists(os.path.join(out, "history.csv.tmp")), "after a kill: halves of files")
+
+
+def earlier_run(place):
+    """Stays until there is an answer; not touched where there is none."""
+    out = os.path.join(place, "earlier")
+    check(run([QUICK, "--output", out]).returncode == 0, "first run")
+    before = sorted(os.listdir(out))
+    open(os.path.join(out, "mine.txt"), "w").write("mine")
+    wrong = run([QUICK, "--output", out, "--set", "Contact interface/Slave = neither"])
+    check(wrong.returncode == 1 and sorted(os.listdir(out)) == sorted(before + ["mine.txt"]), "a refused run changes the folder")
+    process = start([SCENE, "--output", out] + LONG, place)
+    wait_for(os.path.join(out, "history.csv"))
+    wait_for(os.path.join(out, "earlier_run", "summary.json"))
+    process.send_signal(signal.SIGKILL)
+    process.communicate()
+    check(summary_of(os.path.join(out, "earlier_run"))["scene"] == QUICK, "the earlier run is not set aside")
+    check(run([SCENE, "--output", out, "--set", "Output/VTU = false"]).returncode == 0, "run after a kill")
+    check("earlier_run" not in os.listdir(out) and "bodies.pvd" not in os.listdir(out) and "mine.txt" in os.listdir(out), "files of the earlier run are left")
+
+
+def links(place):
+    out, victim = os.path.join(place, "links"), os.path.join(place, "victim")
+    os.mkdir(out)
+    open(victim, "w").write("precious")
+    for name in ["summary.json", "summary.json.tmp", "contact.csv", "amontons.log", "history.csv.tmp", ".lock"]:
+        os.symlink(victim, os.path.join(out, name))
+    run([QUICK, "--output", out])
+    check(open(victim).read() == "precious", "a link is written through")
+
+
+def tables(place):
+    out = os.path.join(place, "tables")
+    run([SCENE, "--output", out, "--set", "Output/Contact tables = true", "--quiet"])
+    for k in range(2):
+        check(os.path.exists(os.path.join(out, f"contact_000{k}.csv")), "no table of increment %d" % (k + 1))
+    check("iteration" in open(os.path.join(out, "amontons.log")).read(), "no log")
+
+
+def inputs(place):
+    """Each is refused at once."""
+    deep, fifo, circle, large = (os.path.join(place, name) for name in ["deep.json", "fifo", "circle.prm", "large.prm"])
+    open(deep, "w").write('{"a":' * 1000000 + "1" + "}" * 1000000)
+    os.mkfifo(fifo)
+    open(circle, "w").write("include circle.prm\n")
+    with open(large, "w") as file:
+        file.truncate(10 ** 9)
+    for name, words in [(deep, "nested more than 100"), (fifo, "no regular file"), ("/dev/zero", "no regular file"), (place, "no regular file"),
+                        (circle, "without end"), (large, "larger than 16 MB")]:
+        done = subprocess.run([program, name], capture_output=True, text=True, timeout=60, env=launch.surroundings(place))
+        check(done.returncode == 1 and words in done.stderr, f"{name}: {done.returncode} {done.stderr[-300:]}")
+
+
+program = os.path.abspath(sys.argv[1])
+with tempfile.TemporaryDirectory(prefix="amontons-stopped-") as folder:
+    check(run([SCENE, "--output", os.path.join(folder, "whole")] + LONG).returncode == 0, "the run itself")
+    whole = [(mesh["t"], mesh["dofs"], mesh["iterations"], mesh["energy"]) for mesh in summary_of(os.path.join(folder, "whole"))["meshes"]]
+    stopped_by(signal.SIGTERM, folder)
+    stopped_by(signal.SIGINT, folder)
+    for part in (time_limit, other_entries, full_disk, two_at_once, earlier_run, links, tables, inputs):
+        part(folder)
+print("\n".join(failures) or "all right")
+sys.exit(1 if failures else 0)

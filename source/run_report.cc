@@ -440,6 +440,10 @@ namespace Amontons
            : !error.quantity && error.facets > target
                ? "the target error cannot be reached: facets alone make a larger one"
                : missed_target(answer.discretization, ending));
+    else if (target > 0 && summary.increments && !error.quantity &&
+             error.of_target() + summary.increments->largest() > target)
+      note("warning: the target error was not reached: the mesh alone reaches it, with what the increments "
+           "add it is missed; they are as many as 'Increments' say, or the most that a target chooses");
     if (scene.kind == ProblemType::axisymmetric)
       note("axisymmetric: forces are for the full turn");
     if (std::any_of(answer.fields.begin(), answer.fields.end(), [](const auto &fields) {

@@ -35,7 +35,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
   "amontons (= ${CPACK_DEBIAN_PACKAGE_VERSION}), libdeal.ii-dev (>= ${DEAL_II_PACKAGE_VERSION}), g++, cmake")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION
   "The program amontons as a static library, for find_package(Amontons) in\n\
-CMake, with an example.\n\
+CMake.\n\
 ${AMONTONS_NEEDS}")
 foreach(package amontons libamontons-dev)
   string(REPLACE libamontons-dev library part ${package})

@@ -8,7 +8,7 @@ install(TARGETS amontons RUNTIME COMPONENT program)
 install(DIRECTORY parameters DESTINATION ${CMAKE_INSTALL_DATADIR}/amontons COMPONENT program)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md AUTHORS LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY doc DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
-        FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.png PATTERN example_library EXCLUDE PATTERN html EXCLUDE)
+        FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.png PATTERN example_library/* PATTERN doxygen EXCLUDE)
 
 # Static: the program is one file, and there is no promise of a stable binary interface yet. Optimised, without assertions, as the
 # program is.
@@ -17,7 +17,6 @@ set_target_properties(amontons_verification_release PROPERTIES EXPORT_NAME verif
 target_compile_features(amontons_release PUBLIC cxx_std_17)
 install(TARGETS amontons_release amontons_verification_release EXPORT AmontonsTargets ARCHIVE COMPONENT library)
 install(DIRECTORY include/amontons DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library)
-install(DIRECTORY doc/example_library DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc COMPONENT library)
 
 install(EXPORT AmontonsTargets NAMESPACE Amontons:: DESTINATION ${AMONTONS_CMAKE_DIR} COMPONENT library)
 configure_package_config_file(packaging/AmontonsConfig.cmake.in ${CMAKE_BINARY_DIR}/AmontonsConfig.cmake

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-packages=(g++ cmake ninja-build libdeal.ii-dev gmsh libopenblas0-pthread numdiff gnuplot-nox python3 "$@")
+packages=(g++ cmake ninja-build libdeal.ii-dev gmsh libopenblas0-pthread numdiff gnuplot-nox python3 dpkg-dev file "$@")
 missing=()
 start=$SECONDS
 for package in "${packages[@]}"; do

@@ -50,6 +50,7 @@ namespace Amontons
     //! [run]
     start_on_first_mesh(scene.kinematics == Kinematics::finite_strain);
     make_output_folder(folder, mesh->geometry.communicator, control.checkpoint.n_known() > 0);
+    control.checkpoint.open();
     report.open_log();
 
     bool success = run_load_program();

@@ -92,8 +92,10 @@ namespace Amontons
   {
     if (history.state.displacement.size() != model->discretization().dof_handler.n_dofs())
       history.state.displacement = model->discretization().make_relevant_vector();
-    const auto mechanics = model->mechanics(history.state);
-    auto       result = control.checkpoint.recall(model->discretization(), model->interfaces, history.state);
+    const auto                  mechanics = model->mechanics(history.state);
+    std::optional<NewtonReport> result;
+    if (!control.stop.is_there()) // else this solve is not on the way that a resumed run takes
+      result = control.checkpoint.recall(model->discretization(), model->interfaces, history.state);
     if (result && !mechanics->is_linear())
       {
         model->move_to(history.state);
@@ -119,7 +121,7 @@ namespace Amontons
     };
     auto report = solver.solve(
         mechanics, model->interfaces, model->supports, history.state, save_if_urgent, history.follow_motion);
-    if (report.converged)
+    if (report.converged && !control.stop.is_there())
       {
         TimerOutput::Scope scope(timer, "output");
         control.try_to([&]() {

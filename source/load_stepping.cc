@@ -68,7 +68,7 @@ namespace Amontons
           }
         else if (result == Result::lost)
           return false;
-        else if (!try_again(program, failures))
+        else if (must_stop() || !try_again(program, failures))
           {
             if (is_incremental() && program.number() > 1)
               return_to_last_converged();

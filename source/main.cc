@@ -232,14 +232,15 @@ namespace
     const auto save  = [&]() { control.checkpoint.flush(); };
     try
       {
-        const RunSummary summary = scene.kind == ProblemType::three_dimensional
-                                       ? solve<3>(scene, parameters, task, notes, control)
-                                       : solve<2>(scene, parameters, task, notes, control);
-        if (control.stop.is_there())
-          control.try_to(save);
-        else
+        const RunSummary summary   = scene.kind == ProblemType::three_dimensional
+                                         ? solve<3>(scene, parameters, task, notes, control)
+                                         : solve<2>(scene, parameters, task, notes, control);
+        const bool       has_ended = !control.stop.is_there() && control.stop.own_reason().empty();
+        if (has_ended)
           control.checkpoint.remove();
-        keep_output_folder();
+        else
+          control.try_to(save);
+        keep_output_folder(has_ended);
         return summary;
       }
     catch (const std::bad_alloc &)
@@ -253,7 +254,7 @@ namespace
   boost::property_tree::ptree
   run_for_study(const std::string &file, const std::vector<std::string> &overrides, const std::string &output)
   {
-    RunControl       control{StopRequest(), Checkpoint(MPI_COMM_WORLD)};
+    RunControl       control{StopRequest(0, false), Checkpoint(MPI_COMM_WORLD)};
     const RunSummary summary = run_scene({file, overrides, output, true}, control);
     if (!summary.converged)
       throw std::runtime_error(summary.message);

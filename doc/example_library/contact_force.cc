@@ -26,8 +26,8 @@ main(int argc, char **argv)
       parameters.refinement.choose_target(scene.has_friction() ||
                                           scene.kinematics == Kinematics::finite_strain);
 
-      RunControl       control{StopRequest(), Checkpoint(MPI_COMM_WORLD)}; // of signals; unused
-      const bool       quiet = true;
+      RunControl control{StopRequest(0, false), Checkpoint(MPI_COMM_WORLD)}; // of signals: none is noted
+      const bool quiet = true;
       const RunSummary summary =
           ContactProblem<2>(scene, parameters, "output", quiet, control, make_reference<2>).run();
       keep_output_folder();

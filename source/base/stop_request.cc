@@ -16,25 +16,29 @@ namespace Amontons
       signal_that_came = number;
     }
 
-    constexpr std::array<int, 2>    signals = {{SIGINT, SIGTERM}};
+    constexpr std::array<int, 2>    signals_to_note = {{SIGINT, SIGTERM}};
     std::array<struct sigaction, 2> actions_before;
   } // namespace
 
-  StopRequest::StopRequest(const double time_limit)
-      : time_limit(time_limit), start(std::chrono::steady_clock::now())
+  StopRequest::StopRequest(const double time_limit, const bool signals)
+      : time_limit(time_limit), notes_signals(signals), start(std::chrono::steady_clock::now())
   {
     signal_that_came        = 0;
     struct sigaction action = {};
     action.sa_handler       = note_signal_to_stop;
     action.sa_flags         = SA_RESETHAND | SA_RESTART;
-    for (unsigned int i = 0; i < signals.size(); ++i)
-      sigaction(signals[i], &action, &actions_before[i]);
+    for (unsigned int i = 0; notes_signals && i < signals_to_note.size(); ++i)
+      {
+        sigaction(signals_to_note[i], &action, &actions_before[i]);
+        if (actions_before[i].sa_handler == SIG_IGN)
+          sigaction(signals_to_note[i], &actions_before[i], nullptr);
+      }
   }
 
   StopRequest::~StopRequest()
   {
-    for (unsigned int i = 0; i < signals.size(); ++i)
-      sigaction(signals[i], &actions_before[i], nullptr);
+    for (unsigned int i = 0; notes_signals && i < signals_to_note.size(); ++i)
+      sigaction(signals_to_note[i], &actions_before[i], nullptr);
   }
 
   void

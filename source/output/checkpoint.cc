@@ -305,7 +305,7 @@ namespace Amontons
                    const SolutionState<dim>                 &state,
                    const NewtonReport                       &report)
   {
-    if (folder.empty() || is_replaying()) // what had failed converges now: it will again
+    if (folder.empty() || intervals.never() || is_replaying()) // what had failed converges now: it will again
       return;
     const bool               is_root = Utilities::MPI::this_mpi_process(communicator) == 0;
     const unsigned long long mesh    = signature(discretization),
@@ -350,7 +350,7 @@ namespace Amontons
   void
   Checkpoint::flush()
   {
-    if (pending.empty() || Utilities::MPI::this_mpi_process(communicator) != 0)
+    if (!is_open || pending.empty() || Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
     std::error_code error; // write_file says what is wrong
     std::filesystem::create_directories(folder + "/checkpoint", error);

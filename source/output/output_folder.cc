@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -17,7 +18,8 @@ namespace Amontons
   {
     namespace fs = std::filesystem;
 
-    const char *const set_aside = "earlier_run", *const being_set_aside = "earlier_run.tmp";
+    const char *const set_aside = "earlier_run", *const unfinished = "unfinished_run",
+                      *const being_set_aside = "earlier_run.tmp";
 
     struct OutputFolder
     {
@@ -70,9 +72,10 @@ namespace Amontons
     void
     set_earlier_run_aside(const fs::path &folder)
     {
-      const fs::path  aside = folder / set_aside, tmp = folder / being_set_aside;
+      fs::path        aside = folder / set_aside;
+      const fs::path  tmp   = folder / being_set_aside;
       std::error_code error;
-      for (const auto &path : {aside, tmp})
+      for (const auto &path : {aside, tmp, folder / unfinished})
         if (fs::is_symlink(path, error))
           fs::remove(path, error);
       if (fs::exists(tmp, error)) // that was interrupted
@@ -83,9 +86,8 @@ namespace Amontons
       const auto files = files_of_a_run(folder);
       if (files.empty())
         return;
-      // Of a run that did not end, after one that did:
       if (fs::exists(aside / "summary.json", error) && !fs::exists(folder / "summary.json", error))
-        return remove_files(files);
+        aside = folder / unfinished;
       fs::create_directory(tmp, error);
       move_into(files, tmp);
       fs::remove_all(aside, error);
@@ -104,6 +106,8 @@ namespace Amontons
             return "a file '.lock' that cannot be opened";
           if (flock(lock, LOCK_EX | LOCK_NB) != 0)
             {
+              if (errno != EWOULDBLOCK) // no locks in this file system
+                return "";
               std::string   who;
               std::ifstream in(name);
               std::getline(in, who);
@@ -186,7 +190,7 @@ namespace Amontons
     one.new_folders.assign(path.end() - n_new, path.end());
     if (wrong.empty())
       return;
-    if (one.new_folders.empty())
+    if (one.new_folders.empty() || wrong.find(" in use ") != std::string::npos)
       one = OutputFolder(); // not ours
     throw InputError({"", 0, "--output " + folder},
                      wrong,
@@ -194,12 +198,13 @@ namespace Amontons
   }
 
   void
-  keep_output_folder()
+  keep_output_folder(const bool has_ended)
   {
     OutputFolder   &one = present();
     std::error_code error;
-    if (one.lock >= 0) // rank 0
-      fs::remove_all(one.folder / set_aside, error);
+    if (one.lock >= 0 && has_ended) // rank 0
+      for (const char *const name : {set_aside, unfinished})
+        fs::remove_all(one.folder / name, error);
     unlock();
   }
 
@@ -210,16 +215,19 @@ namespace Amontons
     std::error_code error;
     if (one.folder.empty())
       return;
-    if (fs::exists(one.folder / "history.csv", error))
+    if (fs::exists(one.folder / "history.csv", error) || fs::exists(one.folder / "checkpoint", error))
       return unlock();
     if (!one.new_folders.empty())
       fs::remove_all(one.new_folders.back(), error);
-    else if (const fs::path aside = one.folder / set_aside; fs::exists(aside, error))
-      {
-        remove_files(files_of_a_run(one.folder));
-        move_into(files_of_a_run(aside), one.folder);
-        fs::remove(aside, error);
-      }
+    else
+      for (const char *const name : {unfinished, set_aside}) // the later one
+        if (const fs::path aside = one.folder / name; fs::exists(aside, error))
+          {
+            remove_files(files_of_a_run(one.folder));
+            move_into(files_of_a_run(aside), one.folder);
+            fs::remove(aside, error);
+            break;
+          }
     for (auto folder = one.new_folders.rbegin(); folder != one.new_folders.rend(); ++folder)
       fs::remove(*folder, error); // only an empty one
     unlock();

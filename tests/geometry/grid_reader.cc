@@ -150,7 +150,7 @@ void
 check_damaged()
 {
   const std::string good = read(folder + "/q22.msh"), good_4 = read(folder + "/q41.msh");
-  check_error<2>(folder + "/none.msh", {"scene.prm:3", "cannot read"});
+  check_error<2>(folder + "/none.msh", {"scene.prm:3", "cannot be opened"});
   check_error<2>(write("a.stl", ""), {".msh, .geo or .inp"});
   check_error<2>(write("empty.msh", ""), {"$MeshFormat"});
   check_error<2>(write("text.msh", "solid\n"), {"text.msh:1", "no gmsh mesh"});

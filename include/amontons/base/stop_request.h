@@ -12,9 +12,9 @@ namespace Amontons
   class StopRequest
   {
   public:
-    /// time_limit: in seconds from now; 0: none. SIGINT and SIGTERM are noted from now on; the second of a
-    /// kind ends the process as if nobody looked.
-    explicit StopRequest(const double time_limit = 0);
+    /// time_limit: in seconds from now; 0: none. SIGINT and SIGTERM (unless they are ignored) are noted from
+    /// now on, if `signals`; the second of a kind ends the process as if nobody looked.
+    explicit StopRequest(const double time_limit = 0, const bool signals = true);
     ~StopRequest();
 
     StopRequest(const StopRequest &) = delete;
@@ -52,6 +52,7 @@ namespace Amontons
 
   private:
     const double                                time_limit;
+    const bool                                  notes_signals;
     const std::chrono::steady_clock::time_point start;
     bool                                        stopped = false;
     std::string                                 own, why;

@@ -65,6 +65,13 @@ namespace Amontons
       return next_known() != nullptr;
     }
 
+    /// The folder is there and ours: before, nothing is written.
+    void
+    open()
+    {
+      is_open = true;
+    }
+
     /// Of the next solve, at state.t: its displacement and contact, if they are known. Collective.
     template <int dim>
     std::optional<NewtonReport>
@@ -80,7 +87,7 @@ namespace Amontons
          const SolutionState<dim>                 &state,
          const NewtonReport                       &report);
 
-    /// Writes what has not been written yet. Not collective; throws InputError.
+    /// Writes what has not been written yet, after open(). Not collective; throws InputError.
     void
     flush();
 
@@ -105,6 +112,7 @@ namespace Amontons
 
     const MPI_Comm communicator;
     std::string    folder; // empty: nothing is kept
+    bool           is_open = false;
     Run            run;
     Intervals      intervals;
 

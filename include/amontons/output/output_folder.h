@@ -10,18 +10,19 @@
 namespace Amontons
 {
   /// Makes the folder with its parents, and locks it as long as this process has it (.lock, with the process
-  /// and the host). What an earlier run has left there moves to earlier_run/, where it stays until this run
-  /// has ended; not if this run goes on with that one. Again for the same folder: nothing. Collective: all
-  /// ranks throw InputError if it cannot be made or written to, or if another process has it.
+  /// and the host). What an earlier run has left there moves to earlier_run/ (after a run that ended and
+  /// one that did not: unfinished_run/), where it stays until this run has ended; not if this run goes on
+  /// with that one. Again for the same folder: nothing. Collective: all ranks throw InputError if it cannot
+  /// be made or written to, or if another process has it.
   void
   make_output_folder(const std::string &folder, const MPI_Comm communicator, const bool goes_on = false);
 
-  /// The run has ended: the folder is the user's, and what was there before is removed. Not collective.
+  /// The folder is the user's; what was there before is removed, if the run has ended. Not collective.
   void
-  keep_output_folder();
+  keep_output_folder(const bool has_ended = true);
 
-  /// The run has failed: if it has no history yet, all is as it was before the last make_output_folder. Not
-  /// collective.
+  /// The run has failed: if it has neither history nor checkpoint, all is as it was before the last
+  /// make_output_folder. Not collective.
   void
   remove_new_output_folder();
 } // namespace Amontons

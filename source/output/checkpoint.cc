@@ -9,6 +9,8 @@ namespace Amontons
 {
   namespace
   {
+    using Crc = boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0, 0, false, false>;
+
     // Of the mesh, the same on any number of ranks: where its coarse cells are and which cells are active.
     template <int dim>
     unsigned long long
@@ -19,13 +21,13 @@ namespace Amontons
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned())
           {
-            boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0, 0, false, false> crc;
+            Crc        crc;
             const auto id = cell->id().template to_binary<dim>();
             crc.process_bytes(id.data(), sizeof(id));
             sum += crc.checksum();
           }
       sum = Utilities::MPI::sum(sum, discretization.geometry.communicator);
-      boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0, 0, false, false> crc;
+      Crc crc;
       for (const auto &cell : triangulation.cell_iterators_on_level(0))
         for (const unsigned int v : cell->vertex_indices())
           crc.process_bytes(&cell->vertex(v), sizeof(Point<dim>));

@@ -71,15 +71,16 @@ namespace Amontons
   namespace
   {
     const std::string format = "amontons checkpoint 1 ";
-  } // namespace
 
-  unsigned long
-  checksum(const std::string &text)
-  {
-    boost::crc_32_type crc;
-    crc.process_bytes(text.data(), text.size());
-    return crc.checksum();
-  }
+    // The line before an object.
+    std::string
+    head_of(const std::string &body)
+    {
+      boost::crc_32_type crc;
+      crc.process_bytes(body.data(), body.size());
+      return format + version + " " + std::to_string(body.size()) + " " + std::to_string(crc.checksum());
+    }
+  } // namespace
 
   template <typename T>
   void
@@ -88,9 +89,7 @@ namespace Amontons
     std::ostringstream body;
     boost::archive::binary_oarchive(body, boost::archive::no_header) << object;
     const std::string text = body.str();
-    write_file(name,
-               format + version + " " + std::to_string(text.size()) + " " + std::to_string(checksum(text)) +
-                   "\n" + text);
+    write_file(name, head_of(text) + "\n" + text);
   }
 
   template <typename T>
@@ -109,7 +108,7 @@ namespace Amontons
       throw InputError({name, 0, ""},
                        "written by another version, '" + head.substr(format.size()).substr(0, 20) + "'",
                        std::string("what version ") + version + " has written");
-    if (head != format + version + " " + std::to_string(text.size()) + " " + std::to_string(checksum(text)))
+    if (head != head_of(text))
       throw InputError({name, 0, ""}, "damaged: its checksum differs", "the file as it was written");
     T                  object;
     std::istringstream body(text);

@@ -1,4 +1,3 @@
-#include <amontons/output/files.h>
 #include <amontons/output/output_folder.h>
 
 #include <fcntl.h>

@@ -49,9 +49,6 @@ namespace Amontons
   template <typename T>
   T
   read_object(const std::string &file);
-
-  unsigned long
-  checksum(const std::string &text);
 } // namespace Amontons
 
 namespace boost

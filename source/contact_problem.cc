@@ -49,7 +49,7 @@ namespace Amontons
       report.announce(note);
     //! [run]
     start_on_first_mesh(scene.kinematics == Kinematics::finite_strain);
-    make_output_folder(folder, mesh->geometry.communicator, control.checkpoint.n_known() > 0);
+    make_output_folder(folder, mesh->geometry.communicator, control.checkpoint.resumes());
     control.checkpoint.open();
     report.open_log();
 

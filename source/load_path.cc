@@ -1,5 +1,7 @@
 #include <amontons/adaptivity/load_record.h>
 #include <amontons/adaptivity/state_transfer.h>
+#include <amontons/base/points.h>
+#include <amontons/friction/shear_law.h>
 #include <amontons/load_path.h>
 
 namespace Amontons
@@ -131,11 +133,25 @@ namespace Amontons
     return report;
   }
 
+  template <int dim>
+  void
+  LoadPath<dim>::check_bounds() const
+  {
+    for (unsigned int i = 0; i < model->interfaces.size(); ++i)
+      for (unsigned int k = 0; k < history.state.contact[i].size(); ++k)
+        if (const auto &node = history.state.contact[i][k]; node.state != ContactStatus::open)
+          refuse_negative_bound(*model->interfaces[i].pair,
+                                as_3d(model->interfaces[i].slave->nodes[k].X),
+                                history.state.t,
+                                std::max(0., node.pressure));
+  }
+
   // The increment becomes history.
   template <int dim>
   void
   LoadPath<dim>::commit(const LoadProgram &program)
   {
+    check_bounds();
     if (is_incremental())
       history.work.add(answer());
     ++history.record.n_increments;

@@ -215,14 +215,15 @@ namespace Amontons
     const auto        &failure  = history.last_report.failure;
     const bool         crosses  = failure && (failure->kind == Failure::Kind::passed_through ||
                                      failure->kind == Failure::Kind::entered);
-    if (model->finite_strain() && !history.follow_motion && !crosses &&
+    const bool lacks_memory     = failure && failure->kind == Failure::Kind::no_memory; // shorter ones, too
+    if (model->finite_strain() && !history.follow_motion && !crosses && !lacks_memory &&
         (++failures.in_a_row == patience || program.is_smallest()))
       {
         history.follow_motion = true;
         roll_back();
         return true;
       }
-    if (!is_incremental() || history.n_cut_backs >= history.most_cut_backs)
+    if (!is_incremental() || history.n_cut_backs >= history.most_cut_backs || lacks_memory)
       return false;
     FailedIncrement<dim> failed(*model, history.last_report);
     const bool           from_rest = history.last_converged.displacement.size() == 0;

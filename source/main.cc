@@ -1,15 +1,13 @@
 #include <amontons/base/blas_threads.h>
 #include <amontons/base/temporary_folder.h>
 #include <amontons/base/version.h>
-#include <amontons/contact_problem.h>
-#include <amontons/model_reduction.h>
 #include <amontons/output/output_folder.h>
+#include <amontons/run_parameters.h>
 #include <amontons/scene/scene_reader.h>
 #include <amontons/scene/text.h>
-#include <amontons/verification/comparison.h>
 #include <amontons/verification/convergence_study.h>
 #include <amontons/verification/process_study.h>
-#include <amontons/verification/reference_solution.h>
+#include <amontons/verification/run_scene.h>
 
 #include <deal.II/base/mpi.templates.h>
 
@@ -162,94 +160,6 @@ namespace
     return "output/" + name.substr(0, name.find_last_of('.'));
   }
 
-  struct Task
-  {
-    std::string              scene; // file
-    std::vector<std::string> overrides;
-    std::string              folder;
-    bool                     quiet = false, resumes = false;
-  };
-
-  // With less model, if the target allows it and the answer is found.
-  template <int dim>
-  RunSummary
-  solve(const Scene             &scene,
-        const Parameters        &parameters,
-        const Task              &task,
-        std::vector<std::string> notes,
-        RunControl              &control)
-  {
-    const ReducedScene reduced = reduce_model<dim>(scene, parameters, control);
-    if (!reduced.notes.empty() && !control.stop.is_there())
-      {
-        auto all = notes;
-        all.insert(all.end(), reduced.notes.begin(), reduced.notes.end());
-        const RunSummary summary =
-            ContactProblem<dim>(reduced.scene, parameters, task.folder, task.quiet, control).run(all);
-        if (summary.converged || control.stop.is_there())
-          return summary;
-      }
-    return ContactProblem<dim>(scene, parameters, task.folder, task.quiet, control, make_reference<dim>)
-        .run(notes);
-  }
-
-  // What there is to say of an unfinished run of this scene.
-  std::vector<std::string>
-  prepare_checkpoint(const Task       &task,
-                     const Scene      &scene,
-                     const Parameters &parameters,
-                     Checkpoint       &checkpoint)
-  {
-    const Checkpoint::Run run = {
-        std::filesystem::absolute(task.scene).string(), task.overrides, scene.entries};
-    const auto intervals = parameters.output.checkpoint_intervals();
-    if (task.resumes)
-      {
-        checkpoint.resume(task.folder, run, intervals);
-        return {"the run in " + task.folder + " goes on: " + std::to_string(checkpoint.n_known()) +
-                " solves are known"};
-      }
-    std::vector<std::string> notes;
-    if (Checkpoint::exists(task.folder))
-      notes.push_back("in " + task.folder +
-                      " there was a run that has not ended; 'amontons --resume' would have gone on with it, "
-                      "this one starts anew");
-    checkpoint.start(task.folder, run, intervals);
-    return notes;
-  }
-
-  RunSummary
-  run_scene(const Task &task, RunControl &control)
-  {
-    Parameters  parameters;
-    const Scene scene = read_scene(task.scene,
-                                   task.overrides,
-                                   parameters.groups(),
-                                   {make_displacement_field, displacement_field_corners});
-    parameters.refinement.choose_target(scene.has_friction() ||
-                                        scene.kinematics == Kinematics::finite_strain);
-    const auto notes = prepare_checkpoint(task, scene, parameters, control.checkpoint);
-    const auto save  = [&]() { control.checkpoint.flush(); };
-    try
-      {
-        const RunSummary summary   = scene.kind == ProblemType::three_dimensional
-                                         ? solve<3>(scene, parameters, task, notes, control)
-                                         : solve<2>(scene, parameters, task, notes, control);
-        const bool       has_ended = !control.stop.is_there() && control.stop.own_reason().empty();
-        if (has_ended)
-          control.checkpoint.remove();
-        else
-          control.try_to(save);
-        keep_output_folder(has_ended);
-        return summary;
-      }
-    catch (const std::bad_alloc &)
-      {
-        control.try_to(save);
-        throw;
-      }
-  }
-
   // A scene's summary.json as the study wants it, on every rank.
   boost::property_tree::ptree
   run_for_study(const std::string &file, const std::vector<std::string> &overrides, const std::string &output)
@@ -290,7 +200,7 @@ namespace
 
   // 2: it was stopped, or could not write its files.
   int
-  run_single(const Task &task, const double time_limit)
+  run_single(const SceneRun &task, const double time_limit)
   {
     const bool       is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     RunControl       control{StopRequest(time_limit), Checkpoint(MPI_COMM_WORLD)};
@@ -331,7 +241,7 @@ namespace
       }
     if (line.is_study)
       return run_study(line);
-    Task task = {line.scene, line.overrides, line.output, line.quiet, !line.resume.empty()};
+    SceneRun task = {line.scene, line.overrides, line.output, line.quiet, !line.resume.empty()};
     if (task.resumes)
       {
         const Checkpoint::Run run = Checkpoint::read_run(line.resume);

@@ -136,8 +136,12 @@ namespace Amontons
   RunReport<dim>::write_files(const Answer<dim> &answer, const StressRecovery<dim> *recovery) const
   {
     MeshPicture picture;
+    double      largest_young = 0;
+    for (const BodyData &body : scene.bodies)
+      largest_young = std::max(largest_young, body.material.young);
     if (parameters.report && recovery != nullptr)
-      picture = gather_mesh_picture(answer.discretization, *recovery, answer.state.displacement);
+      picture = gather_mesh_picture(
+          answer.discretization, *recovery, answer.state.displacement, 1e-13 * largest_young);
     if (Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
     const auto table = contact_table(answer.interfaces, answer.fields, answer.state.t);

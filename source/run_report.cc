@@ -48,6 +48,9 @@ namespace Amontons
   RunReport<dim>::start()
   {
     terminal.scene(scene, Utilities::MPI::n_mpi_processes(communicator));
+    if (scene.reference && !make_reference)
+      throw InputError(
+          {scene.file, 0, "Reference"}, "a closed form, where none are known", "the scene without it");
     if (scene.reference)
       reference = make_reference(scene);
   }
@@ -148,6 +151,7 @@ namespace Amontons
   void
   RunReport<dim>::end_solve(const Answer<dim> &answer, const Solve &solve)
   {
+    announce_checkpoint();
     const auto         &error  = solve.evaluation.error;
     const NewtonSummary newton = summarise(solve, answer.discretization);
     summary.newton.push_back(newton);
@@ -199,6 +203,14 @@ namespace Amontons
         newton.residual = iteration.residual;
       }
     return newton;
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::announce_checkpoint()
+  {
+    for (const std::string &text : control.checkpoint.take_notes())
+      announce(text);
   }
 
   template <int dim>
@@ -279,6 +291,7 @@ namespace Amontons
   const RunSummary &
   RunReport<dim>::finish(const Answer<dim> &answer, const Ending &ending)
   {
+    announce_checkpoint();
     summary.converged = ending.converged;
     if (ending.converged)
       summary.failure.clear();

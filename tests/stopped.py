@@ -7,6 +7,7 @@ import json
 import os
 import re
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -85,12 +86,51 @@ def other_entries(place):
     open(scene, "w").write(re.sub(r"Poisson ratio *= *[0-9.]+", "Poisson ratio = 0.21", text, 1))
     done = run(["--resume", out])
     check(done.returncode == 1 and "not what the run in" in done.stderr, "changed scene: " + done.stderr)
-    with open(os.path.join(out, "checkpoint", "states_1"), "r+b") as file:
-        file.seek(-1, 2)
-        file.write(b"!")
     open(scene, "w").write(text)
+    spoil(parts_of(out)[0])
     done = run(["--resume", out])
-    check(done.returncode == 1 and "checksum" in done.stderr, "damaged checkpoint: " + done.stderr)
+    check(done.returncode == 0 and "solved again from solve 1 on" in " ".join(done.stdout.split()) and "checksum" in done.stdout, "damaged checkpoint: " + done.stdout + done.stderr)
+
+
+def parts_of(out):
+    """The files of states, in their order."""
+    folder = os.path.join(out, "checkpoint")
+    return [os.path.join(folder, name) for name in sorted((name for name in os.listdir(folder) if re.fullmatch("states_[0-9]+", name)), key=lambda name: int(name[7:]))]
+
+
+def spoil(file):
+    with open(file, "r+b") as stream:
+        stream.seek(-1, 2)
+        stream.write(b"!")
+
+
+def damaged_part(place):
+    """What cannot be read is solved again; so is what is beyond it."""
+    out = os.path.join(place, "parts")
+    process = start([SCENE, "--output", out, "--set", "Output/Checkpoint every = 1 increments"] + LONG, place)
+    wait_for(os.path.join(out, "checkpoint", "states_9"))
+    process.kill()
+    process.communicate()
+    check(len(parts_of(out)) >= 9, "parts: " + str(parts_of(out)))
+    spoil(parts_of(out)[5])
+    again = run(["--resume", out])
+    said = " ".join(again.stdout.split())
+    check(again.returncode == 0 and "solved again from solve 6 on" in said and "states_6: damaged: its checksum differs" in said, "damaged part: " + again.stderr)
+    rows = [(mesh["t"], mesh["dofs"], mesh["iterations"], mesh["energy"]) for mesh in summary_of(out)["meshes"]]
+    check(rows == whole, "damaged part: resumed it takes another way")
+
+
+def other_mesh_file(place):
+    """With the same vertices: only the name of a boundary is another one."""
+    for name in ("patch_3d_irregular.prm", "patch_3d_upper.msh", "patch_3d_lower.msh"):
+        shutil.copy(os.path.join(HERE, "../parameters/verification", name), place)
+    scene, mesh, out = os.path.join(place, "patch_3d_irregular.prm"), os.path.join(place, "patch_3d_lower.msh"), os.path.join(place, "meshes")
+    stopped = run([scene, "--output", out, "--set", "Increments = 3", "--time-limit", "0.001s"])
+    check(stopped.returncode == 2, "mesh file: " + stopped.stdout + stopped.stderr)
+    with open(mesh, "a") as stream:
+        stream.write("\n")
+    done = run(["--resume", out])
+    check(done.returncode == 1 and "patch_3d_lower.msh" in done.stderr and "checksum" in done.stderr, "mesh file: " + done.stderr)
 
 
 def full_disk(place):
@@ -172,13 +212,14 @@ def inputs(place):
         check(done.returncode == 1 and words in done.stderr, f"{name}: {done.returncode} {done.stderr[-300:]}")
 
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell ignores it for what it starts aside, and so would the runs
 program = os.path.abspath(sys.argv[1])
 with tempfile.TemporaryDirectory(prefix="amontons-stopped-") as folder:
     check(run([SCENE, "--output", os.path.join(folder, "whole")] + LONG).returncode == 0, "the run itself")
     whole = [(mesh["t"], mesh["dofs"], mesh["iterations"], mesh["energy"]) for mesh in summary_of(os.path.join(folder, "whole"))["meshes"]]
     stopped_by(signal.SIGTERM, folder)
     stopped_by(signal.SIGINT, folder)
-    for part in (time_limit, other_entries, full_disk, two_at_once, earlier_run, links, tables, inputs):
+    for part in (time_limit, other_entries, damaged_part, other_mesh_file, full_disk, two_at_once, earlier_run, links, tables, inputs):
         part(folder)
 print("\n".join(failures) or "all right")
 sys.exit(1 if failures else 0)

@@ -278,6 +278,8 @@ def scenes():
                                ("pressure elsewhere", "Initial gap = p", "variable p, which has no meaning here.*x, y, t"), ("z in the plane", "Initial gap = z", "variable z.*x, y, t"),
                                ("random", "Friction coefficient = rand()", "function rand")]:
         change("friction: " + name, "= lower/top", "= lower/top\n  set " + entry, words, part="set " + entry)
+    change("friction: negative where bodies touch", "= lower/top", "= lower/top\n  set Friction coefficient = 0.3-x", r"'0\.3-x' is negative at x = .*t = 0\.", part="Friction", ranks=2)
+    case("a name in Latin-1", {"scene.prm": BASE.replace("Body upper", "Body \xfcpper").encode("latin-1")}, r"^scene\.prm:2: .*the name '.xfcpper'.*UTF-8")
     for entry in "Friction coefficient = 0.3", "Tresca bound = 1", "Initial gap = -0.1*t":
         change("tied: " + entry, "= lower/top", f"= lower/top\n  set Tied = true\n  set {entry}", "no meaning for Tied = true", part="set " + entry)
     change("Points of a probe", "set Kind", "subsection Probe P\nset Body = upper\nset From = 0, 0\nset To = 1, 1\nset Points = 2000000000\nend\nset Kind",
@@ -483,10 +485,12 @@ def scenes():
     with open(os.path.join(parameters, "step_file.step")) as stream:
         step = stream.read()
     on_top = (curved % "%s").replace("bottom = ", "top = ", 1)
-    case("CAD file that is none", {"scene.prm": on_top % "cad(a.step)", "m.msh": dome, "a.step": "hello\n"}, r"^scene\.prm:2: .*cannot read '.*a\.step'.*STEP", ranks=2)
+    case("CAD file that is none", {"scene.prm": on_top % "cad(a.step)", "m.msh": dome, "a.step": "hello\n"}, r"^scene\.prm:2: .*cannot read '.*a\.step'.*STEP or IGES", ranks=2)
     case("empty IGES file", {"scene.prm": on_top % "cad(a.igs)", "m.msh": dome, "a.igs": ""}, r"^scene\.prm:2: .*cannot read '.*a\.igs'.*IGES")
     case("CAD model elsewhere", {"scene.prm": on_top % "cad(a.step, 1.1)", "m.msh": dome, "a.step": step}, r"^scene\.prm:2: .*'top'.*lies on no single face.*1e-3", ranks=2)
     case("truncated CAD file", {"scene.prm": on_top % "cad(a.step)", "m.msh": dome, "a.step": step[:len(step) // 2]}, r"^scene\.prm:2: .*a\.step")
+    case("CAD file with a weight too few", {"scene.prm": on_top % "cad(a.step)", "m.msh": dome, "a.step": step.replace(",(1.,0.70", ",(set 1.,0.70", 1)},
+         r"^scene\.prm:2: .*cannot read '.*a\.step'.*not damaged", ranks=2)
     case("CAD file that breaks OpenCASCADE", {"scene.prm": on_top % "cad(a.step)", "m.msh": dome, "a.step": step[:2147] + step[2186:]}, r"^scene\.prm:2: .*a\.step'.*breaks down .signal 11.*not damaged", ranks=2)
     case("disk in 3D", solid % "  set Mesh = half disk", r"^scene\.prm:3: .*found 'half disk', a shape of scenes in 2D; .*half sphere.*cylinder")
     case("sphere in 2D", ONE_BODY % "  set Mesh = sphere", r"^scene\.prm:2: .*found 'sphere', a shape of scenes in 3D; .*half disk.*ring")

@@ -40,8 +40,9 @@ def code(text):
 
 LINKED = set()
 
+
 def name_of(page):
-    return "page_" + page.stem.lower()
+    return "index" if page.stem == "README" else "page_" + page.stem.lower()
 
 
 def link(page, text, target):

@@ -68,6 +68,9 @@ namespace Amontons
     RunControl       &control;
 
   private:
+    // Throws InputError where a bound of friction is negative at a closed node.
+    void
+    check_bounds() const;
     NewtonReport
     solve(Mechanics<dim> &mechanics, const typename Newton<dim>::Observer &observer);
   };

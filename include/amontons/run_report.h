@@ -170,6 +170,8 @@ namespace Amontons
     NewtonSummary
     summarise(const Solve &solve, const Discretization<dim> &discretization) const;
     void
+    announce_checkpoint();
+    void
     add_notes(const NewtonReport &newton, const std::vector<ContactInterface<dim>> &interfaces);
     void
     add_answer(const Answer<dim> &answer, const Ending &ending);

@@ -1,16 +1,20 @@
 #include <amontons/algebra/linear_solver.h>
 #include <amontons/base/blas_threads.h>
+#include <amontons/base/silent_errors.h>
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
 
 #include <Amesos.h>
+#include <Amesos_Mumps.h>
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Import.h>
 #include <Epetra_LinearProblem.h>
 #include <Epetra_MultiVector.h>
 #include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
 
 namespace Amontons
 {
@@ -40,7 +44,11 @@ namespace Amontons
   // The symbolic factorisation is made once (the pattern stays), the numerical one when asked for.
   struct LinearSolver::Factorisation
   {
-    Factorisation(const LA::SparseMatrix &matrix, const std::string &package, const bool symmetric)
+    Factorisation(const LA::SparseMatrix &matrix,
+                  const std::string      &package,
+                  const bool              symmetric,
+                  const int               workspace)
+        : workspace(workspace)
     {
       problem.SetOperator(const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
       solver.reset(Amesos().Create(package, problem));
@@ -48,16 +56,44 @@ namespace Amontons
       list.set("MatrixProperty", symmetric ? "SPD" : "general");
       list.set("PrintTiming", false);
       solver->SetParameters(list);
+      mumps = dynamic_cast<Amesos_Mumps *>(solver.get());
     }
 
-    void
+    // MUMPS foresees its workspace in the symbolic part; pivots that it has to delay need more.
+
+    bool
     factorise()
     {
-      const BlasThreads threads(problem.GetOperator()->Comm().NumProc() == 1 ? BlasThreads::available() : 1);
-      if (!symbolic)
-        failed = solver->SymbolicFactorization() != 0;
-      symbolic = true;
-      failed   = failed || solver->NumericFactorization() != 0;
+      const BlasThreads  threads(problem.GetOperator()->Comm().NumProc() == 1 ? BlasThreads::available() : 1);
+      const SilentErrors silence; // Amesos repeats there what MUMPS returns
+      constexpr int      most_workspace = 5120;
+      for (;; workspace = std::max(4 * workspace, 80), symbolic = false)
+        {
+          if (mumps != nullptr)
+            mumps->SetICNTL(14, workspace);
+          bool success = symbolic || solver->SymbolicFactorization() == 0;
+          success      = success && solver->NumericFactorization() == 0;
+          symbolic     = true;
+          if (!is_anywhere(!success))
+            return true;
+          const int  code  = mumps != nullptr ? mumps->GetINFOG()[0] : 0; // INFOG(1)
+          const auto is_in = [&](const std::initializer_list<int> &codes) {
+            return is_anywhere(std::find(codes.begin(), codes.end(), code) != codes.end());
+          };
+          const bool is_too_small = is_in({-8, -9, -11, -12, -14, -15, -17, -20});
+          no_memory               = is_in({-5, -7, -13, -19}) || is_too_small;
+          if (!is_too_small || workspace >= most_workspace)
+            return false;
+        }
+    }
+
+    // Collective.
+    bool
+    is_anywhere(const bool here) const
+    {
+      int one = here ? 1 : 0, all = 0;
+      problem.GetOperator()->Comm().MaxAll(&one, &all, 1);
+      return all != 0;
     }
 
     void
@@ -70,7 +106,9 @@ namespace Amontons
 
     mutable Epetra_LinearProblem       problem;
     std::unique_ptr<Amesos_BaseSolver> solver;
-    bool                               symbolic = false, failed = false;
+    Amesos_Mumps                      *mumps = nullptr; // if it is that
+    int                                workspace;       // percent
+    bool                               symbolic = false, no_memory = false;
   };
 
   namespace
@@ -295,10 +333,16 @@ namespace Amontons
       direct = std::make_unique<Factorisation>(
           matrix,
           parameters.direct_package == "automatic" ? "Amesos_Mumps" : parameters.direct_package,
-          symmetric);
+          symmetric,
+          parameters.workspace);
     const bool is_new = factorisation_is_old;
-    if (is_new)
-      direct->factorise();
+    if (is_new && !direct->factorise())
+      {
+        report.success   = false;
+        report.no_memory = direct->no_memory;
+        direct.reset();
+        return report;
+      }
     factorisation_is_old = false;
     all_values_are_new   = false;
     n_changed            = 0;
@@ -311,7 +355,7 @@ namespace Amontons
         x += correction;
       }
     ++report.iterations;
-    report.success = !direct->failed && std::isfinite(x.l2_norm());
+    report.success = std::isfinite(x.l2_norm());
     return report;
   }
 

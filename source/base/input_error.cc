@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace Amontons
 {
@@ -74,15 +75,18 @@ namespace Amontons
     std::string
     message(const SourceLocation &where, const std::string &found, const std::string &allowed)
     {
-      std::string text = where.file;
+      constexpr std::size_t most_of_file = 350, most_of_entry = 300, most_of_found = 540,
+                            most_of_allowed = 800;
+      std::string text                      = shortened(printable(where.file), most_of_file);
       if (where.line > 0)
         text += ":" + std::to_string(where.line);
-      for (const std::string &part : {where.entry, found})
+      for (const auto &[part, most] :
+           {std::pair{where.entry, most_of_entry}, std::pair{found, most_of_found}})
         if (!part.empty())
-          text += (text.empty() ? "" : ": ") + shortened(printable(part), 600);
+          text += (text.empty() ? "" : ": ") + shortened(printable(part), most);
       if (!allowed.empty())
-        text +=
-            (allowed.rfind("allowed", 0) == 0 ? "; " : "; allowed: ") + shortened(printable(allowed), 800);
+        text += (allowed.rfind("allowed", 0) == 0 ? "; " : "; allowed: ") +
+                shortened(printable(allowed), most_of_allowed);
       return text;
     }
 
@@ -109,6 +113,15 @@ namespace Amontons
       return row[b.size()];
     }
   } // namespace
+
+  bool
+  is_printable(const std::string &text)
+  {
+    std::size_t length = 1;
+    for (std::size_t i = 0; i < text.size() && length > 0; i += length)
+      length = length_of_character(text, i);
+    return length > 0;
+  }
 
   InputError::InputError(const SourceLocation &where, const std::string &found, const std::string &allowed)
       : std::runtime_error(message(where, found, allowed))

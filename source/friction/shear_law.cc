@@ -32,6 +32,14 @@ namespace Amontons
     return bound;
   }
 
+  void
+  refuse_negative_bound(const PairData &pair, const Point<3> &X, const double t, const double pressure)
+  {
+    for (const auto *const expression : {&pair.friction, &pair.tresca_bound})
+      if (*expression)
+        (*expression)->refuse_negative(X, t, pressure);
+  }
+
   template <int dim>
   Tensor<1, dim>
   SlipLaw<dim>::traction(const double pressure, const Tensor<1, dim> &slip) const

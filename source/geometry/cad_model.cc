@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <limits>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -156,29 +157,37 @@ namespace Amontons
       return BRepBuilderAPI_Transform(shape, shift * rotation, true).Shape();
     }
 
-    // Whatever OpenCASCADE has to say ends in one message.
+    InputError
+    unreadable(const TrueGeometry &geometry, const SourceLocation &where)
+    {
+      return {where,
+              "OpenCASCADE cannot read '" + geometry.file + "'",
+              "a file in STEP or IGES format (as its name says) that is not damaged"};
+    }
+
     TopoDS_Shape
-    read_shape(const TrueGeometry &geometry, const SourceLocation &where)
+    read_shape(const TrueGeometry &geometry)
     {
       Message::DefaultMessenger()->ChangePrinters().Clear();
-      const std::string ending  = file_ending(geometry.file);
-      const bool        is_step = ending == ".step" || ending == ".stp";
-      try
-        {
-          const TopoDS_Shape shape = is_step ? OpenCASCADE::read_STEP(geometry.file, geometry.scale)
-                                             : OpenCASCADE::read_IGES(geometry.file, geometry.scale);
-          if (!shape.IsNull())
-            return shape;
-        }
-      catch (const ExceptionBase &)
-        {
-        }
-      catch (const Standard_Failure &)
-        {
-        }
-      throw InputError(where,
-                       "OpenCASCADE cannot read '" + geometry.file + "'",
-                       std::string("a file in ") + (is_step ? "STEP" : "IGES") + " format, as its name says");
+      const std::string ending = file_ending(geometry.file);
+      return ending == ".step" || ending == ".stp" ? OpenCASCADE::read_STEP(geometry.file, geometry.scale)
+                                                   : OpenCASCADE::read_IGES(geometry.file, geometry.scale);
+    }
+
+    // Exceptions of OpenCASCADE are none of std.
+    CadShape
+    with_refusals(const CadShape &shape, const TrueGeometry &geometry, const SourceLocation &where)
+    {
+      return {shape.box, [=](const Point<3> &p) {
+                try
+                  {
+                    return shape.closest_point(p);
+                  }
+                catch (const Standard_Failure &)
+                  {
+                    throw unreadable(geometry, where);
+                  }
+              }};
     }
   } // namespace
 
@@ -201,20 +210,22 @@ namespace Amontons
     CadModel
     make_cad_model(const TrueGeometry &geometry, const BodyData &body)
     {
+      const TopoDS_Shape shape = read_shape(geometry);
+      if (shape.IsNull())
+        throw unreadable(geometry, body.where);
       std::vector<TopoDS_Face>   faces;
       std::vector<TopoDS_Edge>   edges;
       std::vector<TopoDS_Vertex> vertices;
-      OpenCASCADE::extract_geometrical_shapes(
-          place(read_shape(geometry, body.where), body), faces, edges, vertices);
+      OpenCASCADE::extract_geometrical_shapes(place(shape, body), faces, edges, vertices);
       if (faces.empty())
         throw InputError(body.where, "'" + geometry.file + "' has no surfaces", "a CAD file with faces");
 
       CadModel model;
       for (const TopoDS_Face &face : faces)
-        model.faces.push_back(make_face(face));
+        model.faces.push_back(with_refusals(make_face(face), geometry, body.where));
       for (const TopoDS_Edge &edge : edges)
         if (!BRep_Tool::Degenerated(edge))
-          model.edges.push_back(make_edge(edge));
+          model.edges.push_back(with_refusals(make_edge(edge), geometry, body.where));
       return model;
     }
 
@@ -222,8 +233,11 @@ namespace Amontons
     void
     refuse_deadly(const TrueGeometry &geometry, const BodyData &body)
     {
-      constexpr unsigned int seconds = 60;
-      const pid_t            child   = fork();
+      // Sound files take less than a second for each megabyte.
+      std::error_code    error;
+      const auto         size    = std::filesystem::file_size(geometry.file, error);
+      const unsigned int seconds = 8 + (error ? 0 : std::min<std::uintmax_t>(size / 50000, 600));
+      const pid_t        child   = fork();
       if (child == 0)
         {
           const struct rlimit no_core = {};
@@ -255,6 +269,18 @@ namespace Amontons
   read_cad_model(const TrueGeometry &geometry, const BodyData &body)
   {
     refuse_deadly(geometry, body);
-    return make_cad_model(geometry, body);
+    // Whatever OpenCASCADE has to say ends in one message.
+    try
+      {
+        return make_cad_model(geometry, body);
+      }
+    catch (const ExceptionBase &)
+      {
+        throw unreadable(geometry, body.where);
+      }
+    catch (const Standard_Failure &)
+      {
+        throw unreadable(geometry, body.where);
+      }
   }
 } // namespace Amontons

@@ -3,7 +3,9 @@
 
 #include <boost/crc.hpp>
 
+#include <algorithm>
 #include <filesystem>
+#include <regex>
 
 namespace Amontons
 {
@@ -154,6 +156,19 @@ namespace Amontons
             append(contact[i][k], kept.contact[i]);
           }
     }
+    // By their last solves.
+    std::vector<unsigned int>
+    parts_in(const std::string &folder)
+    {
+      const std::regex          name("states_([0-9]{1,9})");
+      std::vector<unsigned int> parts;
+      std::smatch               number;
+      for (const auto &entry : std::filesystem::directory_iterator(folder))
+        if (const std::string found = entry.path().filename().string(); std::regex_match(found, number, name))
+          parts.push_back(std::stoul(number[1]));
+      std::sort(parts.begin(), parts.end());
+      return parts;
+    }
   } // namespace
 
   std::string
@@ -205,21 +220,26 @@ namespace Amontons
                            "not what the run in " + where + " was started with: '" + entry + "' is " +
                                (one == &old ? "missing now" : "new"),
                            "the same entries (those of 'Output' may differ); or a new run");
-    while (std::filesystem::exists(file("states", n_parts + 1)))
-      ++n_parts;
+    parts = parts_in(folder + "/checkpoint");
+    MPI_Barrier(communicator); // loading may rename them
     load_next_part();
-    n_found = known.empty() ? 0 : known.back().number;
-    if (n_parts > 1)
-      n_found = read_object<std::vector<StoredSolve>>(file("states", n_parts)).back().number;
   }
 
   void
   Checkpoint::load_next_part()
   {
-    if (n_read == n_parts)
+    if (n_read == parts.size())
       return;
-    const auto part = read_object<std::vector<StoredSolve>>(file("states", ++n_read));
-    known.insert(known.end(), part.begin(), part.end());
+    try
+      {
+        const auto part = read_object<std::vector<StoredSolve>>(file("states", parts[n_read]));
+        known.insert(known.end(), part.begin(), part.end());
+        ++n_read;
+      }
+    catch (const InputError &error)
+      {
+        forget_known(error.what());
+      }
   }
 
   const StoredSolve *
@@ -228,28 +248,31 @@ namespace Amontons
     return known.empty() ? nullptr : &known.front();
   }
 
-  // This run takes another way from here: other ranks may round otherwise.
+  // The states of the part that is being used, and of all that were not read yet.
   void
-  Checkpoint::forget_known()
+  Checkpoint::forget_known(const std::string &why)
   {
+    const unsigned int first = known.empty() ? n_read : n_read - 1;
+    notes.push_back("warning: states of the checkpoint are solved again from solve " +
+                    std::to_string(known.empty() ? n_solves + 1 : known.front().number) + " on: " + why +
+                    " (they are kept as states_N.unused until the run ends)");
+    for (unsigned int k = first; k < parts.size() && Utilities::MPI::this_mpi_process(communicator) == 0; ++k)
+      {
+        std::error_code error;
+        std::filesystem::rename(file("states", parts[k]), file("states", parts[k]) + ".unused", error);
+      }
     known.clear();
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      for (unsigned int part = n_read; part <= n_parts; ++part)
-        {
-          std::error_code error;
-          std::filesystem::remove(file("states", part), error);
-        }
-    n_parts = n_read - 1;
-    n_read  = n_parts;
+    parts.resize(first);
+    n_read = first;
   }
 
-  // By the DoFs that cells had then. Collective.
+  // By the DoFs that cells had then. Collective; throws InputError before it changes anything.
   template <int dim>
-  const std::vector<types::global_dof_index> &
-  Checkpoint::new_numbers(const Discretization<dim> &discretization, const StoredSolve &known)
+  void
+  Checkpoint::find_new_numbers(const Discretization<dim> &discretization, const StoredSolve &known)
   {
     if (known_numbering == known.numbering)
-      return numbers;
+      return;
     const StoredMesh old = read_object<StoredMesh>(file("mesh", known.numbering));
     std::map<std::array<unsigned int, 4>, unsigned int> place;
     for (unsigned int c = 0; c < old.cells.size(); ++c)
@@ -262,7 +285,6 @@ namespace Amontons
         numbers[old.dofs[place.at(mine.cells[c]) * n + i]] = mine.dofs[c * n + i];
     Utilities::MPI::max(numbers, communicator, numbers);
     known_numbering = known.numbering;
-    return numbers;
   }
 
   template <int dim>
@@ -278,10 +300,20 @@ namespace Amontons
     if (std::abs(next->t - state.t) > 1e-12 * std::abs(state.t) || next->mesh != signature(discretization) ||
         next->contact.size() != interfaces.size())
       {
-        forget_known();
+        forget_known(
+            "this run takes another way from there, as runs on other ranks may, which round otherwise");
         return {};
       }
-    const auto &number = new_numbers(discretization, *next);
+    try
+      {
+        find_new_numbers(discretization, *next);
+      }
+    catch (const InputError &error)
+      {
+        forget_known(error.what());
+        return {};
+      }
+    const auto &number = numbers;
     LA::Vector  u      = discretization.make_owned_vector();
     for (types::global_dof_index i = 0; i < number.size(); ++i)
       if (discretization.locally_owned.is_element(number[i]))
@@ -343,7 +375,7 @@ namespace Amontons
   {
     const double waited =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - last_flush).count();
-    constexpr std::size_t most_bytes = 1u << 28;
+    constexpr std::size_t most_bytes = 1u << 26; // each rank of a run that goes on reads a part as a whole
     return (intervals.solves > 0 && pending.size() >= intervals.solves) ||
            (intervals.seconds > 0 && waited >= intervals.seconds) || pending_bytes > most_bytes;
   }
@@ -358,10 +390,9 @@ namespace Amontons
     std::filesystem::create_directories(folder + "/checkpoint", error);
     for (const auto &[number, mesh] : pending_meshes)
       write_object(file("mesh", number), mesh);
-    if (n_parts == 0)
+    if (!exists(folder))
       write_object(folder + "/checkpoint/run", run);
-    write_object(file("states", n_parts + 1), pending);
-    n_read = ++n_parts;
+    write_object(file("states", pending.back().number), pending);
     pending.clear();
     pending_meshes.clear();
     pending_bytes = 0;

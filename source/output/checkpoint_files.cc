@@ -9,6 +9,7 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -82,6 +83,25 @@ namespace Amontons
     }
   } // namespace
 
+  std::string
+  describe_contents(const std::string &file)
+  {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) // whoever reads it says so
+      return "file " + file;
+    boost::crc_32_type crc;
+    std::ifstream      in(file, std::ios::binary);
+    std::vector<char>  buffer(1u << 20);
+    std::size_t        n_bytes = 0;
+    while (in.read(buffer.data(), buffer.size()), in.gcount() > 0)
+      {
+        crc.process_bytes(buffer.data(), in.gcount());
+        n_bytes += in.gcount();
+      }
+    return "file " + file + ": " + std::to_string(n_bytes) + " bytes, checksum " +
+           std::to_string(crc.checksum());
+  }
+
   template <typename T>
   void
   write_object(const std::string &name, const T &object)
@@ -89,7 +109,7 @@ namespace Amontons
     std::ostringstream body;
     boost::archive::binary_oarchive(body, boost::archive::no_header) << object;
     const std::string text = body.str();
-    write_file(name, head_of(text) + "\n" + text);
+    write_file(name, head_of(text) + "\n" + text, true);
   }
 
   template <typename T>

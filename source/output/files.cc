@@ -13,7 +13,7 @@ namespace Amontons
   {
     // Into a new file, whatever had this name before; errno says why not.
     bool
-    write_new_file(const std::string &file, const std::string &text)
+    write_new_file(const std::string &file, const std::string &text, const bool to_disk)
     {
       unlink(file.c_str());
       const int stream = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
@@ -27,7 +27,8 @@ namespace Amontons
             break;
           done += n > 0 ? n : 0;
         }
-      const int failure = done < text.size() ? errno : 0;
+      const bool is_written = done == text.size() && (!to_disk || fsync(stream) == 0 || errno == EINVAL);
+      const int  failure    = is_written ? 0 : errno;
       if (close(stream) == 0 && failure == 0)
         return true;
       errno = failure != 0 ? failure : errno;
@@ -36,10 +37,10 @@ namespace Amontons
   } // namespace
 
   void
-  write_file(const std::string &file, const std::string &text)
+  write_file(const std::string &file, const std::string &text, const bool to_disk)
   {
     const std::string aside = file + ".tmp";
-    if (write_new_file(aside, text) && std::rename(aside.c_str(), file.c_str()) == 0)
+    if (write_new_file(aside, text, to_disk) && std::rename(aside.c_str(), file.c_str()) == 0)
       return;
     const std::string why = std::strerror(errno);
     std::remove(aside.c_str());

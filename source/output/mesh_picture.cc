@@ -30,7 +30,8 @@ namespace Amontons
     MeshPicture
     own_cells(const Discretization<2> &discretization,
               const StressRecovery<2> &recovery,
-              const LA::Vector        &displacement)
+              const LA::Vector        &displacement,
+              const double             rounding)
     {
       const Quadrature<2> points = outline_points(discretization.fe.degree);
       FEValues<2>         values(
@@ -54,7 +55,8 @@ namespace Amontons
             for (unsigned int q = 0; q + 1 < points.size(); ++q)
               for (unsigned int d = 0; d < 2; ++d)
                 result.outline.push_back(values.quadrature_point(q)[d] + u[q][d]);
-            result.value = von_mises<2>(recovery.values_at(stress_values).back());
+            const double stress = von_mises<2>(recovery.values_at(stress_values).back());
+            result.value        = stress < rounding ? 0 : stress;
             picture.push_back(result);
           }
       return picture;
@@ -65,10 +67,11 @@ namespace Amontons
   MeshPicture
   gather_mesh_picture(const Discretization<2> &discretization,
                       const StressRecovery<2> &recovery,
-                      const LA::Vector        &displacement)
+                      const LA::Vector        &displacement,
+                      const double             rounding)
   {
     std::vector<MeshPicture> parts = Utilities::MPI::gather(
-        discretization.geometry.communicator, own_cells(discretization, recovery, displacement));
+        discretization.geometry.communicator, own_cells(discretization, recovery, displacement, rounding));
     MeshPicture picture;
     for (MeshPicture &part : parts)
       std::move(part.begin(), part.end(), std::back_inserter(picture));
@@ -77,7 +80,7 @@ namespace Amontons
 
   template <>
   MeshPicture
-  gather_mesh_picture(const Discretization<3> &, const StressRecovery<3> &, const LA::Vector &)
+  gather_mesh_picture(const Discretization<3> &, const StressRecovery<3> &, const LA::Vector &, const double)
   {
     return {};
   }

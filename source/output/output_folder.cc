@@ -140,8 +140,22 @@ namespace Amontons
       one = OutputFolder();
     }
 
-    // For a message: what is wrong with the folder; empty if nothing is. Rank 0.
-    std::string
+    // What is wrong with a folder, for a message; empty if nothing is.
+    struct Complaint
+    {
+      std::string text;
+      bool        is_of_another = false; // the folder belongs to another run
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &text &is_of_another;
+      }
+    };
+
+    // Rank 0.
+    Complaint
     prepare(const fs::path &folder, const bool goes_on, int &lock)
     {
       std::error_code error;
@@ -150,14 +164,14 @@ namespace Amontons
       const bool     good  = std::ofstream(trial).put('\n').flush().good();
       fs::remove(trial, error);
       if (!good)
-        return "this folder cannot be made or written to";
+        return {"this folder cannot be made or written to"};
       if (const std::string other = lock_folder(folder, lock); !other.empty())
-        return "this folder is in use by " + other;
+        return {"this folder is in use by " + other, true};
       if (goes_on)
         fs::remove(folder / "summary.json", error); // it would say that the run has ended
       else
         set_earlier_run_aside(folder);
-      return "";
+      return {};
     }
   } // namespace
 
@@ -176,7 +190,7 @@ namespace Amontons
       if (part.has_filename())
         path.insert(path.begin(), part);
     unsigned int n_new = 0;
-    std::string  wrong;
+    Complaint    wrong;
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       {
         std::error_code error;
@@ -187,12 +201,12 @@ namespace Amontons
     n_new = dealii::Utilities::MPI::broadcast(communicator, n_new);
     wrong = dealii::Utilities::MPI::broadcast(communicator, wrong);
     one.new_folders.assign(path.end() - n_new, path.end());
-    if (wrong.empty())
+    if (wrong.text.empty())
       return;
-    if (one.new_folders.empty() || wrong.find(" in use ") != std::string::npos)
+    if (one.new_folders.empty() || wrong.is_of_another)
       one = OutputFolder(); // not ours
     throw InputError({"", 0, "--output " + folder},
-                     wrong,
+                     wrong.text,
                      "a folder that you may write to, with space, and one run in it");
   }
 

@@ -154,11 +154,15 @@ namespace Amontons
         svg += "<rect x=\"" + pixels(x) + "\" y=\"" + pixels(top + height - (i + 1) * step) +
                "\" width=\"12\" height=\"" + pixels(step + 0.3) + "\" fill=\"" +
                colour_of(double(i) / (n_colours - 1)) + "\"/>\n";
+      const auto mark = [&](const double value, const double place) {
+        svg += "<text x=\"" + pixels(x + 17) + "\" y=\"" + pixels(top + height * (1 - place) + 4) + "\">" +
+               short_number(value) + "</text>\n";
+      };
       if (highest > lowest)
         for (const double tick : nice_ticks(lowest, highest, 5, false))
-          svg += "<text x=\"" + pixels(x + 17) + "\" y=\"" +
-                 pixels(top + height - height * (tick - lowest) / (highest - lowest) + 4) + "\">" +
-                 short_number(tick) + "</text>\n";
+          mark(tick, (tick - lowest) / (highest - lowest));
+      else
+        mark(lowest, 0);
       return svg;
     }
   } // namespace
@@ -174,12 +178,12 @@ namespace Amontons
     const double height = scale * (box.upper[1] - box.lower[1]);
 
     std::vector<const CellPicture *> cells;
-    const double                     lowest  = 0;
-    double                           highest = 0;
+    double                           lowest = 0, highest = 0;
     for (const CellPicture &cell : picture)
       if (box_of(cell).overlaps(box))
         {
           cells.push_back(&cell);
+          lowest  = std::min<double>(lowest, cell.value);
           highest = std::max<double>(highest, cell.value);
         }
     Painter painter(box, scale, lowest, highest);

@@ -1,3 +1,4 @@
+#include <amontons/base/silent_errors.h>
 #include <amontons/scene/expression.h>
 #include <amontons/scene/text.h>
 
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <map>
 #include <sstream>
 
@@ -67,24 +67,6 @@ namespace Amontons
                                ", which has no meaning here",
                            allowed_expressions(variables));
     }
-
-    // deal.II repeats muParser's message on std::cerr; the exception says it all.
-    class SilentErrors
-    {
-    public:
-      SilentErrors() : buffer(std::cerr.rdbuf(nullptr)) {}
-      ~SilentErrors()
-      {
-        std::cerr.rdbuf(buffer);
-        std::cerr.clear();
-      }
-      SilentErrors(const SilentErrors &) = delete;
-      SilentErrors &
-      operator=(const SilentErrors &) = delete;
-
-    private:
-      std::streambuf *buffer;
-    };
 
     struct TablePoint
     {
@@ -204,7 +186,7 @@ namespace Amontons
     double at_origin    = 0;
     try
       {
-        const SilentErrors silence;
+        const SilentErrors silence; // deal.II repeats there what the exception says
         parser->parse(0);
         at_origin = parser->value(dealii::Point<3>(), 0, 0);
       }
@@ -233,15 +215,34 @@ namespace Amontons
       return constant_value;
     const double value = parser->value(p, t, pressure);
     if (!std::isfinite(value))
-      {
-        std::ostringstream found;
-        found << "'" << source << "' is " << (std::isnan(value) ? "not a number" : "infinite")
-              << " at x = " << p[0] << ", y = " << p[1] << ", z = " << p[2] << ", t = " << t;
-        if (parser->of_pressure)
-          found << ", p = " << pressure;
-        throw InputError(parser->where, found.str(), "expressions with finite values where they are used");
-      }
+      refuse(std::isnan(value) ? "not a number" : "infinite",
+             p,
+             t,
+             pressure,
+             "expressions with finite values where they are used");
     return value;
+  }
+
+  void
+  Expression::refuse_negative(const dealii::Point<3> &p, const double t, const double pressure) const
+  {
+    if (!constant && value(p, t, pressure) < 0)
+      refuse("negative", p, t, pressure, "expressions that are not, as max(0, ...)");
+  }
+
+  void
+  Expression::refuse(const std::string      &what,
+                     const dealii::Point<3> &p,
+                     const double            t,
+                     const double            pressure,
+                     const std::string      &allowed) const
+  {
+    std::ostringstream found;
+    found << "'" << source << "' is " << what << " at x = " << p[0] << ", y = " << p[1] << ", z = " << p[2]
+          << ", t = " << t;
+    if (parser->of_pressure)
+      found << ", p = " << pressure;
+    throw InputError(parser->where, found.str(), allowed);
   }
 
   const std::string &

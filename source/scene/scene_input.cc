@@ -88,6 +88,8 @@ namespace Amontons
         if (section.path == named->prefix)
           throw InputError(section.where, "this section has no name", named->prefix + " NAME");
         const std::string name = section.path.substr(named->prefix.size() + 1);
+        if (!is_printable(name))
+          throw InputError(section.where, "found the name '" + name + "'", "names in UTF-8");
         if (name.find_first_of(",;=()") != std::string::npos)
           throw InputError(section.where, "found the name '" + name + "'", "names without , ; = ( )");
         prm.enter_subsection(section.path);

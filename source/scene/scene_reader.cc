@@ -79,6 +79,20 @@ namespace Amontons
     return scene;
   }
 
+  std::set<std::string>
+  Scene::files() const
+  {
+    std::set<std::string> names;
+    for (const auto &body : bodies)
+      {
+        names.insert(body.mesh_file);
+        for (const auto &surface : body.true_geometry)
+          names.insert(surface.second.file);
+      }
+    names.erase("");
+    return names;
+  }
+
   // A small valid scene: a block on a plane. Entries without a default have a value here.
   void
   print_parameters(std::ostream &out, const ParameterGroups &groups)

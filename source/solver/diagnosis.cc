@@ -68,6 +68,9 @@ namespace Amontons
                    "stiffness is singular";
           case Failure::Kind::linear_solver:
             return "the linear solver failed after " + std::to_string(failure.n) + " iterations";
+          case Failure::Kind::no_memory:
+            return "the factors of the matrix need more memory than there is; say 'Linear solver/Type = cg', "
+                   "fewer cells, or a smaller 'Maximum DoFs'";
           case Failure::Kind::inverted_cell:
             return failure.cell;
           case Failure::Kind::passed_through:
@@ -116,6 +119,8 @@ namespace Amontons
             return "not a number";
           case Failure::Kind::linear_solver:
             return "linear solver";
+          case Failure::Kind::no_memory:
+            return "no memory";
           case Failure::Kind::inverted_cell:
             return "inverted cell";
           case Failure::Kind::passed_through:

@@ -100,8 +100,7 @@ namespace Amontons
     du.reinit(moved);
     const double scale  = now.is_first() ? result.push.l2_norm() : now.force_scale;
     const auto   report = solver.solve(system.matrix(), du, result.push, forcing(now) * scale);
-    result.krylov       = report.iterations;
-    result.success      = report.success;
+    result.linear       = report;
     moved += du;
     distribute(now.constraints->trial(), moved, u);
     result.change = moved;

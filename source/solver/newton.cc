@@ -144,7 +144,7 @@ namespace Amontons
       return false;
     last_change = solved->change;
     NewtonReport::Iteration line{};
-    line.krylov = solved->krylov;
+    line.krylov = solved->linear.iterations;
     recover_contact();
     count_states(problem, at.states, line);
     line.residual = relative_residual();
@@ -186,9 +186,10 @@ namespace Amontons
   Newton<dim>::solve()
   {
     const auto solved = step.solve(at, drag);
-    if (!solved.success)
+    if (const auto &linear = solved.linear; !linear.success)
       {
-        at.report.failure = Failure{Failure::Kind::linear_solver, solved.krylov};
+        at.report.failure = Failure{
+            linear.no_memory ? Failure::Kind::no_memory : Failure::Kind::linear_solver, linear.iterations};
         return {};
       }
     if (at.is_first())

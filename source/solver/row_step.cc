@@ -257,8 +257,7 @@ namespace Amontons
     const auto   report =
         solver.solve(system.matrix(), result.change, rhs, tolerance, is_iterative() ? &form : nullptr);
     tangent.solved(rhs.l2_norm(), tolerance);
-    result.krylov  = report.iterations;
-    result.success = report.success;
+    result.linear = report;
     homogeneous.distribute(result.change);
     if (drag != nullptr)
       {

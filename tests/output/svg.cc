@@ -35,6 +35,21 @@ check_pictures()
   check::is_close(check::count(here, "<rect x=\"446.0\""), 24, 0, "colours beside the picture");
 }
 
+// Of two cells the lower one has the first colour, and the bar numbers below zero; where all is zero it says
+// so.
+void
+check_values()
+{
+  const MeshPicture tied = {rectangle(0, 0, 1, 1, -5), rectangle(1, 0, 1, 1, 0)},
+                    none = {rectangle(0, 0, 1, 1, 0), rectangle(1, 0, 1, 1, 0)};
+  const std::string svg  = svg_mesh(tied, Window(), "tied");
+  for (const double place : {0., 1.})
+    check::is_close(
+        check::count(svg, "fill=\"" + colour_of(place) + "\" stroke"), 1, 0, "a cell of an end's colour", 1);
+  check::is_true(svg.find(">-4</text>") != std::string::npos, "the bar numbers tension");
+  check::is_close(check::count(svg_mesh(none, Window(), "none"), ">0</text>"), 1, 0, "the bar says zero");
+}
+
 void
 check_chart_of_zeros()
 {
@@ -47,6 +62,7 @@ int
 main()
 {
   check_pictures();
+  check_values();
   check_chart_of_zeros();
   return check::result();
 }

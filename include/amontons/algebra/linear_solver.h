@@ -16,6 +16,7 @@ namespace Amontons
     std::string  direct_package = "automatic"; // automatic | Amesos_Mumps | Amesos_Klu
     double       tolerance      = 1e-10;
     unsigned int max_iterations = 2000;
+    int          workspace      = 20; // of MUMPS, at first: percent more than it foresees
 
     void
     declare(ParameterHandler &prm) override;
@@ -34,7 +35,8 @@ namespace Amontons
   struct LinearSolveReport
   {
     bool         success    = true;
-    unsigned int iterations = 0; // Krylov; 1 for a direct solve
+    bool         no_memory  = false; // that is why it failed
+    unsigned int iterations = 0;     // Krylov; 1 for a direct solve
   };
 
   // Symmetric positive definite systems by CG; unsymmetric ones (slip with friction) by GMRES. While the

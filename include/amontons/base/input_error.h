@@ -23,6 +23,10 @@ namespace Amontons
     InputError(const SourceLocation &where, const std::string &found, const std::string &allowed = "");
   };
 
+  // One line of UTF-8 without characters that control a terminal.
+  bool
+  is_printable(const std::string &text);
+
   // The `candidates` entry nearest to `word` by edit distance, as " (did you mean 'X'?)", or "" if none is
   // near.
   std::string

@@ -15,6 +15,11 @@ namespace Amontons
   ShearBound
   shear_bound(const PairData &pair, const Point<3> &X, const double t, const double pressure);
 
+  // Throws InputError where an expression of the bound is negative: on the way to a solution it is taken for
+  // 0 there, as the pressures may be anything.
+  void
+  refuse_negative_bound(const PairData &pair, const Point<3> &X, const double t, const double pressure);
+
   // The law of a slipping node, linearised (doc/introduction.md, (17)): q = (constant + slope p) d +
   // stiffness (1 - d d^T) v + along d d^T v, where v is the slip (tangential, like d). Unsymmetric where
   // slope > 0.

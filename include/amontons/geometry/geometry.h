@@ -66,7 +66,7 @@ namespace Amontons
 
   // Reads or makes the mesh of every body, places it, joins all (without fusing touching bodies) with the
   // carriers into the coarse mesh, attaches the manifolds, and refines each body uniformly as the scene says
-  // (unless `refine` is false: a mesh that is loaded from a checkpoint starts coarse). Throws InputError.
+  // (unless `refine` is false: whether a scene can be read is known from the coarse mesh). Throws InputError.
   // Collective.
   template <int dim>
   void

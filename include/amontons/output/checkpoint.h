@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <deque>
+#include <utility>
 
 namespace Amontons
 {
@@ -17,8 +18,10 @@ namespace Amontons
   /// repetition with other increments, on which mesh, with which kinematics).
   ///
   /// Files in FOLDER/checkpoint, each written aside and renamed and never written again, with length and
-  /// checksum: run (what to resume), mesh_K (cells and numbers of their DoFs), states_K. States are of global
-  /// vectors, so that any number of ranks may go on.
+  /// checksum: run (what to resume), mesh_K (cells and numbers of their DoFs), states_N (up to the N-th solve
+  /// of the run). States are of global vectors, so that any number of ranks may go on. Parts that are
+  /// damaged, or of another way than this run takes, become states_N.unused, and what they had is solved
+  /// again.
   class Checkpoint
   {
   public:
@@ -53,11 +56,23 @@ namespace Amontons
     void
     resume(const std::string &folder, const Run &run, const Intervals &intervals);
 
-    /// How many solves are known at first, and whether more are.
+    bool
+    resumes() const
+    {
+      return !parts.empty();
+    }
+    /// What happened to it that the user should know, once.
+    std::vector<std::string>
+    take_notes()
+    {
+      return std::exchange(notes, {});
+    }
+
+    /// The last of the solves that are known at first, and whether more are.
     unsigned int
     n_known() const
     {
-      return n_found;
+      return resumes() ? parts.back() : 0;
     }
     bool
     is_replaying() const
@@ -99,7 +114,7 @@ namespace Amontons
     const State *
     next_known() const;
     void
-    forget_known();
+    forget_known(const std::string &why);
     void
     load_next_part();
     bool
@@ -107,8 +122,8 @@ namespace Amontons
     std::string
     file(const std::string &name, const unsigned long long number) const;
     template <int dim>
-    const std::vector<types::global_dof_index> &
-    new_numbers(const Discretization<dim> &discretization, const State &known);
+    void
+    find_new_numbers(const Discretization<dim> &discretization, const State &known);
 
     const MPI_Comm communicator;
     std::string    folder; // empty: nothing is kept
@@ -116,9 +131,11 @@ namespace Amontons
     Run            run;
     Intervals      intervals;
 
-    unsigned int      n_solves = 0, n_found = 0;
-    std::deque<State> known; // of the parts that have been read
-    unsigned int      n_parts = 0, n_read = 0;
+    unsigned int              n_solves = 0;
+    std::deque<State>         known; // of the parts that have been read
+    std::vector<unsigned int> parts; // found at first: the last solve of each
+    unsigned int              n_read = 0;
+    std::vector<std::string>  notes;
 
     // Rank 0: not written yet.
     std::vector<State>                       pending;

@@ -45,6 +45,10 @@ namespace Amontons
   void
   write_object(const std::string &file, const T &object);
 
+  /// Of a file that a scene reads: its name, length and checksum.
+  std::string
+  describe_contents(const std::string &file);
+
   /// Throws InputError: another version, damaged, no such file.
   template <typename T>
   T

@@ -8,9 +8,9 @@
 namespace Amontons
 {
   // Writes aside (file.tmp) and renames, so that a file is never half-written, and never through a link. Not
-  // collective.
+  // collective. to_disk: returns once it is there, so that a machine that stops leaves no damaged file.
   void
-  write_file(const std::string &file, const std::string &text);
+  write_file(const std::string &file, const std::string &text, const bool to_disk = false);
 
   // Text as a field of a CSV file: quoted where it holds a comma or a quote.
   std::string

@@ -24,13 +24,14 @@ namespace Amontons
 
   using MeshPicture = std::vector<CellPicture>;
 
-  // The cells of all bodies with their von Mises stress, on rank 0; empty on the others and in 3D.
-  // Collective.
+  // The cells of all bodies with their von Mises stress, on rank 0; empty on the others and in 3D. Stresses
+  // below `rounding` are zero. Collective.
   template <int dim>
   MeshPicture
   gather_mesh_picture(const Discretization<dim> &discretization,
                       const StressRecovery<dim> &recovery,
-                      const LA::Vector          &displacement);
+                      const LA::Vector          &displacement,
+                      const double               rounding);
 
   // The slave faces of a 3D pair that lie opposite of the other side, with their pressure, as seen along the
   // contact's normal; empty in 2D.
@@ -45,8 +46,8 @@ namespace Amontons
     double                half_width = 0;
   };
 
-  // Cells coloured by their values (>= 0), with a colour bar. Cells of less than a pixel are drawn as pixels,
-  // each once. Empty where a window shows next to everything.
+  // Cells coloured by their values, zero among them, with a colour bar. Cells of less than a pixel are drawn
+  // as pixels, each once. Empty where a window shows next to everything.
   std::string
   svg_mesh(const MeshPicture &picture, const Window &window, const std::string &title);
 } // namespace Amontons

@@ -28,6 +28,9 @@ namespace Amontons
 
     double
     value(const dealii::Point<3> &p, const double t, const double pressure = 0) const;
+    // Throws InputError if the value is negative.
+    void
+    refuse_negative(const dealii::Point<3> &p, const double t, const double pressure) const;
     const std::string &
     text() const;
     const std::vector<double> &
@@ -40,6 +43,13 @@ namespace Amontons
     depends_on_time() const;
 
   private:
+    [[noreturn]] void
+    refuse(const std::string      &what,
+           const dealii::Point<3> &p,
+           const double            t,
+           const double            pressure,
+           const std::string      &allowed) const;
+
     struct Parser;
     std::shared_ptr<Parser> parser;
     std::string             source = "0";

@@ -266,6 +266,10 @@ namespace Amontons
     std::optional<ReferenceData> reference;
     BoundaryFields               boundary_fields; // of `conditions`
 
+    // Meshes and CAD surfaces, absolute.
+    std::set<std::string>
+    files() const;
+
     // The answer depends on the path of the load.
     bool
     has_friction() const

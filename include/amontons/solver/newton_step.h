@@ -95,11 +95,10 @@ namespace Amontons
   public:
     struct Solved
     {
-      LA::Vector   change; // of u; owned
-      LA::Vector   push;   // the condensed residual that it answers
-      unsigned int krylov      = 0;
-      bool         success     = true;
-      bool         is_downhill = true; // with drag: (K + drag) change . change > 0
+      LA::Vector        change; // of u; owned
+      LA::Vector        push;   // the condensed residual that it answers
+      LinearSolveReport linear;
+      bool              is_downhill = true; // with drag: (K + drag) change . change > 0
     };
 
     virtual ~NewtonStep() = default;

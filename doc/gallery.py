@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+"""Makes doc/gallery.md and its pictures: gallery.py AMONTONS [--keep FOLDER] [--only SCENE]
+
+Runs every scene of parameters/ but the studies, one after the other, each for 60 s at most (all of them: 6 minutes), and takes a picture of each from its report. What a scene shows
+is its title and the first sentence of its file. A scene that is new here belongs in a group of GROUPS; tests/check_gallery.py sees to that. FOLDER keeps the runs: begun
+anew, it goes on from there. --only makes the picture of one scene, and leaves the page.
+"""
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+from report_pictures import ROOT, pictures, slim
+
+PAGE, FOLDER, LIMIT, SIZE = ROOT / "doc/gallery.md", ROOT / "doc/pictures/gallery", 60, 320
+
+ROOM = 30 * "\u00a0"  # else pictures become as narrow as they can
+
+GROUPS = [
+    ("Hertz and other closed forms", "hertz_cylinder hertz_sphere_axisymmetric half_plane_box verification/half_space_box_axisymmetric verification/two_cylinders verification/cone "
+     "verification/flat_punch_line verification/flat_punch_axisymmetric verification/punch_moment verification/pin_in_hole verification/rings verification/turned_rings "
+     "verification/shrink_fit verification/shrink_fit_spheres verification/growing_interference verification/cap_in_seat verification/disk_platen verification/disk_above_block "
+     "verification/disk_weight verification/quarter_cylinder"),
+    ("Friction", "half_plane_box_friction cattaneo_mindlin verification/cattaneo_mindlin_disks verification/bulk_tension microslip_bar capstan greco walk/pin_in_lug small_scene "
+     "verification/klarbring verification/patch_friction verification/equal_blocks verification/tee verification/oblique_touch verification/opened_again verification/large_increment"),
+    ("Held by contact and friction alone", "floating_slab incline verification/leaning_weight verification/steep_slope verification/tipping verification/tipping_tower "
+     "verification/far_gap verification/floating_slab_3d verification/tipping_3d"),
+    ("Finite strain", "ironing wall_buckling snap_away nafems_roller_finite verification/rubber_indentation verification/o_ring verification/o_ring_half verification/thin_ring "
+     "verification/press_finite verification/slide_off_edge verification/slide_over_edges verification/slid_block verification/corner_on_corner verification/turned_disk "
+     "verification/objectivity verification/turned_rigid_body verification/turned_obstacle verification/turned_platens verification/turned_with_friction verification/patch_finite "
+     "verification/patch_finite_3d verification/patch_finite_turned verification/patch_finite_turned_3d verification/uniaxial_finite verification/simple_shear_finite "
+     "verification/pulled_strip verification/punch_small_and_finite"),
+    ("In space", "half_space_box hertz_sphere two_spheres crossed_cylinders mindlin_sphere ironing_3d walk/pin_in_lug_3d sphere_on_block_scaling verification/three_spheres "
+     "verification/oblique_drag verification/patch_friction_3d verification/shrink_fit_spheres_3d verification/cap_in_seat_3d"),
+    ("Surfaces of CAD, meshes of gmsh", "step_file verification/polygon_roller verification/patch_3d_irregular verification/patch_3d_step"),
+    ("Benchmarks, and scenes of other programs", "nafems_roller nafems_roller_friction nafems_punch nafems_punch_friction verification/peers_cylinder verification/peers_shear "
+     "verification/peers_sphere verification/peers_sphere_3d"),
+    ("Patch tests and stacks", "patch_test patch_test_3d three_blocks three_blocks_3d verification/patch_pressure verification/patch_confined verification/patch_hanging_nodes "
+     "verification/patch_punch verification/two_punches verification/split_slave verification/cross_point verification/declared_gap verification/patch_3d_pressure "
+     "verification/patch_3d_punch verification/patch_3d_hanging_nodes"),
+    ("Tied bodies", "verification/tied_patch verification/tied_patch_3d verification/tied_beam verification/beam_in_one_piece"),
+    ("Unusual input", "verification/no_contact verification/just_touching verification/tension verification/stiff_punch verification/gap_closes_on_incompressible verification/piston"),
+]
+
+# Where the bodies as a whole (in space: the pressure on the first surface) are not what is to be seen: the title of the picture; entries of a run for the picture.
+AROUND, COARSE = ("Around the contact",), ("Deformed mesh", "Refinement/Cycles=1")
+PICTURES = {name: AROUND for name in (
+    "hertz_cylinder hertz_sphere_axisymmetric half_plane_box cattaneo_mindlin ironing nafems_roller_finite walk/pin_in_lug verification/bulk_tension verification/cone "
+    "verification/peers_cylinder verification/peers_shear verification/peers_sphere verification/pin_in_hole").split()}
+PICTURES |= {name: ("Contact pressure",) for name in ("verification/flat_punch_axisymmetric", "verification/flat_punch_line", "verification/punch_moment", "verification/tied_patch_3d")}
+PICTURES |= {
+    "greco": ("Shear traction",), "microslip_bar": ("Hysteresis", "Increments=30"), "nafems_roller_friction": ("Shear traction",), "nafems_punch_friction": ("Shear traction",),
+    "mindlin_sphere": ("States",), "verification/oblique_drag": ("States",), "verification/turned_platens": ("Where the work goes",),
+    "verification/rings": COARSE, "verification/turned_rings": COARSE, "verification/peers_sphere_3d": ("Pressure on the surface", "Refinement/Cycles=3"),
+    "verification/slide_off_edge": ("Deformed mesh", "End time=1.4"), "verification/slide_over_edges": ("Deformed mesh", "End time=0.3", "Increments=18"),
+    "verification/opened_again": ("Deformed mesh", "End time=1"),
+}
+
+HEAD = f"""# Gallery
+
+All scenes that come with the program, but for [studies](studies.md). Made by
+
+    python3 doc/gallery.py build/amontons
+
+A name leads to the file; `build/amontons parameters/NAME.prm` runs it. Pictures are those of `report.html`: von Mises stress in the deformed bodies, whole or around the contact; in space the pressure on
+the slave surface, seen along its normal; charts where they show more. Unknowns (DoFs) are those of the last mesh. Seconds are of the clock, without the start of the program (0.3 s), on a machine with two cores,
+one run at a time; each run is stopped after {LIMIT} s. An arrow leads to what the program says where it does not say "converged"; some scenes are there to be refused.
+"""
+
+
+def first_sentence(comment):
+    """A short one with the next."""
+    parts = re.split(r"(?<=[^A-Z][.?!])(?<!St\.)\s+", comment)
+    return " ".join(parts[: 2 if len(parts[0]) < 50 else 1])
+
+
+def described(scene):
+    """The title, and the first sentence of the comment that the file begins with."""
+    text = (ROOT / "parameters" / f"{scene}.prm").read_text(encoding="utf-8")
+    comment = " ".join(line.lstrip("# ") for line in re.match(r"(?:#.*\n)*", text).group(0).splitlines())
+    title = re.search(r"^\s*set Title\s*=\s*(.*?)\s*(?:#.*)?$", text, re.M)
+    if not comment or not title:
+        sys.exit(f"parameters/{scene}.prm: say in 'Title' and in a comment at the top what it shows")
+    sentence, head = first_sentence(comment), re.match(r"([^:]+): +", comment)
+    if head and title.group(1).startswith(head.group(1)):  # no need to say it twice
+        sentence = sentence[head.end()].upper() + sentence[head.end() + 1:]
+    return title.group(1), sentence
+
+
+def for_table(text):
+    """Names of scenes are code; what would end a cell looks like it."""
+    return re.sub(r"\b(\w+\.prm)\b", r"`\1`", " ".join(text.split())).replace("|", "\u2223")
+
+
+def rounded(seconds):
+    return f"{seconds:.0f}" if seconds > 9.5 else f"{seconds:.1f}" if seconds > 0.95 else f"{max(seconds, 0.01):.2f}"
+
+
+def run(program, scene, folder, *entries):
+    """Unless that was done before."""
+    if not (folder / "report.html").exists():
+        folder.mkdir(parents=True, exist_ok=True)
+        command = [program, f"parameters/{scene}.prm", "--time-limit", f"{LIMIT}s", "--quiet", "--output", str(folder)]
+        for entry in ("Output/VTU=false", "Output/Report=true", *entries):
+            command += ["--set", entry]
+        subprocess.run(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=20 * LIMIT, check=False)
+    return json.loads((folder / "summary.json").read_text())
+
+
+def name_of(scene):
+    """Of its picture: no two of doc/pictures have one name, as doxygen puts all in one folder."""
+    return "scene_" + scene.split("/")[-1] + ".svg"
+
+
+def make_picture(program, scene, runs):
+    """Writes the picture and returns the summary of the run as it is shipped."""
+    summary = run(program, scene, runs / scene)
+    title, *entries = PICTURES.get(scene, ("Pressure on the surface" if summary["dimension"] == 3 else "Deformed mesh",))
+    report = runs / scene / "report.html"
+    if entries:
+        run(program, scene, runs / "picture" / scene, *entries)
+        report = runs / "picture" / scene / "report.html"
+    found = pictures(report)
+    svg = next((svg for name, svg in found.items() if name.startswith(title)), None)
+    if svg is None:
+        sys.exit(f"{scene}: no picture '{title}', but {', '.join(found)}")
+    FOLDER.mkdir(exist_ok=True)
+    (FOLDER / name_of(scene)).write_text(slim(svg, SIZE), encoding="utf-8")
+    return summary
+
+
+def row(scene, summary):
+    title, sentence = described(scene)
+    if summary["status"] != "converged":
+        said = re.sub(r" \(results are those of [^)]*\)", "", summary["message"])
+        sentence += " → " + re.split(r"; (?:'amontons|say )", said)[0] + "."
+    picture = f"![{title}](pictures/gallery/{name_of(scene)})"
+    return f"| {picture} | [`{scene}`](../parameters/{scene}.prm) **{title}.** {for_table(sentence)} | {summary['dofs']:,} | {rounded(summary['wall_seconds'])} |"
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program", type=lambda path: str(pathlib.Path(path).resolve()))
+    parser.add_argument("--keep", type=pathlib.Path)
+    parser.add_argument("--only")
+    options = parser.parse_args()
+    grouped = [name for _, names in GROUPS for name in names.split()]
+    shipped = [str(path.relative_to(ROOT / "parameters"))[:-4] for path in (ROOT / "parameters").rglob("*.prm") if path.parent.name != "studies"]
+    if set(grouped) != set(shipped) or len(grouped) != len(set(grouped)):
+        sys.exit("GROUPS and parameters/ differ (or a scene is there twice): " + " ".join(sorted(set(grouped) ^ set(shipped))))
+    with tempfile.TemporaryDirectory(prefix="amontons-gallery-") as temporary:
+        runs = (options.keep or pathlib.Path(temporary)).resolve()
+        if options.only:
+            make_picture(options.program, options.only, runs)
+            return
+        text = HEAD
+        for heading, names in GROUPS:
+            text += f"\n## {heading}\n\n| {ROOM}picture{ROOM} | scene | DoFs | seconds |\n|---|---|---|---|\n"
+            for scene in names.split():
+                text += row(scene, make_picture(options.program, scene, runs)) + "\n"
+                print(scene, flush=True)
+    PAGE.write_text(text, encoding="utf-8")
+    for old in FOLDER.glob("*.svg"):
+        if old.name not in map(name_of, grouped):
+            old.unlink()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,115 @@
+// A factorisation whose workspace is too small is made again with more; one that memory does not hold is told
+// as that, and nothing is written to stderr beside it.
+#include "check.h"
+
+#include <amontons/algebra/linear_solver.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+using namespace Amontons;
+
+// n^3 nodes of a grid, the seven-point Laplacian, with a slope that makes it unsymmetric.
+LA::SparseMatrix
+laplacian(const unsigned int n, const bool symmetric)
+{
+  const IndexSet         all = complete_index_set(n * n * n);
+  DynamicSparsityPattern pattern(n * n * n);
+  const auto             for_neighbours = [&](const auto &visit) {
+    for (unsigned int i = 0; i < n * n * n; ++i)
+      for (unsigned int stride = 1, place = i; stride < n * n * n; stride *= n, place /= n)
+        {
+          if (place % n > 0)
+            visit(i, i - stride, -1.);
+          if (place % n + 1 < n)
+            visit(i, i + stride, symmetric ? -1. : -0.5);
+        }
+  };
+  for (unsigned int i = 0; i < n * n * n; ++i)
+    pattern.add(i, i);
+  for_neighbours([&](const unsigned int i, const unsigned int j, const double) { pattern.add(i, j); });
+  LA::SparseMatrix matrix;
+  matrix.reinit(all, all, pattern, MPI_COMM_SELF);
+  for (unsigned int i = 0; i < n * n * n; ++i)
+    matrix.set(i, i, 6.5);
+  for_neighbours(
+      [&](const unsigned int i, const unsigned int j, const double value) { matrix.set(i, j, value); });
+  matrix.compress(VectorOperation::insert);
+  return matrix;
+}
+
+// What a solve wrote to stderr.
+template <typename Function>
+std::string
+said(const Function &function)
+{
+  char      name[] = "linear_solver_XXXXXX";
+  const int file = mkstemp(name), before = dup(STDERR_FILENO);
+  std::fflush(stderr);
+  dup2(file, STDERR_FILENO);
+  function();
+  std::fflush(stderr);
+  dup2(before, STDERR_FILENO);
+  close(before);
+  close(file);
+  std::ostringstream text;
+  text << std::ifstream(name).rdbuf();
+  std::remove(name);
+  return text.str();
+}
+
+LinearSolveReport
+solve(const unsigned int n, const bool symmetric, const int workspace, double &error, std::string &words)
+{
+  LinearSolverParameters parameters;
+  parameters.type               = "direct";
+  parameters.direct_package     = "Amesos_Mumps";
+  parameters.workspace          = workspace;
+  const LA::SparseMatrix matrix = laplacian(n, symmetric);
+  LA::Vector             x(complete_index_set(n * n * n), MPI_COMM_SELF), rhs(x), expected(x);
+  for (unsigned int i = 0; i < n * n * n; ++i)
+    expected(i) = std::sin(i);
+  expected.compress(VectorOperation::insert);
+  matrix.vmult(rhs, expected);
+  LinearSolver      solver(parameters, 3, symmetric);
+  LinearSolveReport report;
+  words = said([&] { report = solver.solve(matrix, x, rhs, 1e-10); });
+  x -= expected;
+  error = x.linfty_norm();
+  return report;
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  double                           error = 0;
+  std::string                      words;
+  for (const bool symmetric : {true, false})
+    for (const int workspace : {20, -95})
+      {
+        const std::string what =
+            std::string(symmetric ? "symmetric" : "unsymmetric") + ", workspace " + std::to_string(workspace);
+        const LinearSolveReport report = solve(14, symmetric, workspace, error, words);
+        check::is_true(report.success && !report.no_memory, what + " is solved");
+        check::is_true(error < 1e-12, what + ": error " + std::to_string(error));
+        check::is_true(words.empty(), what + " says '" + words + "'");
+      }
+
+  std::ifstream("/proc/self/statm") >> error; // pages of addresses
+  rlimit limit;
+  getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = rlim_t(error) * sysconf(_SC_PAGESIZE) + (rlim_t(60) << 20);
+  setrlimit(RLIMIT_AS, &limit);
+  const LinearSolveReport report = solve(40, true, 20, error, words);
+  check::is_true(!report.success && report.no_memory, "64000 unknowns do not fit into 60 MB");
+  check::is_true(words.empty(), "without memory it says '" + words + "'");
+  return check::result();
+}

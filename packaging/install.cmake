@@ -10,6 +10,12 @@ install(FILES README.md CHANGELOG.md CONTRIBUTING.md AUTHORS LICENSE CITATION.cf
 install(DIRECTORY doc DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
         FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.png PATTERN example_library/* PATTERN doxygen EXCLUDE)
 
+# Pages name scenes as ../parameters/SCENE.
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/links)
+file(RELATIVE_PATH AMONTONS_SCENES_FROM_PAGES ${CMAKE_INSTALL_FULL_DOCDIR} ${CMAKE_INSTALL_FULL_DATADIR}/amontons/parameters)
+file(CREATE_LINK ${AMONTONS_SCENES_FROM_PAGES} ${CMAKE_BINARY_DIR}/links/parameters SYMBOLIC)
+install(DIRECTORY ${CMAKE_BINARY_DIR}/links/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+
 # Static: the program is one file, and there is no promise of a stable binary interface yet. Optimised, without assertions, as the
 # program is.
 set_target_properties(amontons_release PROPERTIES EXPORT_NAME amontons OUTPUT_NAME amontons)

@@ -308,6 +308,20 @@ namespace Amontons
     n_changed  = 0;
   }
 
+  namespace
+  {
+    // One step of iterative refinement: x += A^-1 (b - A x).
+    template <typename Inverse>
+    void
+    refine(const Inverse &inverse, const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs)
+    {
+      LA::Vector rest(rhs), correction(rhs);
+      matrix.residual(rest, x, rhs);
+      inverse.vmult(correction, rest);
+      x += correction;
+    }
+  } // namespace
+
   LinearSolveReport
   LinearSolver::solve_directly(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs)
   {
@@ -347,13 +361,8 @@ namespace Amontons
     all_values_are_new   = false;
     n_changed            = 0;
     direct->vmult(x, rhs);
-    if (is_new && symmetric) // one step of iterative refinement: partly covered faces magnify rounding
-      {
-        LA::Vector rest(rhs), correction(rhs);
-        matrix.residual(rest, x, rhs);
-        direct->vmult(correction, rest);
-        x += correction;
-      }
+    if (is_new && symmetric) // partly covered faces magnify rounding
+      refine(*direct, matrix, x, rhs);
     ++report.iterations;
     report.success = std::isfinite(x.l2_norm());
     return report;

@@ -198,7 +198,8 @@ main(int argc, char **argv)
 
   check_error(dome(cad(step, 1.1)), {"scene.prm:5", "'top'", "no single face", "1e-3"});
   check_error(dome(cad(step, 100)), {"scene.prm:5", "no single face"});
-  check_error(dome(cad(write("text.step", "hello\n"))), {"scene.prm:5", "cannot read", "STEP format"});
+  check_error(dome(cad(write("text.step", "hello\n"))),
+              {"scene.prm:5", "cannot read", "STEP or IGES format"});
   check_error(dome(cad(write("empty.igs", ""))), {"scene.prm:5", "cannot read", "IGES format"});
 
   MPI_Barrier(MPI_COMM_WORLD);

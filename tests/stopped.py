@@ -86,6 +86,10 @@ def other_entries(place):
     open(scene, "w").write(re.sub(r"Poisson ratio *= *[0-9.]+", "Poisson ratio = 0.21", text, 1))
     done = run(["--resume", out])
     check(done.returncode == 1 and "not what the run in" in done.stderr, "changed scene: " + done.stderr)
+    first, second = re.findall(r"^subsection .*?^end\n", text, re.S | re.M)[:2]
+    open(scene, "w").write(text.replace(first, "@").replace(second, first).replace("@", second))
+    done = run(["--resume", out])
+    check(done.returncode == 1 and "another order" in done.stderr, "sections in another order: " + done.stderr)
     open(scene, "w").write(text)
     spoil(parts_of(out)[0])
     done = run(["--resume", out])
@@ -118,6 +122,53 @@ def damaged_part(place):
     check(again.returncode == 0 and "solved again from solve 6 on" in said and "states_6: damaged: its checksum differs" in said, "damaged part: " + again.stderr)
     rows = [(mesh["t"], mesh["dofs"], mesh["iterations"], mesh["energy"]) for mesh in summary_of(out)["meshes"]]
     check(rows == whole, "damaged part: resumed it takes another way")
+
+
+def refused_while_it_runs(place):
+    """Changes nothing."""
+    out = os.path.join(place, "alive")
+    process = start([SCENE, "--output", out, "--set", "Output/Checkpoint every = 1 increments"] + LONG, place)
+    wait_for(os.path.join(out, "checkpoint", "states_4"))
+    process.send_signal(signal.SIGSTOP)
+    before = parts_of(out)
+    spoil(before[0])
+    done = run(["--resume", out])
+    check(done.returncode == 1 and "in use by another run" in done.stderr and parts_of(out) == before, "resumed while it runs: " + done.stderr)
+    process.kill()
+    process.communicate()
+
+
+def killed_again(place):
+    """Its only part is damaged, and it is killed before it has written another: the run can be resumed all the same."""
+    out = os.path.join(place, "again")
+    run([SCENE, "--output", out, "--time-limit", "0.01s"] + LONG)
+    check(len(parts_of(out)) == 1, "killed again: " + str(parts_of(out)))
+    spoil(parts_of(out)[0])
+    os.remove(os.path.join(out, "history.csv"))
+    process = start(["--resume", out], place)
+    wait_for(os.path.join(out, "history.csv"))
+    process.kill()
+    process.communicate()
+    check(not parts_of(out), "killed again: it has written a part")
+    done = run(["--resume", out])
+    check(done.returncode == 0, "killed again: " + done.stderr)
+
+
+def parts_of_another_run(place):
+    """Of the same bodies with other friction: what they say fits everywhere, and is wrong."""
+    outs = [os.path.join(place, name) for name in ("one_run", "another_run")]
+    with open(SCENE) as file:
+        name = re.search(r"^ *set (Friction coefficient) *=", file.read(), re.M)
+    check(name is not None, "no friction in the scene")
+    for out, more in zip(outs, ([], ["--set", "Contact interface/Friction coefficient = 0.11"])):
+        stopped = run([SCENE, "--output", out, "--time-limit", "0.01s"] + LONG + more)
+        check(stopped.returncode == 2, "another run: " + stopped.stderr)
+    for mine, other in zip(parts_of(outs[0]), parts_of(outs[1])):
+        shutil.copy(other, mine)
+    done = run(["--resume", outs[0]])
+    check(done.returncode == 0 and "of another run" in " ".join(done.stdout.split()), "another run: " + done.stdout + done.stderr)
+    rows = [(mesh["t"], mesh["dofs"], mesh["iterations"], mesh["energy"]) for mesh in summary_of(outs[0])["meshes"]]
+    check(rows == whole, "parts of another run are used")
 
 
 def other_mesh_file(place):
@@ -219,7 +270,7 @@ with tempfile.TemporaryDirectory(prefix="amontons-stopped-") as folder:
     whole = [(mesh["t"], mesh["dofs"], mesh["iterations"], mesh["energy"]) for mesh in summary_of(os.path.join(folder, "whole"))["meshes"]]
     stopped_by(signal.SIGTERM, folder)
     stopped_by(signal.SIGINT, folder)
-    for part in (time_limit, other_entries, damaged_part, other_mesh_file, full_disk, two_at_once, earlier_run, links, tables, inputs):
+    for part in (time_limit, other_entries, damaged_part, refused_while_it_runs, killed_again, parts_of_another_run, other_mesh_file, full_disk, two_at_once, earlier_run, links, tables, inputs):
         part(folder)
 print("\n".join(failures) or "all right")
 sys.exit(1 if failures else 0)

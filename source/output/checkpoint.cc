@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <random>
 #include <regex>
 
 namespace Amontons
@@ -203,6 +204,9 @@ namespace Amontons
     folder    = where;
     run       = what;
     intervals = how_often;
+    std::random_device random;
+    for (unsigned int k = 0; k < 4; ++k)
+      run.id += std::to_string(random()) + "-";
   }
 
   void
@@ -211,7 +215,9 @@ namespace Amontons
     folder        = where;
     run           = what;
     intervals     = how_often;
+    is_resumed    = true;
     const Run old = read_run(where);
+    run.id        = old.id;
     for (const auto *const one : {&old, &what})
       for (const std::string &entry : one->entries)
         if (const auto &other = one == &old ? what.entries : old.entries;
@@ -220,8 +226,12 @@ namespace Amontons
                            "not what the run in " + where + " was started with: '" + entry + "' is " +
                                (one == &old ? "missing now" : "new"),
                            "the same entries (those of 'Output' may differ); or a new run");
+    if (old.entries != what.entries)
+      throw InputError({what.scene, 0, ""},
+                       "not what the run in " + where +
+                           " was started with: its sections or entries stand in another order",
+                       "the same entries in the same order; or a new run");
     parts = parts_in(folder + "/checkpoint");
-    MPI_Barrier(communicator); // loading may rename them
     load_next_part();
   }
 
@@ -232,8 +242,12 @@ namespace Amontons
       return;
     try
       {
-        const auto part = read_object<std::vector<StoredSolve>>(file("states", parts[n_read]));
-        known.insert(known.end(), part.begin(), part.end());
+        const std::string name = file("states", parts[n_read]);
+        const auto        part = read_object<StoredPart>(name);
+        if (part.run != run.id || part.solves.empty() || part.solves.back().number != parts[n_read])
+          throw InputError(
+              {name, 0, ""}, "of another run, or renamed", "what the run in this folder has written");
+        known.insert(known.end(), part.solves.begin(), part.solves.end());
         ++n_read;
       }
     catch (const InputError &error)
@@ -256,14 +270,29 @@ namespace Amontons
     notes.push_back("warning: states of the checkpoint are solved again from solve " +
                     std::to_string(known.empty() ? n_solves + 1 : known.front().number) + " on: " + why +
                     " (they are kept as states_N.unused until the run ends)");
-    for (unsigned int k = first; k < parts.size() && Utilities::MPI::this_mpi_process(communicator) == 0; ++k)
-      {
-        std::error_code error;
-        std::filesystem::rename(file("states", parts[k]), file("states", parts[k]) + ".unused", error);
-      }
+    unused.insert(unused.end(), parts.begin() + first, parts.end());
+    if (is_open)
+      set_unused_aside();
     known.clear();
     parts.resize(first);
     n_read = first;
+  }
+
+  void
+  Checkpoint::set_unused_aside()
+  {
+    std::error_code error;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      for (const unsigned int part : unused)
+        std::filesystem::rename(file("states", part), file("states", part) + ".unused", error);
+    unused.clear();
+  }
+
+  void
+  Checkpoint::open()
+  {
+    is_open = true;
+    set_unused_aside();
   }
 
   // By the DoFs that cells had then. Collective; throws InputError before it changes anything.
@@ -365,7 +394,7 @@ namespace Amontons
       return;
     store_contact(interfaces, state.contact, kept);
     pending_bytes += sizeof(double) * kept.displacement.size();
-    pending.push_back(std::move(kept));
+    pending.solves.push_back(std::move(kept));
     if (is_due())
       flush();
   }
@@ -376,7 +405,7 @@ namespace Amontons
     const double waited =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - last_flush).count();
     constexpr std::size_t most_bytes = 1u << 26; // each rank of a run that goes on reads a part as a whole
-    return (intervals.solves > 0 && pending.size() >= intervals.solves) ||
+    return (intervals.solves > 0 && pending.solves.size() >= intervals.solves) ||
            (intervals.seconds > 0 && waited >= intervals.seconds) || pending_bytes > most_bytes;
   }
 
@@ -384,7 +413,7 @@ namespace Amontons
   void
   Checkpoint::flush()
   {
-    if (!is_open || pending.empty() || Utilities::MPI::this_mpi_process(communicator) != 0)
+    if (!is_open || pending.solves.empty() || Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
     std::error_code error; // write_file says what is wrong
     std::filesystem::create_directories(folder + "/checkpoint", error);
@@ -392,8 +421,9 @@ namespace Amontons
       write_object(file("mesh", number), mesh);
     if (!exists(folder))
       write_object(folder + "/checkpoint/run", run);
-    write_object(file("states", pending.back().number), pending);
-    pending.clear();
+    pending.run = run.id;
+    write_object(file("states", pending.solves.back().number), pending);
+    pending.solves.clear();
     pending_meshes.clear();
     pending_bytes = 0;
     last_flush    = std::chrono::steady_clock::now();

@@ -61,8 +61,15 @@ namespace boost
     void
     serialize(Archive &archive, StoredRun &run, const unsigned int)
     {
-      auto &[scene, overrides, entries] = run;
-      archive &scene &overrides &entries;
+      auto &[id, scene, overrides, entries] = run;
+      archive &id &scene &overrides &entries;
+    }
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, StoredPart &part, const unsigned int)
+    {
+      archive &part.run &part.solves;
     }
   } // namespace serialization
 } // namespace boost
@@ -71,7 +78,7 @@ namespace Amontons
 {
   namespace
   {
-    const std::string format = "amontons checkpoint 1 ";
+    const std::string format = "amontons checkpoint 2 ";
 
     // The line before an object.
     std::string
@@ -145,7 +152,7 @@ namespace Amontons
   template StoredMesh
   read_object(const std::string &);
   template void
-  write_object(const std::string &, const std::vector<StoredSolve> &);
-  template std::vector<StoredSolve>
+  write_object(const std::string &, const StoredPart &);
+  template StoredPart
   read_object(const std::string &);
 } // namespace Amontons

@@ -41,7 +41,7 @@ namespace Amontons
     StoredRun
     describe(const SceneRun &run, const Scene &scene)
     {
-      StoredRun what = {std::filesystem::absolute(run.scene).string(), run.overrides, scene.entries};
+      StoredRun what = {"", std::filesystem::absolute(run.scene).string(), run.overrides, scene.entries};
       std::vector<std::string> contents;
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
         for (const std::string &file : scene.files())

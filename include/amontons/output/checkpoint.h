@@ -52,14 +52,16 @@ namespace Amontons
     /// From now on states are kept in the folder of the run, which may be made later.
     void
     start(const std::string &folder, const Run &run, const Intervals &intervals);
-    /// With those that are there already. Throws InputError if they are of other entries.
+    /// With those that are there already. Throws InputError if they are of other entries, or of the same in
+    /// another order: states belong to bodies and pairs by their numbers.
     void
     resume(const std::string &folder, const Run &run, const Intervals &intervals);
 
+    /// Also where no part of it can be used.
     bool
     resumes() const
     {
-      return !parts.empty();
+      return is_resumed;
     }
     /// What happened to it that the user should know, once.
     std::vector<std::string>
@@ -72,7 +74,7 @@ namespace Amontons
     unsigned int
     n_known() const
     {
-      return resumes() ? parts.back() : 0;
+      return parts.empty() ? 0 : parts.back();
     }
     bool
     is_replaying() const
@@ -80,12 +82,9 @@ namespace Amontons
       return next_known() != nullptr;
     }
 
-    /// The folder is there and ours: before, nothing is written.
+    /// The folder is there and ours: before, nothing in it is changed.
     void
-    open()
-    {
-      is_open = true;
-    }
+    open();
 
     /// Of the next solve, at state.t: its displacement and contact, if they are known. Collective.
     template <int dim>
@@ -117,6 +116,8 @@ namespace Amontons
     forget_known(const std::string &why);
     void
     load_next_part();
+    void
+    set_unused_aside();
     bool
     is_due() const;
     std::string
@@ -127,18 +128,19 @@ namespace Amontons
 
     const MPI_Comm communicator;
     std::string    folder; // empty: nothing is kept
-    bool           is_open = false;
+    bool           is_open = false, is_resumed = false;
     Run            run;
     Intervals      intervals;
 
     unsigned int              n_solves = 0;
-    std::deque<State>         known; // of the parts that have been read
-    std::vector<unsigned int> parts; // found at first: the last solve of each
+    std::deque<State>         known;  // of the parts that have been read
+    std::vector<unsigned int> parts;  // found at first: the last solve of each
+    std::vector<unsigned int> unused; // of them, not renamed yet
     unsigned int              n_read = 0;
     std::vector<std::string>  notes;
 
     // Rank 0: not written yet.
-    std::vector<State>                       pending;
+    StoredPart                               pending;
     std::map<unsigned long long, StoredMesh> pending_meshes;
     std::size_t                              pending_bytes = 0;
     std::chrono::steady_clock::time_point    last_flush    = std::chrono::steady_clock::now();

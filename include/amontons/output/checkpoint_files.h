@@ -15,6 +15,7 @@ namespace Amontons
   /// What is resumed.
   struct StoredRun
   {
+    std::string              id;    // of no other run
     std::string              scene; // file
     std::vector<std::string> overrides;
     std::vector<std::string> entries; // of the scene that change its answer
@@ -33,13 +34,20 @@ namespace Amontons
     std::vector<std::vector<types::global_dof_index>> nodes; // the first DoF of each
   };
 
+  /// Successive ones, in one file.
+  struct StoredPart
+  {
+    std::string              run; // its id
+    std::vector<StoredSolve> solves;
+  };
+
   struct StoredMesh
   {
     std::vector<std::array<unsigned int, 4>> cells; // CellId
     std::vector<types::global_dof_index>     dofs;  // of each cell
   };
 
-  /// Of these three and vectors of them. One line (format, version, bytes, checksum), then the object; by
+  /// Of a run, a part or a mesh. One line (format, version, bytes, checksum), then the object; by
   /// write_file().
   template <typename T>
   void

@@ -116,6 +116,10 @@ def damaged_part(place):
     process.kill()
     process.communicate()
     check(len(parts_of(out)) >= 9, "parts: " + str(parts_of(out)))
+    before = parts_of(out)
+    stopped = run(["--resume", out, "--time-limit", "0.001s"])
+    reached = [mesh["t"] for mesh in summary_of(out)["meshes"]][-1]
+    check(stopped.returncode == 2 and reached >= 0.1 * len(before) - 1e-9 and parts_of(out)[: len(before)] == before, f"a resumed run stops at t = {reached}, before what it knows")
     spoil(parts_of(out)[5])
     again = run(["--resume", out])
     said = " ".join(again.stdout.split())

@@ -444,6 +444,8 @@ def scenes():
     mesh("huge count", "m.msh", MSH2.replace("$Elements\n4", "$Elements\n99999999999999"), r"m\.msh:\d+: ")
     mesh("huge block of nodes", "m.msh", MSH4.replace("2 1 0 4", "2 1 0 99999999999999"), r"m\.msh:\d+: ")
     mesh("too few elements announced", "m.msh", MSH4.replace("2 1 3 1\n", "2 1 3 0\n"), r"m\.msh:\d+: ")
+    for n in ("-1", "-6", "2"):
+        mesh(f"{n} groups of a curve", "m.msh", MSH4.replace("1 0 0 0 1 0 0 1 1 0", f"1 0 0 0 1 0 0 {n} 1"), rf"m\.msh:10: .*{n} physical groups", ranks=2 if n == "-6" else 1)
     mesh("unknown node", "m.msh", MSH2.replace("3 3 2 2 1 1 2 3 4", "3 3 2 2 1 1 2 3 44"), r"m\.msh:\d+: .*no node 44", ranks=3)
     mesh("unknown node in 4.1", "m.msh", MSH4.replace("2 1 2 3 4\n", "2 1 2 3 44\n"), r"m\.msh:\d+: .*no node 44")
     mesh("node twice", "m.msh", MSH2.replace("2 1 0 0\n", "1 1 0 0\n"), r"m\.msh:\d+: .*twice")
@@ -485,6 +487,9 @@ def scenes():
     with open(os.path.join(parameters, "step_file.step")) as stream:
         step = stream.read()
     on_top = (curved % "%s").replace("bottom = ", "top = ", 1)
+    with open(os.path.join(parameters, "verification", "patch_3d_step.msh")) as stream:
+        stairs = stream.read()
+    case("hexahedron folded in space", {"scene.prm": solid % "  set Mesh = m.msh", "m.msh": stairs.replace("\n154 2.4 2 -2\n", "\n154 2.4 2 1e-308\n")}, r"m\.msh:\d+: .*folded", ranks=2)
     case("CAD file that is none", {"scene.prm": on_top % "cad(a.step)", "m.msh": dome, "a.step": "hello\n"}, r"^scene\.prm:2: .*cannot read '.*a\.step'.*STEP or IGES", ranks=2)
     case("empty IGES file", {"scene.prm": on_top % "cad(a.igs)", "m.msh": dome, "a.igs": ""}, r"^scene\.prm:2: .*cannot read '.*a\.igs'.*IGES")
     case("CAD model elsewhere", {"scene.prm": on_top % "cad(a.step, 1.1)", "m.msh": dome, "a.step": step}, r"^scene\.prm:2: .*'top'.*lies on no single face.*1e-3", ranks=2)

@@ -155,9 +155,10 @@ namespace Amontons
             {
               const std::size_t at     = d == 0 ? 4 : 7;
               const Fields      fields = line("$Entities", at + 1);
-              const std::size_t n      = text.integer(fields[at]);
-              if (fields.size() < at + 1 + n)
-                text.fail("damaged $Entities: physical groups are missing");
+              const long        n      = text.integer(fields[at]);
+              if (n < 0 || fields.size() - (at + 1) < std::size_t(n))
+                text.fail("damaged $Entities: " + std::to_string(n) + " physical groups are announced",
+                          "as many as the line names");
               if (d == dim - 1 && n > 0)
                 entity_groups[text.integer(fields[0])] = text.integer(fields[at + 1]);
             }

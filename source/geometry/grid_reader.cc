@@ -32,11 +32,12 @@ namespace Amontons
                          how + " (gmsh saves only what is in a physical group, if there is one)");
     }
 
-    // The determinant of the map at every corner.
+    // From the determinants of the map at the corners: 1 if all are positive, -1 if all are negative, else 0.
     template <int dim>
-    bool
-    is_convex(const CoarseMesh<dim> &mesh, const CellData<dim> &cell)
+    int
+    orientation(const CoarseMesh<dim> &mesh, const CellData<dim> &cell)
     {
+      int n_positive = 0, n_negative = 0;
       for (unsigned int v = 0; v < cell.vertices.size(); ++v)
         {
           Tensor<2, dim> edges;
@@ -47,10 +48,12 @@ namespace Amontons
                   mesh.vertices[cell.vertices[v | (1u << d)]] - mesh.vertices[cell.vertices[v & ~(1u << d)]];
               product *= edges[d].norm();
             }
-          if (!(determinant(edges) > 1e-6 * product))
-            return false;
+          const double size = determinant(edges);
+          n_positive += size > 1e-6 * product;
+          n_negative += size < -1e-6 * product;
         }
-      return true;
+      const int n = cell.vertices.size();
+      return (n_positive == n) - (n_negative == n);
     }
 
     template <int dim>
@@ -83,8 +86,10 @@ namespace Amontons
           std::vector<CellData<dim>> cell(1);
           for (unsigned int v = 0; v < (1 << dim); ++v)
             cell[0].vertices[GeometryInfo<dim>::ucd_to_deal[v]] = c.nodes[v];
-          GridTools::invert_cells_with_negative_measure(mesh.vertices, cell);
-          if (!is_convex(mesh, cell[0]))
+          const bool is_convex = orientation(mesh, cell[0]) != 0;
+          if (is_convex) // deal.II knows no way of turning others
+            GridTools::invert_cells_with_negative_measure(mesh.vertices, cell);
+          if (!is_convex || orientation(mesh, cell[0]) != 1)
             throw InputError(
                 {where.file, c.line, where.entry}, "the cell is degenerate or folded", "convex cells");
           mesh.cells.push_back(cell[0]);

@@ -14,7 +14,9 @@ namespace Amontons
       return a[0] * b[1] - a[1] * b[0];
     }
 
-    // Root of f in [0, 1] for f(0) f(1) < 0, to rounding.
+    // Root of f in [0, 1] for f(0) f(1) < 0, to rounding. Of a bracket, the end with the smaller |f|: beside
+    // 0 or 1 the other one comes nearer by bisection only, and is far from the root when the evaluations are
+    // used up.
     template <typename Function>
     double
     root(const Function &f, const double f0, const double f1)
@@ -25,8 +27,14 @@ namespace Amontons
         return 1;
       boost::uintmax_t iterations = 100;
       const auto       bracket    = boost::math::tools::toms748_solve(
-          f, 0., 1., f0, f1, boost::math::tools::eps_tolerance<double>(52), iterations);
-      return 0.5 * (bracket.first + bracket.second);
+          f,
+          0.,
+          1.,
+          f0,
+          f1,
+          [](const double a, const double b) { return b - a <= std::numeric_limits<double>::epsilon(); },
+          iterations);
+      return std::abs(f(bracket.first)) < std::abs(f(bracket.second)) ? bracket.first : bracket.second;
     }
   } // namespace
 

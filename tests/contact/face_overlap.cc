@@ -1,6 +1,6 @@
-// Overlaps in space: the common part of random quadrilaterals, the part of a face that lies opposite of an
-// obstacle, and the gaps there, against areas and integrals by hand; polygons whose edges meet but for
-// rounding.
+// Overlaps: in space the common part of random quadrilaterals, the part of a face that lies opposite of an
+// obstacle, and the gaps there, against areas and integrals by hand, and polygons whose edges meet but for
+// rounding; in the plane points next to the ends of a face.
 #include "contact/contact_scene.h"
 
 #include <amontons/contact/face_overlap.h>
@@ -274,6 +274,27 @@ check_rounding()
     }
 }
 
+// Points of a face that lie next to its ends are taken back to where they are.
+void
+check_ends()
+{
+  for (unsigned int n = 0; n < 200; ++n)
+    {
+      const Point<3> lower(random_number(-1, 1), random_number(-1, 1), 0),
+          upper(lower[0] + random_number(0.1, 1), lower[1] + 1, 0);
+      Scene scene;
+      scene.bodies = {block("lower", lower, upper, {{1, 1, 1}}),
+                      block("upper", {lower[0], upper[1], 0}, {upper[0], upper[1] + 1, 0}, {{1, 1, 1}})};
+      scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+      const Problem<2> problem(scene, 1);
+      const auto      &slave = *problem.interfaces[0].slave;
+      const double     small = std::pow(10., random_number(-17, -1));
+      for (const double xi : {small, 1 - small})
+        check::is_close(
+            project_to_slave(slave, 0, slave.position(0, Point<1>(xi))), xi, 1e-14, "foot next to an end", 1);
+    }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -282,5 +303,6 @@ main(int argc, char **argv)
     check_quadrilaterals(degree);
   check_obstacles();
   check_rounding();
+  check_ends();
   return check::result();
 }

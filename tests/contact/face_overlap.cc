@@ -274,24 +274,33 @@ check_rounding()
     }
 }
 
-// Points of a face that lie next to its ends are taken back to where they are.
+// Points of a face that lie next to its ends are taken back to where they are, along normals that turn.
 void
 check_ends()
 {
-  for (unsigned int n = 0; n < 200; ++n)
+  Scene scene;
+  for (const double inner : {0.7, 1.})
     {
-      const Point<3> lower(random_number(-1, 1), random_number(-1, 1), 0),
-          upper(lower[0] + random_number(0.1, 1), lower[1] + 1, 0);
-      Scene scene;
-      scene.bodies = {block("lower", lower, upper, {{1, 1, 1}}),
-                      block("upper", {lower[0], upper[1], 0}, {upper[0], upper[1] + 1, 0}, {{1, 1, 1}})};
-      scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
-      const Problem<2> problem(scene, 1);
+      scene.bodies.emplace_back();
+      scene.bodies.back().name         = inner < 1 ? "shaft" : "hub";
+      scene.bodies.back().shape        = "ring";
+      scene.bodies.back().inner_radius = inner;
+      scene.bodies.back().radius       = inner + 0.3;
+      scene.bodies.back().refinements  = 1;
+    }
+  scene.pairs = {pair_of({"shaft", "outer", {}}, {"hub", "inner", {}})};
+  for (const unsigned int degree : {1, 2})
+    {
+      const Problem<2> problem(scene, degree);
       const auto      &slave = *problem.interfaces[0].slave;
-      const double     small = std::pow(10., random_number(-17, -1));
-      for (const double xi : {small, 1 - small})
-        check::is_close(
-            project_to_slave(slave, 0, slave.position(0, Point<1>(xi))), xi, 1e-14, "foot next to an end", 1);
+      for (unsigned int face = 0; face < slave.faces.size(); ++face)
+        for (double small = 0.1; small > 1e-17; small /= 3)
+          for (const double xi : {small, 1 - small})
+            check::is_close(project_to_slave(slave, face, slave.position(face, Point<1>(xi))),
+                            xi,
+                            1e-14,
+                            "foot next to an end",
+                            1);
     }
 }
 

@@ -128,6 +128,21 @@ def damaged_part(place):
     check(rows == whole, "damaged part: resumed it takes another way")
 
 
+def missing_part(place):
+    """What was in it is solved again; so is what is beyond it, and both are said."""
+    out = os.path.join(place, "missing")
+    process = start([SCENE, "--output", out, "--set", "Output/Checkpoint every = 1 increments"] + LONG, place)
+    wait_for(os.path.join(out, "checkpoint", "states_9"))
+    process.kill()
+    process.communicate()
+    os.remove(parts_of(out)[4])
+    again = run(["--resume", out])
+    said = " ".join(again.stdout.split())
+    check(again.returncode == 0 and "solved again from solve 5 on" in said and "the part before it, states_5, is missing" in said, "missing part: " + again.stdout + again.stderr)
+    rows = [(mesh["t"], mesh["dofs"], mesh["iterations"], mesh["energy"]) for mesh in summary_of(out)["meshes"]]
+    check(rows == whole, "missing part: resumed it takes another way")
+
+
 def refused_while_it_runs(place):
     """Changes nothing."""
     out = os.path.join(place, "alive")
@@ -274,7 +289,7 @@ with tempfile.TemporaryDirectory(prefix="amontons-stopped-") as folder:
     whole = [(mesh["t"], mesh["dofs"], mesh["iterations"], mesh["energy"]) for mesh in summary_of(os.path.join(folder, "whole"))["meshes"]]
     stopped_by(signal.SIGTERM, folder)
     stopped_by(signal.SIGINT, folder)
-    for part in (time_limit, other_entries, damaged_part, refused_while_it_runs, killed_again, parts_of_another_run, other_mesh_file, full_disk, two_at_once, earlier_run, links, tables, inputs):
+    for part in (time_limit, other_entries, damaged_part, missing_part, refused_while_it_runs, killed_again, parts_of_another_run, other_mesh_file, full_disk, two_at_once, earlier_run, links, tables, inputs):
         part(folder)
 print("\n".join(failures) or "all right")
 sys.exit(1 if failures else 0)

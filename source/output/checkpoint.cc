@@ -247,6 +247,10 @@ namespace Amontons
         if (part.run != run.id || part.solves.empty() || part.solves.back().number != parts[n_read])
           throw InputError(
               {name, 0, ""}, "of another run, or renamed", "what the run in this folder has written");
+        if (part.before != (n_read > 0 ? parts[n_read - 1] : 0))
+          throw InputError({name, 0, ""},
+                           "the part before it, states_" + std::to_string(part.before) + ", is missing",
+                           "what the run in this folder has written");
         known.insert(known.end(), part.solves.begin(), part.solves.end());
         ++n_read;
       }
@@ -421,8 +425,10 @@ namespace Amontons
       write_object(file("mesh", number), mesh);
     if (!exists(folder))
       write_object(folder + "/checkpoint/run", run);
-    pending.run = run.id;
+    pending.run    = run.id;
+    pending.before = std::max(last_written, n_known());
     write_object(file("states", pending.solves.back().number), pending);
+    last_written = pending.solves.back().number;
     pending.solves.clear();
     pending_meshes.clear();
     pending_bytes = 0;

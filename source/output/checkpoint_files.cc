@@ -69,7 +69,7 @@ namespace boost
     void
     serialize(Archive &archive, StoredPart &part, const unsigned int)
     {
-      archive &part.run &part.solves;
+      archive &part.run &part.before &part.solves;
     }
   } // namespace serialization
 } // namespace boost
@@ -78,7 +78,7 @@ namespace Amontons
 {
   namespace
   {
-    const std::string format = "amontons checkpoint 2 ";
+    const std::string format = "amontons checkpoint 3 ";
 
     // The line before an object.
     std::string

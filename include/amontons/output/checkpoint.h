@@ -20,8 +20,8 @@ namespace Amontons
   /// Files in FOLDER/checkpoint, each written aside and renamed and never written again, with length and
   /// checksum: run (what to resume), mesh_K (cells and numbers of their DoFs), states_N (up to the N-th solve
   /// of the run). States are of global vectors, so that any number of ranks may go on. Parts that are
-  /// damaged, or of another way than this run takes, become states_N.unused, and what they had is solved
-  /// again.
+  /// damaged, of another way than this run takes, or behind one that is missing become states_N.unused, and
+  /// what they had is solved again.
   class Checkpoint
   {
   public:
@@ -143,6 +143,7 @@ namespace Amontons
     StoredPart                               pending;
     std::map<unsigned long long, StoredMesh> pending_meshes;
     std::size_t                              pending_bytes = 0;
+    unsigned int                             last_written  = 0; // solve
     std::chrono::steady_clock::time_point    last_flush    = std::chrono::steady_clock::now();
 
     unsigned long long                   kept_numbering = 0, known_numbering = 0; // the last ones

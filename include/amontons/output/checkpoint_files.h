@@ -37,7 +37,8 @@ namespace Amontons
   /// Successive ones, in one file.
   struct StoredPart
   {
-    std::string              run; // its id
+    std::string              run;        // its id
+    unsigned int             before = 0; // the last solve of the part before it
     std::vector<StoredSolve> solves;
   };
 

@@ -13,8 +13,10 @@
 #include <Epetra_MultiVector.h>
 #include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
+#include <ml_utils.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Amontons
 {
@@ -303,6 +305,13 @@ namespace Amontons
         list.set("null space: vectors", null_space->Values());
       }
     amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
+    // ML estimates eigenvalues from random vectors and goes on with its sequence from one hierarchy to the
+    // next: begun anew, a run that is resumed iterates as one that was never stopped. Each rank has its own
+    // sequence.
+    const MPI_Comm communicator = matrix.get_mpi_communicator();
+    const double   share        = (1. + dealii::Utilities::MPI::this_mpi_process(communicator)) /
+                         (1. + dealii::Utilities::MPI::n_mpi_processes(communicator));
+    ML_set_random_seed(std::numeric_limits<int>::max() * (1 - share));
     amg->initialize(matrix, list);
     amg_is_old = false;
     n_changed  = 0;

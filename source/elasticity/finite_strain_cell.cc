@@ -35,7 +35,8 @@ namespace Amontons
 
   template <int dim>
   FiniteStrainCell<dim>::FiniteStrainCell(const FiniteElement<dim> &fe, const ProblemType kind)
-      : kinematics(fe, kind), projects(kind != ProblemType::plane_stress)
+      : kinematics(fe, kind), projects(kind != ProblemType::plane_stress),
+        stabilised(projects && fe.degree > 1)
   {
   }
 
@@ -47,6 +48,7 @@ namespace Amontons
                                 const double              *theta)
   {
     this->law             = &law;
+    shear_modulus         = std::visit([](const auto &any) { return any.mu; }, law);
     const double smallest = kinematics.reinit(values, u, theta);
     if (!(smallest > 0))
       return smallest;
@@ -62,11 +64,26 @@ namespace Amontons
         if (const double b_33 = 1 + strain[q][2][2]; !(b_33 > 0))
           return b_33;
         stress[q]   = kirchhoff_stress(law, strain[q]);
-        pressure[q] = trace_of_stress(q) / 3;
+        pressure[q] = trace_of(stress[q]) / 3 - (stabilised ? stabilisation(q).pressure() : 0.);
       }
     if (projects)
       project_pressure(pressure);
+    for (unsigned int q = 0; stabilised && q < n_q; ++q)
+      pressure[q] += stabilisation(q).pressure();
     return smallest;
+  }
+
+  template <int dim>
+  Voigt<3>
+  FiniteStrainCell<dim>::all_stress(const unsigned int q) const
+  {
+    if (!stabilised)
+      return stress[q];
+    const auto stable = stabilisation(q);
+    Voigt<3>   sum    = as_voigt(stable.shear() * stable.unimodular);
+    for (unsigned int k = 0; k < 6; ++k)
+      sum[k] += stress[q][k];
+    return sum;
   }
 
   // From tr tau/3 to J P(tr tau/(3 theta)).
@@ -87,7 +104,8 @@ namespace Amontons
   {
     double sum = 0;
     for (unsigned int q = 0; q < kinematics.n_points(); ++q)
-      sum += kinematics.weight(q) * Amontons::energy(*law, strain[q]);
+      sum += kinematics.weight(q) *
+             (Amontons::energy(*law, strain[q]) + (stabilised ? stabilisation(q).energy() : 0.));
     return sum;
   }
 
@@ -95,25 +113,44 @@ namespace Amontons
   std::vector<double>
   FiniteStrainCell<dim>::forces() const
   {
-    return forces_of(stress, pressure);
+    std::vector<Voigt<3>> all(kinematics.n_points());
+    for (unsigned int q = 0; q < all.size(); ++q)
+      all[q] = all_stress(q);
+    return forces_of(all, pressure);
   }
 
+  // Of the stabilisation, with epsilon = e/theta and j = J/theta:
+  //   d(mu r^2) = -2 mu r j epsilon,   ds = mu phi (j - 2 j^2) epsilon,   d(s/theta) = (ds - s
+  //   epsilon)/theta.
   template <int dim>
   std::vector<double>
   FiniteStrainCell<dim>::forces_of_excess()
   {
+    std::vector<double>   of_stabilisation(stabilised ? kinematics.n_points() : 0);
     std::vector<double>   pressure;
     std::vector<Voigt<3>> change(kinematics.n_points());
     kinematics.evaluate_excess(pressure);
     for (unsigned int q = 0; q < kinematics.n_points(); ++q)
       {
-        const double alpha = pressure[q] / (3 * kinematics.dilatation(q));
-        change[q]          = change_with_volume(spatial_tangent(*law, strain[q]), stress[q]);
+        const double epsilon = pressure[q] / kinematics.dilatation(q), alpha = epsilon / 3;
+        change[q] = change_with_volume(spatial_tangent(*law, strain[q]), stress[q]);
         for (auto &component : change[q])
           component *= alpha;
-        pressure[q] = trace_of(change[q]) / 3 - alpha * trace_of_stress(q);
+        pressure[q] = trace_of(change[q]) / 3 - alpha * trace_of(stress[q]);
+        if (stabilised)
+          {
+            const auto     stable = stabilisation(q);
+            const double   j      = stable.ratio;
+            const Voigt<3> shear  = as_voigt(-2 * stable.mu * stable.r * j * epsilon * stable.unimodular);
+            for (unsigned int k = 0; k < 6; ++k)
+              change[q][k] += shear[k];
+            of_stabilisation[q] = stable.mu * stable.phi * (j - 2 * j * j) * epsilon;
+            pressure[q] -= of_stabilisation[q] - stable.pressure() * epsilon;
+          }
       }
     project_pressure(pressure);
+    for (unsigned int q = 0; q < of_stabilisation.size(); ++q)
+      pressure[q] += of_stabilisation[q];
     return forces_of(change, pressure);
   }
 
@@ -224,7 +261,7 @@ namespace Amontons
     if (!projects)
       return M;
 
-    const double trace = trace_of_stress(q);
+    const double trace = trace_of(stress[q]);
     for (unsigned int k = 0; k < n_voigt<dim>; ++k)
       {
         const double deviator = 2. / 3 * (k < 3 ? stress[q][k] - trace / 3 : stress[q][k]);
@@ -236,7 +273,36 @@ namespace Amontons
         M[k][n_voigt<dim>] = M[n_voigt<dim>][k] = -deviator;
       }
     M[n_voigt<dim>][n_voigt<dim>] = pressure[q] - 2. / 9 * trace;
+    if (stabilised)
+      add_stabilisation(q, M);
     return M;
+  }
+
+  // D(B) is tr e_bar(B), and d:B = d:e_bar(B):
+  //   e_bar:e_bar  (2 s + mu phi j^2) I x I - 2 mu r j (d x I + I x d)
+  //   e_bar:tr     2 mu r j d - 2/3 mu r^2 d - (s + mu phi j^2) I
+  //   tr:tr        mu phi j^2 - 2/9 mu r^2 tr (J^(-2/3) b)
+  template <int dim>
+  void
+  FiniteStrainCell<dim>::add_stabilisation(const unsigned int q, Matrix &M) const
+  {
+    const auto   stable = stabilisation(q);
+    const double j = stable.ratio, s = stable.pressure(), stiffness = stable.mu * stable.phi * j * j,
+                 mixed          = 2 * stable.mu * stable.r * j;
+    const Voigt<3>     d        = as_voigt(deviator(stable.unimodular));
+    const unsigned int of_trace = n_voigt<dim>;
+    for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+      {
+        for (unsigned int l = 0; l < 3; ++l)
+          {
+            M[k][l] += (k < 3 ? 2 * s + stiffness : 0.) - mixed * d[k];
+            M[l][k] -= mixed * d[k];
+          }
+        const double of_both = (mixed - 2. / 3 * stable.shear()) * d[k] - (k < 3 ? s + stiffness : 0.);
+        M[k][of_trace] += of_both;
+        M[of_trace][k] += of_both;
+      }
+    M[of_trace][of_trace] += stiffness - 2. / 9 * stable.shear() * trace(stable.unimodular);
   }
 
   template <int dim>
@@ -272,8 +338,9 @@ namespace Amontons
     weighted_divergences.reinit(n_q, n_nodes * dim, true);
     for (unsigned int q = 0; q < n_q; ++q)
       {
-        const Tensor<2, dim> tau   = kinematics.weight(q) * in_space<dim>(stress[q], 0);
-        const double         kappa = kinematics.weight(q) * (trace_of_stress(q) / 3 - pressure[q]);
+        const Voigt<3>       all   = all_stress(q);
+        const Tensor<2, dim> tau   = kinematics.weight(q) * in_space<dim>(all, 0);
+        const double         kappa = kinematics.weight(q) * (trace_of(all) / 3 - pressure[q]);
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
             for (unsigned int m = 0; m < n_nodes; ++m)
@@ -301,7 +368,8 @@ namespace Amontons
   {
     for (unsigned int q = 0; q < kinematics.n_points(); ++q)
       {
-        const double factor = kinematics.weight(q) * (stress[q][2] + trace_of_stress(q) / 3 - pressure[q]);
+        const Voigt<3> all    = all_stress(q);
+        const double   factor = kinematics.weight(q) * (all[2] + trace_of(all) / 3 - pressure[q]);
         for (unsigned int m = 0; m < kinematics.n_nodes; ++m)
           for (unsigned int n = 0; n < kinematics.n_nodes; ++n)
             K(kinematics.index(0, m), kinematics.index(0, n)) +=

@@ -3,6 +3,7 @@
 
 #include <amontons/elasticity/finite_kinematics.h>
 #include <amontons/elasticity/hyperelastic.h>
+#include <amontons/elasticity/volume_stabilisation.h>
 
 namespace Amontons
 {
@@ -15,7 +16,8 @@ namespace Amontons
   // With spatial gradients B of a test function and A of an increment,
   //   a(B) = (P(J tr B)/theta - tr B)/3,  e_bar(B) = sym B + a(B) I,  pi = P(tr tau/(3 theta)),
   // pi being the pressure that the projection admits. Plane stress: a = 0, and the law's tangent with the
-  // thickness condensed.
+  // thickness condensed. Degree 2 adds W_s of volume_stabilisation.h, with s its pressure and
+  // d = dev(J^(-2/3) b): to tau the shear stress mu r^2 d, to J pi the pressure s - J P(s/theta).
   //
   // Pi is what the three-field functional of Simo, Taylor and Pister (1985),
   //   int W((theta/J)^(1/3) F) + p (J - theta) dV0,
@@ -70,7 +72,9 @@ namespace Amontons
     }
 
     // int [ e_bar(B):c:e_bar(A) + tr(B tau A^T) + 2 a(A) tau:B + 2 a(B) tau:A + 2 a(B) a(A) tr tau
-    //       + tr tau/3 (tr(B A) - P(J tr B) P(J tr A)/theta^2) + J pi (tr A tr B - tr(B A)) ] dV0
+    //       + tr tau/3 (tr(B A) - D(B) D(A)) + J pi (tr A tr B - tr(B A)) ] dV0,  D(B) = P(J tr B)/theta,
+    // and of W_s (its shear stress in tau, its pressure in J pi), with R(B) = tr B - D(B) and j = J/theta,
+    //   mu [ 2 r j (d:A R(B) + d:B R(A)) + phi j^2 R(A) R(B) ] + s [ 2 D(A) D(B) - tr A D(B) - tr B D(A) ]
     void
     make_tangent(FullMatrix<double> &K);
 
@@ -82,17 +86,22 @@ namespace Amontons
     static constexpr unsigned int n_rows = n_voigt<dim> + 1; // e_bar and tr B
     using Matrix                         = std::array<std::array<double, n_rows>, n_rows>;
 
-    double
-    trace_of_stress(const unsigned int q) const
+    VolumeStabilisation
+    stabilisation(const unsigned int q) const
     {
-      return stress[q][0] + stress[q][1] + stress[q][2];
+      return {shear_modulus, kinematics.jacobian(q), kinematics.dilatation(q), strain[q]};
     }
+    // Of the law and of the stabilisation.
+    Voigt<3>
+    all_stress(const unsigned int q) const;
     void
     project_pressure(std::vector<double> &pressure);
     std::vector<double>
     forces_of(const std::vector<Voigt<3>> &stress, const std::vector<double> &pressure) const;
     Matrix
     material_matrix(const unsigned int q) const;
+    void
+    add_stabilisation(const unsigned int q, Matrix &M) const;
     void
     fill_strains();
     void
@@ -105,10 +114,11 @@ namespace Amontons
     add_hoop(FullMatrix<double> &K) const;
 
     FiniteKinematics<dim>              kinematics;
-    const bool                         projects;
-    const HyperelasticLaw             *law = nullptr;
+    const bool                         projects, stabilised;
+    const HyperelasticLaw             *law           = nullptr;
+    double                             shear_modulus = 0;
     std::vector<SymmetricTensor<2, 3>> strain;   // e = b - I
-    std::vector<Voigt<3>>              stress;   // tau
+    std::vector<Voigt<3>>              stress;   // tau of the law
     std::vector<double>                pressure; // J pi; plane stress: tr tau/3
 
     // Rows by point, columns: shape functions of the cell or (scalar) nodes.

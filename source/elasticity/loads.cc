@@ -1,9 +1,8 @@
 #include <amontons/base/points.h>
 #include <amontons/elasticity/boundary_faces.h>
 #include <amontons/elasticity/kinematics.h>
+#include <amontons/elasticity/load_values.h>
 #include <amontons/elasticity/loads.h>
-
-#include <deal.II/base/quadrature_lib.h>
 
 namespace Amontons
 {
@@ -19,8 +18,7 @@ namespace Amontons
                    const LA::Vector                     *u)
           : discretization(discretization), kind(discretization.scene.kind), t(t), covered(covered), u(u),
             loads(discretization.make_owned_vector()),
-            face_values(discretization.mapping,
-                        discretization.fe,
+            face_values(discretization,
                         QGauss<dim - 1>(discretization.fe.degree + 2),
                         update_values | update_quadrature_points | update_JxW_values | update_normal_vectors |
                             gradients_of_u()),
@@ -57,17 +55,16 @@ namespace Amontons
       void
       add_body_forces()
       {
-        FEValues<dim> values(discretization.mapping,
-                             discretization.fe,
-                             QGauss<dim>(discretization.fe.degree + 1),
-                             update_values | update_quadrature_points | update_JxW_values);
+        LoadCellValues<dim> cell_values(discretization,
+                                        QGauss<dim>(discretization.fe.degree + 1),
+                                        update_values | update_quadrature_points | update_JxW_values);
         for (const auto &cell : discretization.dof_handler.active_cell_iterators())
           if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
             {
               const auto &force = discretization.scene.bodies[cell->material_id()].body_force;
               if (force[0].is_zero() && force[1].is_zero() && force[2].is_zero())
                 continue;
-              values.reinit(cell);
+              const auto &values = cell_values.reinit(force, t, cell);
               cell->get_dof_indices(dofs);
               for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
                 add_point_force(values, q, vector_at(force, values.quadrature_point(q)) * weight(values, q));
@@ -91,32 +88,32 @@ namespace Amontons
           {
             const auto id = discretization.geometry.boundary(name, discretization.scene).id;
             for_each_face(discretization, id, [&](const auto &cell, const unsigned int f) {
-              face_values.reinit(cell, f);
+              const auto &values = face_values.reinit(condition.value, t, cell, f);
               cell->get_dof_indices(dofs);
               if (condition.type == Type::pressure)
-                add_pressure(condition);
+                add_pressure(condition, values);
               else
-                for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
-                  add_point_force(face_values,
+                for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+                  add_point_force(values,
                                   q,
-                                  vector_at(condition.value, face_values.quadrature_point(q)) *
-                                      (weight(face_values, q) / area));
+                                  vector_at(condition.value, values.quadrature_point(q)) *
+                                      (weight(values, q) / area));
             });
             if (condition.type == Type::pressure)
               remove_covered_pressure(condition, id);
           }
       }
 
-      // -int p n da over the face of face_values
+      // -int p n da
       void
-      add_pressure(const ConditionData &condition)
+      add_pressure(const ConditionData &condition, const FEFaceValues<dim> &values)
       {
-        const auto face = deform(face_values, u);
-        for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
-          add_point_force(face_values,
+        const auto face = deform(values, u);
+        for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+          add_point_force(values,
                           q,
-                          -condition.value[0].value(as_3d(face_values.quadrature_point(q)), t) *
-                              (face_values.JxW(q) * measure<dim>(kind, face.positions[q])) * face.normals[q]);
+                          -condition.value[0].value(as_3d(values.quadrature_point(q)), t) *
+                              (values.JxW(q) * measure<dim>(kind, face.positions[q])) * face.normals[q]);
       }
 
       void
@@ -191,9 +188,9 @@ namespace Amontons
           for_each_face(discretization,
                         discretization.geometry.boundary(name, discretization.scene).id,
                         [&](const auto &cell, const unsigned int f) {
-                          face_values.reinit(cell, f);
-                          for (unsigned int q = 0; q < face_values.n_quadrature_points; ++q)
-                            area += weight(face_values, q);
+                          const auto &values = face_values.reinit(cell, f);
+                          for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+                            area += weight(values, q);
                         });
         return Utilities::MPI::sum(area, discretization.geometry.communicator);
       }
@@ -225,7 +222,7 @@ namespace Amontons
       const std::vector<CoveredPoint<dim>> &covered;
       const LA::Vector                     *u; // of finite strain
       LA::Vector                            loads;
-      FEFaceValues<dim>                     face_values;
+      LoadFaceValues<dim>                   face_values;
       std::vector<types::global_dof_index>  dofs;
     };
   } // namespace

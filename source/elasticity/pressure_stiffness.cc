@@ -1,9 +1,8 @@
 #include <amontons/base/points.h>
 #include <amontons/elasticity/boundary_faces.h>
 #include <amontons/elasticity/kinematics.h>
+#include <amontons/elasticity/load_values.h>
 #include <amontons/elasticity/loads.h>
-
-#include <deal.II/base/quadrature_lib.h>
 
 namespace Amontons
 {
@@ -18,8 +17,7 @@ namespace Amontons
     public:
       PressureStiffness(const Discretization<dim> &discretization, const double t, const LA::Vector &u)
           : fe(discretization.fe), kind(discretization.scene.kind), t(t), u(u),
-            values(discretization.mapping,
-                   fe,
+            values(discretization,
                    QGauss<dim - 1>(fe.degree + 2),
                    update_values | update_gradients | update_quadrature_points | update_JxW_values |
                        update_normal_vectors)
@@ -29,20 +27,20 @@ namespace Amontons
       LocalMatrix
       matrix(const typename DoFHandler<dim>::active_cell_iterator &cell,
              const unsigned int                                    f,
-             const Expression                                     &pressure)
+             const std::array<Expression, 3>                      &load)
       {
-        values.reinit(cell, f);
-        const auto         face = deform(values, &u);
-        const unsigned int n    = fe.n_dofs_per_cell();
+        const auto        &values = this->values.reinit(load, t, cell, f);
+        const auto         face   = deform(values, &u);
+        const unsigned int n      = fe.n_dofs_per_cell();
         LocalMatrix        result{std::vector<types::global_dof_index>(n), {}, FullMatrix<double>(n, n)};
         cell->get_dof_indices(result.rows);
         result.columns = result.rows;
         for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
           {
-            const double p = pressure.value(as_3d(values.quadrature_point(q)), t) * values.JxW(q);
+            const double p = load[0].value(as_3d(values.quadrature_point(q)), t) * values.JxW(q);
             for (unsigned int j = 0; j < n; ++j)
               {
-                const Tensor<1, dim> change = change_of_normal(face, q, j);
+                const Tensor<1, dim> change = change_of_normal(values, face, q, j);
                 for (unsigned int i = 0; i < n; ++i)
                   result.matrix(i, j) -=
                       p * values.shape_value(i, q) * change[fe.system_to_component_index(i).first];
@@ -53,7 +51,10 @@ namespace Amontons
 
     private:
       Tensor<1, dim>
-      change_of_normal(const DeformedFace<dim> &face, const unsigned int q, const unsigned int j) const
+      change_of_normal(const FEFaceValues<dim> &values,
+                       const DeformedFace<dim> &face,
+                       const unsigned int       q,
+                       const unsigned int       j) const
       {
         const unsigned int   c        = fe.system_to_component_index(j).first;
         const Tensor<1, dim> gradient = transpose(invert(face.gradients[q])) * values.shape_grad(j, q);
@@ -69,7 +70,7 @@ namespace Amontons
       const ProblemType         kind;
       const double              t;
       const LA::Vector         &u;
-      FEFaceValues<dim>         values;
+      LoadFaceValues<dim>       values;
     };
   } // namespace
 
@@ -85,7 +86,7 @@ namespace Amontons
           for_each_face(discretization,
                         discretization.geometry.boundary(name, discretization.scene).id,
                         [&](const auto &cell, const unsigned int f) {
-                          matrices.push_back(stiffness.matrix(cell, f, condition.value[0]));
+                          matrices.push_back(stiffness.matrix(cell, f, condition.value));
                         });
     return matrices;
   }

@@ -274,4 +274,11 @@ namespace Amontons
   {
     return !constant && has_identifier(parser->text, "t");
   }
+
+  bool
+  Expression::depends_on_place() const
+  {
+    return !constant && (has_identifier(parser->text, "x") || has_identifier(parser->text, "y") ||
+                         has_identifier(parser->text, "z"));
+  }
 } // namespace Amontons

@@ -145,6 +145,29 @@ check_block_3d(const unsigned int degree)
   check_force<3>(resultant<3>(scene, degree), V({1.5, -6, 0}), "3D pressure");
 }
 
+// Loads that begin, end or jump within a face or a cell: a strip that no point of the usual formula lies in,
+// and the corner of a face in space.
+void
+check_jumps(const unsigned int degree)
+{
+  using Type = ConditionData::Type;
+  const BoundaryName top{"it", "top", {}};
+  Scene              scene;
+  scene.bodies     = {block()};
+  scene.conditions = {load(Type::pressure, {top}, {Expression("if(x > 1.3 && x < 1.34, 50*t, 0)", {})})};
+  check::is_close(resultant<2>(scene, degree, 2)[1], -4, 1e-5, "pressure on a strip", 4);
+  scene.conditions = {load(Type::traction, {top}, {Expression(0.), Expression("if(x < 2.2, 3, -x)", {})})};
+  check::is_close(resultant<2>(scene, degree)[1], 3 * 1.2 - 2.08, 1e-5, "traction that jumps", 3);
+  scene.conditions           = {};
+  scene.bodies[0].body_force = {{Expression("if(x + y < 1.5, 8, 0)", {}), Expression(0.), Expression(0.)}};
+  check::is_close(resultant<2>(scene, degree)[0], 1, 1e-2, "body force on a triangle", 1);
+  scene.bodies[0].body_force = {};
+  scene.kind                 = ProblemType::three_dimensional;
+  scene.conditions           = {
+                load(Type::pressure, {{"it", "back", {}}}, {Expression("if(x < 1.1 && z < 0.1, 100, 0)", {})})};
+  check::is_close(resultant<3>(scene, degree)[1], -1, 2e-2, "pressure on a corner", 1);
+}
+
 // Forces and moments on a platen do the work F . U + M . theta on its rigid motion.
 template <int dim>
 void
@@ -197,6 +220,7 @@ main(int argc, char **argv)
       check_pressure_on_circle(degree);
       check_block_2d(degree);
       check_block_3d(degree);
+      check_jumps(degree);
     }
   check_platen<2>(ProblemType::plane_strain);
   check_platen<3>(ProblemType::three_dimensional);

@@ -41,6 +41,8 @@ namespace Amontons
     is_constant() const; // does not depend on x, y, z, t, p
     bool
     depends_on_time() const;
+    bool
+    depends_on_place() const;
 
   private:
     [[noreturn]] void

@@ -1,0 +1,97 @@
+/// Values on cells and faces for integrals of loads that the user writes as expressions of the place.
+#pragma once
+
+#include <amontons/base/points.h>
+#include <amontons/discretization/discretization.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+
+namespace Amontons
+{
+  /// What a load is at points of the unit cell or face.
+  template <int d>
+  using LoadAt = std::function<std::vector<Tensor<1, 3>>(const std::vector<Point<d>> &)>;
+
+  /// The formula itself where it integrates the load to 1e-4 of what a lattice of 8 intervals or 4 x 4 (x 4)
+  /// boxes says, and the trapezoidal rule on none of these is off by 5e-3 of it (a jump near an end); else
+  /// the formula on boxes that are halved where that changes the integral by 1e-5 of the load on the cell or
+  /// face, or where the load varies by 1e-4 of it over the box's volume. A load may end or jump anywhere, and
+  /// no refinement of the mesh follows where nothing is loaded. What is narrower than the points of the
+  /// lattice (1/32; 1/16) may be missed.
+  template <int d>
+  Quadrature<d>
+  adapted_quadrature(const Quadrature<d> &formula, const LoadAt<d> &load);
+
+  /// FEV: FEValues<dim> with d = dim, or FEFaceValues<dim> with d = dim - 1.
+  template <template <int, int> class FEV, int dim, int d>
+  class LoadValues
+  {
+  public:
+    using Values = FEV<dim, dim>;
+
+    LoadValues(const Discretization<dim> &discretization,
+               const Quadrature<d>       &formula,
+               const UpdateFlags          flags)
+        : discretization(discretization), formula(formula), flags(flags),
+          plain(discretization.mapping, discretization.fe, formula, flags)
+    {
+    }
+
+    /// On a cell, or on a face of it (its number), for integrals of the load at time t. Valid until the next
+    /// call.
+    template <typename... Face>
+    const Values &
+    reinit(const std::array<Expression, 3>                      &load,
+           const double                                          t,
+           const typename DoFHandler<dim>::active_cell_iterator &cell,
+           const Face... face)
+    {
+      plain.reinit(cell, face...);
+      if (std::none_of(load.begin(), load.end(), [](const auto &f) { return f.depends_on_place(); }))
+        return plain;
+      const auto at = [&](const std::vector<Point<d>> &points) {
+        FEV<dim, dim> places(
+            discretization.mapping, nothing, Quadrature<d>(points), update_quadrature_points);
+        places.reinit(typename Triangulation<dim>::active_cell_iterator(cell), face...);
+        std::vector<Tensor<1, 3>> values;
+        for (const auto &x : places.get_quadrature_points())
+          {
+            values.emplace_back();
+            for (unsigned int c = 0; c < 3; ++c)
+              values.back()[c] = load[c].value(as_3d(x), t);
+          }
+        return values;
+      };
+      const Quadrature<d> here = adapted_quadrature<d>(formula, at);
+      if (here.size() == formula.size())
+        return plain;
+      adapted = std::make_unique<Values>(discretization.mapping, discretization.fe, here, flags);
+      adapted->reinit(cell, face...);
+      return *adapted;
+    }
+
+    /// Where nothing is loaded, with the formula.
+    template <typename... Face>
+    const Values &
+    reinit(const typename DoFHandler<dim>::active_cell_iterator &cell, const Face... face)
+    {
+      plain.reinit(cell, face...);
+      return plain;
+    }
+
+  private:
+    const Discretization<dim> &discretization;
+    const Quadrature<d>        formula;
+    const UpdateFlags          flags;
+    const FE_Nothing<dim>      nothing;
+    Values                     plain;
+    std::unique_ptr<Values>    adapted;
+  };
+
+  template <int dim>
+  using LoadCellValues = LoadValues<FEValues, dim, dim>;
+  template <int dim>
+  using LoadFaceValues = LoadValues<FEFaceValues, dim, dim - 1>;
+} // namespace Amontons

@@ -1,0 +1,144 @@
+#include <amontons/elasticity/load_values.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // A part of the unit interval, square or cube.
+    template <int d>
+    struct Box
+    {
+      Point<d> lower;
+      double   size;
+    };
+
+    template <int d>
+    std::vector<Box<d>>
+    parts_of(const Box<d> &box, const unsigned int n)
+    {
+      std::vector<Box<d>> parts;
+      const unsigned int  n_all = Utilities::fixed_power<d>(n);
+      for (unsigned int i = 0; i < n_all; ++i)
+        {
+          Box<d>       part{box.lower, box.size / n};
+          unsigned int rest = i;
+          for (unsigned int c = 0; c < d; ++c, rest /= n)
+            part.lower[c] += part.size * (rest % n);
+          parts.push_back(part);
+        }
+      return parts;
+    }
+
+    template <int d>
+    std::vector<Point<d>>
+    points_in(const std::vector<Box<d>> &boxes, const Quadrature<d> &formula)
+    {
+      std::vector<Point<d>> points;
+      for (const auto &box : boxes)
+        for (const auto &point : formula.get_points())
+          points.push_back(box.lower + box.size * Tensor<1, d>(point));
+      return points;
+    }
+
+    // Of the load over a box, by the formula; how far the trapezoidal rule, which sees the corners, is from
+    // that; and by how much values at the points of both differ, times the volume. A jump may lie outside of
+    // the formula's points, or in the middle, where the integrals over the halves add up to that over the
+    // whole, right or not.
+    struct Integral
+    {
+      Tensor<1, 3> load;
+      double       mismatch = 0, range = 0;
+    };
+
+    template <int d>
+    std::vector<Integral>
+    integrals(const std::vector<Box<d>> &boxes, const Quadrature<d> &formula, const LoadAt<d> &load)
+    {
+      const QTrapezoid<d> corners;
+      const auto          values = load(points_in(boxes, formula)), ends = load(points_in<d>(boxes, corners));
+      const unsigned int  n = formula.size(), n_ends = corners.size();
+      std::vector<Integral> results(boxes.size());
+      for (unsigned int b = 0; b < boxes.size(); ++b)
+        {
+          const double volume = std::pow(boxes[b].size, d);
+          Tensor<1, 3> by_corners;
+          const auto   look = [&](const Tensor<1, 3> &value, const double weight, Tensor<1, 3> &sum) {
+            sum += volume * weight * value;
+            results[b].range = std::max(results[b].range, volume * (value - values[b * n]).norm());
+          };
+          for (unsigned int q = 0; q < n; ++q)
+            look(values[b * n + q], formula.weight(q), results[b].load);
+          for (unsigned int q = 0; q < n_ends; ++q)
+            look(ends[b * n_ends + q], corners.weight(q), by_corners);
+          results[b].mismatch = (by_corners - results[b].load).norm();
+        }
+      return results;
+    }
+
+    template <int d>
+    Quadrature<d>
+    formula_on(const std::vector<Box<d>> &boxes, const Quadrature<d> &formula)
+    {
+      std::vector<double> weights;
+      for (const auto &box : boxes)
+        for (const double weight : formula.get_weights())
+          weights.push_back(weight * std::pow(box.size, d));
+      return Quadrature<d>(points_in(boxes, formula), weights);
+    }
+  } // namespace
+
+  template <int d>
+  Quadrature<d>
+  adapted_quadrature(const Quadrature<d> &formula, const LoadAt<d> &load)
+  {
+    const unsigned int  n_levels = d == 1 ? 24 : d == 2 ? 5 : 3; // a jump crosses ever more boxes
+    const Box<d>        all{Point<d>(), 1};
+    std::vector<Box<d>> boxes    = parts_of(all, d == 1 ? 8 : 4), leaves;
+    auto                of_boxes = integrals(boxes, formula, load);
+    Tensor<1, 3>        whole    = integrals<d>({all}, formula, load)[0].load;
+    double              scale = 0, mismatch = 0;
+    for (const auto &integral : of_boxes)
+      {
+        whole -= integral.load;
+        scale += integral.load.norm();
+        mismatch = std::max(mismatch, integral.mismatch);
+      }
+    if (whole.norm() <= 1e-4 * scale && mismatch <= 5e-3 * scale)
+      return formula;
+
+    const unsigned int n = Utilities::fixed_power<d>(2u);
+    for (unsigned int level = 0; level < n_levels && !boxes.empty(); ++level)
+      {
+        std::vector<Box<d>> parts, rough;
+        for (const auto &box : boxes)
+          for (const auto &part : parts_of(box, 2))
+            parts.push_back(part);
+        const auto            of_parts = integrals(parts, formula, load);
+        std::vector<Integral> of_rough;
+        for (unsigned int i = 0; i < boxes.size(); ++i)
+          {
+            Tensor<1, 3> change = of_boxes[i].load;
+            for (unsigned int k = i * n; k < (i + 1) * n; ++k)
+              change -= of_parts[k].load;
+            const bool smooth = change.norm() <= 1e-5 * scale && of_boxes[i].range <= 1e-4 * scale;
+            for (unsigned int k = i * n; k < (i + 1) * n; ++k)
+              {
+                (smooth ? leaves : rough).push_back(parts[k]);
+                if (!smooth)
+                  of_rough.push_back(of_parts[k]);
+              }
+          }
+        boxes    = std::move(rough);
+        of_boxes = std::move(of_rough);
+      }
+    leaves.insert(leaves.end(), boxes.begin(), boxes.end());
+    return formula_on(leaves, formula);
+  }
+
+  template Quadrature<1>
+  adapted_quadrature(const Quadrature<1> &, const LoadAt<1> &);
+  template Quadrature<2>
+  adapted_quadrature(const Quadrature<2> &, const LoadAt<2> &);
+  template Quadrature<3>
+  adapted_quadrature(const Quadrature<3> &, const LoadAt<3> &);
+} // namespace Amontons

@@ -109,9 +109,10 @@ namespace Amontons
 
     // Where the other side has a step, a node sees both of its levels; psi changes sign, so the far one would
     // count for as much as the near one. What lies farther from a face, by more than half its size, than what
-    // is opposite of it or of the faces beside it cannot close with it: the strain would be too large. Moved
-    // surfaces may be as steep as that, and what counts must not change abruptly: there only what is separate
-    // from everything near is left out.
+    // is opposite of it or of the faces beside it cannot close with it: the strain would be too large. (Of
+    // the sizes that of the largest: beside a large face a small one sees gaps that a slope has made on the
+    // way along the large one.) Moved surfaces may be as steep as that, and what counts must not change
+    // abruptly: there only what is separate from everything near is left out.
     template <int dim>
     std::vector<OverlapPoint<dim>>
     without_steps(const ContactSurface<dim>     &slave,
@@ -119,7 +120,11 @@ namespace Amontons
                   std::vector<OverlapPoint<dim>> points,
                   const bool                     moved)
     {
-      std::vector<double> closest(slave.nodes.size(), std::numeric_limits<double>::max());
+      std::vector<double> closest(slave.nodes.size(), std::numeric_limits<double>::max()),
+          largest(slave.nodes.size(), 0.);
+      for (const auto &face : slave.faces)
+        for (const unsigned int node : face.unknowns)
+          largest[node] = std::max(largest[node], face.size);
       for (const auto &p : points)
         for (const unsigned int node : slave.faces[p.slave_face].unknowns)
           closest[node] = std::min(closest[node], p.gap);
@@ -127,10 +132,13 @@ namespace Amontons
       for (auto &piece : pieces)
         {
           const auto &face   = slave.faces[piece.slave_face];
-          double      beside = std::numeric_limits<double>::max();
+          double      beside = std::numeric_limits<double>::max(), size = 0;
           for (const unsigned int node : face.unknowns)
-            beside = std::min(beside, closest[node]);
-          piece.kept = piece.gap <= beside + 0.5 * face.size;
+            {
+              beside = std::min(beside, closest[node]);
+              size   = std::max(size, largest[node]);
+            }
+          piece.kept = piece.gap <= beside + 0.5 * size;
         }
       if (moved && master != nullptr)
         keep_connected(*master, pieces);

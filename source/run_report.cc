@@ -228,7 +228,7 @@ namespace Amontons
     if (newton.frozen)
       add("the states of friction repeated themselves; its bounds were held for a while (Tresca)");
     if (newton.pivoted)
-      add("states of friction that the iteration did not find were found by pivoting (Lemke's method)");
+      add("states of contact that the iteration did not find were found by pivoting (Lemke's method)");
     for (const auto &interface : interfaces)
       {
         const auto &slave = *interface.slave;

@@ -149,6 +149,119 @@ namespace Amontons
     return result;
   }
 
+  // Pressures and what they make of all gaps, with those nodes that have been asked for.
+  template <int dim>
+  class CondensedContact
+  {
+  public:
+    CondensedContact(const BaseSolution<dim> &base, const typename ActiveSetLookahead<dim>::Respond &respond)
+        : base(base), respond(respond), working(base.nodes.size(), false)
+    {
+      for (unsigned int k = 0; k < base.nodes.size(); ++k)
+        if (!base.nodes[k].tied)
+          size = std::max(size, std::abs(base.answers[k].gap));
+    }
+
+    unsigned int
+    n() const
+    {
+      return nodes.size();
+    }
+
+    void
+    add(const unsigned int k)
+    {
+      if (working[k] || base.nodes[k].tied)
+        return;
+      working[k] = true;
+      nodes.push_back(k);
+      responses.push_back(respond(k, NodeInput::across));
+    }
+
+    // False: the path ends on a ray.
+    bool
+    solve()
+    {
+      FullMatrix<double> M(n(), n());
+      Vector<double>     q(n());
+      for (unsigned int i = 0; i < n(); ++i)
+        {
+          q[i] = base.answers[nodes[i]].gap / size;
+          for (unsigned int j = 0; j < n(); ++j)
+            M(i, j) = responses[j][nodes[i]].gap;
+        }
+      const auto z = complementary_solution(M, q);
+      if (z)
+        pressures = *z;
+      return z.has_value();
+    }
+
+    // Those outside that overlap by more than rounding.
+    std::vector<unsigned int>
+    overlapping() const
+    {
+      std::vector<unsigned int> result;
+      for (unsigned int k = 0; k < base.nodes.size(); ++k)
+        if (!working[k] && !base.nodes[k].tied)
+          {
+            double gap = base.answers[k].gap, sum = std::abs(gap);
+            for (unsigned int j = 0; j < n(); ++j)
+              {
+                const double change = size * pressures[j] * responses[j][k].gap;
+                gap += change;
+                sum += std::abs(change);
+              }
+            if (gap < -1e-10 * sum)
+              result.push_back(k);
+          }
+      return result;
+    }
+
+    NodalContacts<dim>
+    answers() const
+    {
+      NodalContacts<dim> result(base.nodes.size());
+      for (unsigned int k = 0; k < result.size(); ++k)
+        result[k].state = base.nodes[k].tied ? base.states[k] : ContactStatus::open;
+      for (unsigned int j = 0; j < n(); ++j)
+        if (pressures[j] > 0)
+          {
+            result[nodes[j]].state    = ContactStatus::slip;
+            result[nodes[j]].pressure = size * base.nodes[nodes[j]].c * pressures[j];
+          }
+      return result;
+    }
+
+  private:
+    const BaseSolution<dim>                         &base;
+    const typename ActiveSetLookahead<dim>::Respond &respond;
+    double                                           size = 0; // of the gaps
+    std::vector<bool>                                working;
+    std::vector<unsigned int>                        nodes;
+    std::vector<NodalContacts<dim>>                  responses; // of these to p = c
+    Vector<double>                                   pressures; // over size c
+  };
+
+  template <int dim>
+  std::optional<NodalContacts<dim>>
+  solve_condensed_contact(const BaseSolution<dim>                         &base,
+                          const typename ActiveSetLookahead<dim>::Respond &respond,
+                          const std::vector<unsigned int>                 &first,
+                          const unsigned int                               n_most)
+  {
+    CondensedContact<dim> contact(base, respond);
+    for (auto more = first; !more.empty(); more = contact.overlapping())
+      {
+        if (contact.n() + more.size() > n_most)
+          return {};
+        for (const unsigned int k : more)
+          contact.add(k);
+        if (!contact.solve())
+          return {};
+      }
+    return contact.n() > 0 ? std::make_optional(contact.answers()) : std::nullopt;
+  }
+
   template std::optional<NodalContacts<2>>
   solve_condensed_friction(const BaseSolution<2> &,
                            const ActiveSetLookahead<2>::Respond &,
@@ -157,4 +270,14 @@ namespace Amontons
   solve_condensed_friction(const BaseSolution<3> &,
                            const ActiveSetLookahead<3>::Respond &,
                            const std::vector<ShearBound> &);
+  template std::optional<NodalContacts<2>>
+  solve_condensed_contact(const BaseSolution<2> &,
+                          const ActiveSetLookahead<2>::Respond &,
+                          const std::vector<unsigned int> &,
+                          const unsigned int);
+  template std::optional<NodalContacts<3>>
+  solve_condensed_contact(const BaseSolution<3> &,
+                          const ActiveSetLookahead<3>::Respond &,
+                          const std::vector<unsigned int> &,
+                          const unsigned int);
 } // namespace Amontons

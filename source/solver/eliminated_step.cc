@@ -217,31 +217,45 @@ namespace Amontons
     return open;
   }
 
+  // The part of the bounds of friction that does not depend on pressures, and its slope.
   template <int dim>
-  bool
-  EliminatedStep<dim>::settle(Iterate<dim> &now, const LA::Vector *springs)
+  std::vector<ShearBound>
+  EliminatedStep<dim>::linear_bounds(const Iterate<dim> &now) const
   {
-    const unsigned int most  = 160; // nodes: each takes two solves, and four rows of a dense problem
-    const auto        &nodes = problem.contact.nodes();
-    if (dim == 3 || !any_friction || problem.penalty != nullptr || nodes.size() > most ||
-        !solver.is_direct(problem.discretization.dof_handler.n_dofs()))
-      return false;
-    TimerOutput::Scope scope(problem.timer, "condensed contact");
-    now.states.forget(); // bounds follow pressures again
-    std::vector<ShearBound> bounds(nodes.size());
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (const double p = now.answers[k].pressure; nodes[k].frictional)
+    std::vector<ShearBound> bounds(now.answers.size());
+    for (unsigned int k = 0; k < bounds.size(); ++k)
+      if (const double p = now.answers[k].pressure; problem.contact.nodes()[k].frictional)
         {
           bounds[k] = now.states.bound(k, p);
           bounds[k].value -= bounds[k].slope * std::max(0., p);
         }
+    return bounds;
+  }
+
+  template <int dim>
+  bool
+  EliminatedStep<dim>::settle(Iterate<dim> &now, const LA::Vector *springs)
+  {
+    // Each node takes a solve; with friction two, and four rows of a dense problem.
+    const unsigned int most  = any_friction ? 160 : 800;
+    const auto        &nodes = problem.contact.nodes();
+    if ((any_friction && (dim == 3 || nodes.size() > most)) || problem.penalty != nullptr ||
+        !solver.is_direct(problem.discretization.dof_handler.n_dofs()))
+      return false;
+    TimerOutput::Scope scope(problem.timer, "condensed contact");
+    now.states.forget(); // bounds follow pressures again
     const auto              open = with_open_nodes(now, springs);
     const BaseSolution<dim> base{nodes, open.states.all(), open.laws, open.answers, movable_nodes(), open.u};
     const auto              responses = compliance(open, base);
-    const auto              found     = solve_condensed_friction<dim>(
-        base,
-        [&](const unsigned int k, const NodeInput input) { return responses.respond(k, input); },
-        bounds);
+    const auto              respond   = [&](const unsigned int k, const NodeInput input) {
+      return responses.respond(k, input);
+    };
+    std::vector<unsigned int> closed;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (now.states[k] != ContactStatus::open)
+        closed.push_back(k);
+    const auto found = any_friction ? solve_condensed_friction<dim>(base, respond, linear_bounds(now))
+                                    : solve_condensed_contact<dim>(base, respond, closed, most);
     if (found)
       now.states.impose(*found);
     return found.has_value();

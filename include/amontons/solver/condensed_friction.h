@@ -1,4 +1,4 @@
-/// Friction on the contact nodes alone, all at once.
+/// Contact and friction on the contact nodes alone, all at once.
 #pragma once
 
 #include <amontons/solver/active_set_lookahead.h>
@@ -21,4 +21,14 @@ namespace Amontons
   solve_condensed_friction(const BaseSolution<dim>                         &base,
                            const typename ActiveSetLookahead<dim>::Respond &respond,
                            const std::vector<ShearBound>                   &bounds);
+
+  /// The same without friction, in the plane and in space: gap >= 0, p >= 0, p gap = 0. The matrix is
+  /// symmetric and positive semidefinite. Only nodes that press or overlap take part: `first` to begin with,
+  /// and as many more as it takes; nothing if these are more than n_most.
+  template <int dim>
+  std::optional<NodalContacts<dim>>
+  solve_condensed_contact(const BaseSolution<dim>                         &base,
+                          const typename ActiveSetLookahead<dim>::Respond &respond,
+                          const std::vector<unsigned int>                 &first,
+                          const unsigned int                               n_most);
 } // namespace Amontons

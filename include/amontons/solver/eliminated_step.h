@@ -52,6 +52,8 @@ namespace Amontons
     looks_ahead(const Iterate<dim> &now) const;
     std::vector<bool>
     movable_nodes() const;
+    std::vector<ShearBound>
+    linear_bounds(const Iterate<dim> &now) const;
 
     const ContactEquilibrium<dim> &problem;
     const bool                     any_friction;

@@ -125,11 +125,12 @@ namespace Amontons
     }
     ShearBound
     bound(const unsigned int k, const double pressure) const;
-    // States came back although single nodes were changed at given bounds.
+    // States came back although single nodes were changed at given bounds; without friction, changing all
+    // nodes at once no longer helps.
     bool
     exhausted() const
     {
-      return is_exhausted;
+      return is_exhausted || (!any_friction && active_set.safeguarded());
     }
     bool
     safeguarded() const

@@ -80,6 +80,11 @@ namespace Amontons
             return "a corner or an end of one surface moves into the other body, at " + failure.where +
                    ", where no normal of either surface meets the other one: contact does not see it; say a "
                    "pair for each side of the corner, or round it";
+          case Failure::Kind::beyond_symmetry:
+            return "a body moves through its own plane of symmetry, at " + failure.where +
+                   ": there it would meet its image, which contact does not see; put an obstacle with "
+                   "'Surface "
+                   "= plane' there, or model the whole";
           case Failure::Kind::moves_apart:
             return "the loads drive the rigid " + failure.motion +
                    ", and no node that is closed holds it: the bodies move apart or slide off each other; "
@@ -127,6 +132,8 @@ namespace Amontons
             return "passed through";
           case Failure::Kind::entered:
             return "entered";
+          case Failure::Kind::beyond_symmetry:
+            return "beyond symmetry";
           case Failure::Kind::moves_apart:
             return "moves apart";
           case Failure::Kind::beyond_edge:

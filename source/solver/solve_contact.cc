@@ -5,6 +5,7 @@
 #include <amontons/solver/pseudo_transient.h>
 #include <amontons/solver/row_step.h>
 #include <amontons/solver/solve_contact.h>
+#include <amontons/solver/symmetry_planes.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -113,6 +114,12 @@ namespace Amontons
     auto               report = PseudoTransient<dim>(problem, step, newton).run(follow_motion);
     if (report.converged && !report.moved)
       check_crossing(contact, state, report);
+    if (report.converged)
+      if (const auto nodes = beyond_symmetry_planes(discretization, state.displacement); !nodes.empty())
+        {
+          report.failure   = Diagnosis::surfaces_cross(Failure::Kind::beyond_symmetry, nodes);
+          report.converged = false;
+        }
     check_region(problem, newton.floating_bodies(), report);
     return report;
   }

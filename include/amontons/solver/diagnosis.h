@@ -32,7 +32,7 @@ namespace Amontons
     Failure
     friction_exceeded(const NodeStates<dim> &states);
 
-    /// kind: passed_through or entered, at these nodes.
+    /// kind: passed_through, entered or beyond_symmetry, at these nodes.
     template <int dim>
     Failure
     surfaces_cross(const Failure::Kind kind, const std::vector<Point<dim>> &nodes);

@@ -17,6 +17,7 @@ namespace Amontons
       inverted_cell,         // by every step that was tried, however short
       passed_through,        // one surface through another, within the increment
       entered,               // a corner went into a body where no normal finds it
+      beyond_symmetry,       // a body moved through its own plane of symmetry
       moves_apart,           // loads drive a rigid motion that no closed node holds
       beyond_edge,           // what holds the bodies would have to lie beyond the edge of the contact
       friction_beyond_limit, // limit analysis: no contact forces within the bounds balance the loads

@@ -62,25 +62,23 @@ namespace Amontons
 
   template <int dim>
   void
-  Evaluation<dim>::estimate(const Model<dim> &model, const SolutionState<dim> &state, const bool worst_so_far)
+  Evaluation<dim>::estimate(const Model<dim> &model, const SolutionState<dim> &state)
   {
     recovery = std::make_unique<StressRecovery<dim>>(model.discretization(), model.elasticity);
     recovery->recover(state.displacement);
-    const auto before = error;
-    error             = estimate_error(model.discretization(), *recovery, model.interfaces, fields);
-    pressure_norm     = error.pressure_norm;
-    shear_norm        = error.shear_norm;
-    if (worst_so_far)
-      {
-        error.worst_pressure = before.worst_pressure;
-        error.worst_shear    = before.worst_shear;
-        keep_largest(before.cell_indicators, error.cell_indicators);
-        keep_largest(before.contact_indicators, error.contact_indicators);
-        keep_largest(before.shear_indicators, error.shear_indicators);
-        error.energy_norm   = std::max(before.energy_norm, error.energy_norm);
-        error.pressure_norm = std::max(before.pressure_norm, error.pressure_norm);
-        error.shear_norm    = std::max(before.shear_norm, error.shear_norm);
-      }
+    error         = estimate_error(model.discretization(), *recovery, model.interfaces, fields);
+    pressure_norm = error.pressure_norm;
+    shear_norm    = error.shear_norm;
+    if (!of_history)
+      return;
+    error.worst_pressure = kept.worst_pressure;
+    error.worst_shear    = kept.worst_shear;
+    keep_largest(kept.cell_indicators, error.cell_indicators);
+    keep_largest(kept.contact_indicators, error.contact_indicators);
+    keep_largest(kept.shear_indicators, error.shear_indicators);
+    error.energy_norm   = std::max(kept.energy_norm, error.energy_norm);
+    error.pressure_norm = std::max(kept.pressure_norm, error.pressure_norm);
+    error.shear_norm    = std::max(kept.shear_norm, error.shear_norm);
   }
 
   template <int dim>

@@ -33,7 +33,8 @@ namespace Amontons
 
   template <int dim>
   FailedIncrement<dim>::FailedIncrement(const Model<dim> &model, const NewtonReport &report)
-      : report(report), loads(model.loads), values(model.discretization().make_owned_vector())
+      : report(report), moves(model.finite_strain()), loads(model.loads),
+        values(model.discretization().make_owned_vector())
   {
     for (const auto dof : model.discretization().locally_owned)
       if (model.supports.is_constrained(dof))
@@ -49,7 +50,7 @@ namespace Amontons
   bool
   FailedIncrement<dim>::is_alike(const FailedIncrement &before, const bool from_rest) const
   {
-    if (before.report.iterations.empty() || before.loads.size() != loads.size())
+    if (moves || before.report.iterations.empty() || before.loads.size() != loads.size())
       return false;
     const double old    = before.loads.norm_sqr() + before.values.norm_sqr() + square(before.gaps),
                  now    = loads.norm_sqr() + values.norm_sqr() + square(gaps);

@@ -11,8 +11,8 @@ namespace Amontons
                           std::unique_ptr<Model<dim>> start,
                           TimerOutput                &timer,
                           RunControl                 &control)
-      : model(std::move(start)), scene(model->discretization().scene), parameters(parameters), timer(timer),
-        control(control)
+      : model(std::move(start)), evaluation(model->discretization().scene.has_friction()),
+        scene(model->discretization().scene), parameters(parameters), timer(timer), control(control)
   {
     history.state.t = model->time();
   }

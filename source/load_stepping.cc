@@ -47,11 +47,11 @@ namespace Amontons
   bool
   LoadStepping<dim>::run_load_program()
   {
-    LoadProgram program(scene, is_incremental(), increment_length);
-    Failures    failures;
-    const auto  n_known = history.path.size(); // on the mesh before
+    auto       program = load_program(increment_length);
+    Failures   failures;
+    const auto n_known = history.path.size(); // on the mesh before
     history.restart();
-    evaluation.error = ErrorEstimate<dim>();
+    evaluation.restart();
     if (neglected != nullptr)
       *neglected = NeglectedTermsOfHistory<dim>();
     //! [load program]
@@ -70,7 +70,7 @@ namespace Amontons
           return false;
         else if (must_stop() || !try_again(program, failures))
           {
-            if (is_incremental() && program.number() > 1)
+            if (program.number() > 1)
               return_to_last_converged();
             return false;
           }
@@ -94,7 +94,7 @@ namespace Amontons
         while (model->widen_search(history.state));
         if (!refine_now(program) || must_stop() || !refine())
           return Result::converged;
-        if (has_history() && program.time() > 0 && !rebalance(program))
+        if (refinement == Refinement::on_the_way && program.time() > 0 && !rebalance(program))
           return Result::lost;
         //! [increment]
       }
@@ -110,30 +110,31 @@ namespace Amontons
     history.last_report        = iterate(report.observer());
     const double solve_seconds = seconds.wall_time();
     evaluation.collect_fields(*model, history.state);
-    const auto error_before = evaluation.error; // an increment that fails leaves nothing in the worst so far
-    const auto factors_before = std::make_pair(history.coarser.pressure, history.coarser.shear);
     {
       TimerOutput::Scope scope(timer, "error estimate");
-      evaluation.estimate(*model, history.state, has_history());
-      combine_with_difference(model->discretization(),
-                              model->interfaces,
-                              evaluation.fields,
-                              history.state.t,
-                              history.coarser,
-                              evaluation.error);
-      if (has_history() && history.last_report.converged)
-        evaluation.judge_by_history();
-      if (!follows_work() && history.last_report.converged)
-        follow_target();
+      evaluation.estimate(*model, history.state);
+      if (history.last_report.converged)
+        judge();
     }
     report.add_estimate(evaluation.error);
     report.end_solve(answer(), {program, mesh, history.last_report, evaluation, solve_seconds});
-    if (has_history() && !history.last_report.converged)
-      {
-        evaluation.error                                          = error_before;
-        std::tie(history.coarser.pressure, history.coarser.shear) = factors_before;
-      }
     return history.last_report.converged;
+  }
+
+  // The estimate by what other meshes and increments say.
+  template <int dim>
+  void
+  LoadStepping<dim>::judge()
+  {
+    combine_with_difference(model->discretization(),
+                            model->interfaces,
+                            evaluation.fields,
+                            history.state.t,
+                            history.coarser,
+                            evaluation.error);
+    evaluation.judge_by_history();
+    if (!follows_work())
+      follow_target();
   }
 
   template <int dim>
@@ -161,6 +162,7 @@ namespace Amontons
     note_snap(program.next() - program.time());
     program.accept(history.last_report.moved ? 0 : history.last_report.iterations.size());
     history.follow_motion = false;
+    evaluation.keep();
     commit(program);
     if (follows_work()) // of which this increment is a part now
       follow_target();
@@ -214,7 +216,8 @@ namespace Amontons
     const unsigned int patience = has_history() ? 5 : 3; // friction: mostly states that are hard to find
     const auto        &failure  = history.last_report.failure;
     const bool         crosses  = failure && (failure->kind == Failure::Kind::passed_through ||
-                                     failure->kind == Failure::Kind::entered);
+                                     failure->kind == Failure::Kind::entered ||
+                                     failure->kind == Failure::Kind::beyond_symmetry);
     const bool lacks_memory     = failure && failure->kind == Failure::Kind::no_memory; // shorter ones, too
     if (model->finite_strain() && !history.follow_motion && !crosses && !lacks_memory &&
         (++failures.in_a_row == patience || program.is_smallest()))
@@ -223,11 +226,11 @@ namespace Amontons
         roll_back();
         return true;
       }
-    if (!is_incremental() || history.n_cut_backs >= history.most_cut_backs || lacks_memory)
+    if (history.n_cut_backs >= history.most_cut_backs || lacks_memory)
       return false;
     FailedIncrement<dim> failed(*model, history.last_report);
     const bool           from_rest = history.last_converged.displacement.size() == 0;
-    if ((!model->finite_strain() && failed.is_alike(failures.last, from_rest)) || !program.cut_back())
+    if (failed.is_alike(failures.last, from_rest) || !program.cut_back())
       return false;
     failures.last         = std::move(failed);
     history.follow_motion = false;
@@ -253,6 +256,7 @@ namespace Amontons
   void
   LoadStepping<dim>::go_back()
   {
+    evaluation.go_back();
     history.state = history.last_converged;
     if (history.state.displacement.size() == 0)
       history.state.displacement = model->discretization().make_relevant_vector();
@@ -368,8 +372,7 @@ namespace Amontons
   bool
   LoadStepping<dim>::may_transfer() const
   {
-    return may_refine() && (refinement == Refinement::on_the_way ||
-                            (refinement == Refinement::in_last_increment && model->finite_strain()));
+    return may_refine() && refinement != Refinement::between_replays;
   }
 
   template <int dim>
@@ -446,12 +449,12 @@ namespace Amontons
   LoadStepping<dim>::measure_increments()
   {
     TimerOutput::Scope scope(timer, "error of the increments");
-    LoadProgram        plan(scene, is_incremental(), increment_length);
+    auto               plan = load_program(increment_length);
     while (!plan.finished())
       plan.accept(1);
     const bool few = plan.number() - 1 < 4 * plan.n_breakpoints();
 
-    LoadProgram   program(scene, is_incremental(), increment_length * (few ? 0.5 : 2));
+    auto          program = load_program(increment_length * (few ? 0.5 : 2));
     LoadPath<dim> repeat(parameters, model->at_rest(program.next()), timer, control);
     repeat.history.path.swap(history.path); // first guesses for both
     const bool success = repeat.run(program);

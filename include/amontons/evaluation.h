@@ -11,6 +11,9 @@ namespace Amontons
   template <int dim>
   struct Evaluation
   {
+    /// of_history: the answer depends on the path of the load, so that the worst of its increments counts.
+    explicit Evaluation(const bool of_history) : of_history(of_history) {}
+
     std::vector<SurfaceFields<dim>>      fields; // by pair
     std::unique_ptr<StressRecovery<dim>> recovery;
     ErrorEstimate<dim>                   error;
@@ -30,19 +33,39 @@ namespace Amontons
     void
     collect_fields(const Model<dim> &model, const SolutionState<dim> &state);
 
-    /// After collect_fields(). worst_so_far: indicators do not fall below those of the last estimate on this
-    /// mesh (what a load history needs is the worst of its increments).
+    /// After collect_fields(). Of a history: indicators and norms do not fall below those of the increments
+    /// that were kept on this mesh.
     void
-    estimate(const Model<dim> &model, const SolutionState<dim> &state, const bool worst_so_far);
+    estimate(const Model<dim> &model, const SolutionState<dim> &state);
 
-    /// In the end of an increment of a history. A state with less than a twentieth of the largest pressure so
-    /// far (unloaded, or open) is not what a target is about: the largest errors so far count, against that
-    /// pressure.
+    /// After the estimate of a state that converged. Of a history: one with less than a twentieth of the
+    /// largest pressure so far (unloaded, or open) is not what a target is about: the largest errors so far
+    /// count, against that pressure.
     void
     judge_by_history();
 
+    /// The increment is over: its error counts from now on; or it failed: back to that of the last one.
+    void
+    keep()
+    {
+      kept = error;
+    }
+    void
+    go_back()
+    {
+      error = kept;
+    }
+    /// The load program starts.
+    void
+    restart()
+    {
+      error = kept = ErrorEstimate<dim>();
+    }
+
   private:
-    double pressure_norm = 0, shear_norm = 0; // of the state, what its errors count against
+    const bool         of_history;
+    ErrorEstimate<dim> kept;                              // of the last increment
+    double             pressure_norm = 0, shear_norm = 0; // of the state, what its errors count against
 
     /// Of the pair that has most.
     unsigned int

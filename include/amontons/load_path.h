@@ -25,6 +25,13 @@ namespace Amontons
     bool
     run(LoadProgram &program);
 
+    /// The increments of the scene, or others that are these times as long.
+    LoadProgram
+    load_program(const double length) const
+    {
+      return LoadProgram(scene, is_incremental(), length);
+    }
+
     Answer<dim>
     answer() const;
 

@@ -17,6 +17,7 @@ namespace Amontons
     using LoadPath<dim>::history;
     using LoadPath<dim>::evaluation;
     using LoadPath<dim>::answer;
+    using LoadPath<dim>::load_program;
 
     /// start: at rest. neglected: small strain: collects what that leaves out, over the increments; null:
     /// nothing does.
@@ -46,7 +47,6 @@ namespace Amontons
     using LoadPath<dim>::timer;
     using LoadPath<dim>::control;
     using LoadPath<dim>::has_history;
-    using LoadPath<dim>::is_incremental;
     using LoadPath<dim>::set_time;
     using LoadPath<dim>::start_increment;
     using LoadPath<dim>::iterate;
@@ -70,6 +70,8 @@ namespace Amontons
     solve_increment(const LoadProgram &program);
     bool
     solve_on_mesh(const LoadProgram &program);
+    void
+    judge();
     // The error that `Target error` is asked for.
     void
     follow_target();

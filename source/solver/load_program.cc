@@ -11,12 +11,13 @@ namespace Amontons
     constexpr unsigned int few = 6, many = 20;
   } // namespace
 
-  LoadProgram::LoadProgram(const Scene &scene, const bool has_history, const double coarser)
-      : breakpoints(scene.output_times), constant_size(scene.end_time / std::max(1u, scene.n_increments)),
-        coarser(coarser), smallest(scene.minimum_increment * scene.end_time)
+  LoadProgram::LoadProgram(const Scene &scene, const bool incremental, const double coarser)
+      : incremental(incremental), breakpoints(scene.output_times),
+        constant_size(scene.end_time / std::max(1u, scene.n_increments)), coarser(coarser),
+        smallest(scene.minimum_increment * scene.end_time)
   {
     breakpoints.push_back(scene.end_time);
-    if (has_history)
+    if (incremental)
       {
         corners = scene.corner_times;
         breakpoints.insert(breakpoints.end(), corners.begin(), corners.end());
@@ -79,7 +80,7 @@ namespace Amontons
   bool
   LoadProgram::cut_back()
   {
-    if (is_smallest())
+    if (!incremental || is_smallest())
       return false;
     factor = (next() - t) / longest() / 2;
     return true;

@@ -16,8 +16,9 @@ namespace Amontons
     // And where a target chooses them, until their error is known.
     static constexpr double increments_at_first = 4;
 
-    // coarser: how many times longer increments may be than the scene says.
-    LoadProgram(const Scene &scene, const bool has_history, const double coarser = 1);
+    // incremental: the load is applied in increments, which may be cut. coarser: how many times longer they
+    // may be than the scene says.
+    LoadProgram(const Scene &scene, const bool incremental, const double coarser = 1);
 
     double
     time() const // that is reached
@@ -59,7 +60,7 @@ namespace Amontons
     {
       return next() - t <= smallest * (1 + 1e-9);
     }
-    // After a failure; false: the increment is the smallest allowed.
+    // After a failure; false: the increment is the smallest allowed, or the only one.
     bool
     cut_back();
 
@@ -67,6 +68,7 @@ namespace Amontons
     double
     longest() const; // increment at time t
 
+    bool                incremental;
     std::vector<double> breakpoints, corners;
     double              constant_size; // 0: increments_by_default in each piece,
     double              coarser;       // times this

@@ -204,17 +204,33 @@ namespace Amontons
     report.restart();
     start(true);
     const bool has_fallback = small_strain_converged && small_strain.error() <= small_strain.too_much;
-    if (has_fallback)
+    const bool is_refined   = mesh->n_refinements > 0;
+    if (has_fallback || is_refined)
       steps->history.most_cut_backs = LoadHistory<dim>::many_cut_backs;
     if (run_load_program())
       return true;
-    if (!has_fallback || control.stop.is_there())
+    if (control.stop.is_there())
       return false;
+    if (!has_fallback)
+      return is_refined && run_on_first_mesh();
     report.announce("warning: finite strain failed (" + report.message() +
                     "): the answer is that of small strain");
     report.restart();
     start(false);
     return steps->run();
+  }
+
+  // With finite strain, where the mesh that small strain was refined to fails: into a sharp corner, say,
+  // whose cells are turned inside out.
+  template <int dim>
+  bool
+  ContactProblem<dim>::run_on_first_mesh()
+  {
+    report.announce("finite strain failed on the mesh that small strain has led to (" + report.message() +
+                    "): it starts on the first one");
+    report.restart();
+    start_on_first_mesh(true);
+    return run_load_program();
   }
 
   template <int dim>
@@ -272,8 +288,9 @@ namespace Amontons
       text << (text.str().empty() ? "" : ", ") << errors.dissipation << " of the work, in that of friction";
     if (!text.str().empty())
       report.announce("warning: with " + std::to_string(errors.repeated_with) + " increments instead of " +
-                      std::to_string(errors.n_increments) +
-                      " the answer is another; what is wrong by the increments is about " + text.str() +
+                      std::to_string(errors.measured_with) +
+                      " the answer is another; what is wrong by the increments (" +
+                      std::to_string(errors.n_increments) + ") is about " + text.str() +
                       "; it falls with their number ('Increments')");
   }
 

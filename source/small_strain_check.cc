@@ -21,11 +21,12 @@ namespace Amontons
       return answer;
     }
 
-    // The larger one of: the largest change of a pair's force, against the largest force; the change of the
-    // pressures of all pairs in the mean square.
+    // The larger one of: the largest change of a pair's force, against the largest force; and unless these
+    // alone count, the change of the pressures of all pairs in the mean square.
     double
     change_of_contact(const std::vector<std::map<unsigned int, std::array<double, 2>>> &before,
-                      const std::vector<std::map<unsigned int, std::array<double, 2>>> &after)
+                      const std::vector<std::map<unsigned int, std::array<double, 2>>> &after,
+                      const bool                                                        forces_alone)
     {
       double force_change = 0, largest_force = 0, square_change = 0, square = 0;
       for (unsigned int i = 0; i < before.size(); ++i)
@@ -51,8 +52,9 @@ namespace Amontons
           force_change  = std::max(force_change, std::abs(new_force - old_force));
           largest_force = std::max(largest_force, std::abs(old_force));
         }
-      return largest_force > 0 ? std::max(force_change / largest_force, std::sqrt(square_change / square))
-                               : 0.;
+      if (largest_force <= 0)
+        return 0;
+      return std::max(force_change / largest_force, forces_alone ? 0. : std::sqrt(square_change / square));
     }
 
     template <int dim>
@@ -148,8 +150,9 @@ namespace Amontons
   }
 
   // The iteration with finite strain goes on from the answer of small strain: the largest relative change of
-  // contact forces, pressures and of the displacement; none if it does not converge. (With friction the path
-  // of the load counts, too: an estimate then.)
+  // contact forces and, unless the total force is all that is asked for, of pressures and of the
+  // displacement; none if it does not converge. (With friction the path of the load counts, too: an estimate
+  // then.)
   template <int dim>
   std::optional<double>
   SmallStrainCheck<dim>::change_by_finite_strain(Model<dim>               &model,
@@ -170,10 +173,11 @@ namespace Amontons
     difference = trial.displacement;
     old        = state.displacement;
     difference -= old;
-    const double contact =
-        change_of_contact(contact_answer(model.interfaces, state), contact_answer(finite.interfaces, trial));
+    const bool   forces_alone = parameters.refinement.target_quantity == "total force";
+    const double contact      = change_of_contact(
+        contact_answer(model.interfaces, state), contact_answer(finite.interfaces, trial), forces_alone);
     const double size = old.linfty_norm();
-    return size > 0 ? std::max(contact, difference.linfty_norm() / size) : contact;
+    return size > 0 && !forces_alone ? std::max(contact, difference.linfty_norm() / size) : contact;
   }
 
   template class SmallStrainCheck<2>;

@@ -216,6 +216,8 @@ def scenes():
     change("wrong type", "= 1000", "= stiff", "found 'stiff'.*number")
     change("wrong choice", "Kind = plane strain", "Kind = plain strain", "found 'plain strain'.*plane strain")
     change("unknown kinematics", "set Kind", "set Kinematics = large strain\nset Kind", "found 'large strain'.*small strain, finite strain, auto")
+    twice = BASE + "subsection Boundary condition again\n  set Boundaries = lower/bottom\n  set Value = free; 0.5\nend\n"
+    case("two displacements of a boundary", twice, rf"^scene\.prm:{line_of(twice, 'condition again')}: .*y of 'lower/bottom' is moved by 0\.5, and by 0 in Boundary condition .*, line")
     change("unknown law", "= 0.3", "= 0.3\n  set Law = Mooney-Rivlin", "Body upper/Law: found 'Mooney-Rivlin'.*neo-Hookean, St. Venant-Kirchhoff", part="set Law")
     change("not a flag", "= lower/top", "= lower/top\n  set Tied = perhaps", "found 'perhaps'", part="set Tied")
     change("nu = 0.5", "= 0.3", "= 0.5", r"found 0\.5.*less than 0\.5")

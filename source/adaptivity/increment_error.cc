@@ -41,7 +41,7 @@ namespace Amontons
     {
       double force = 0;
       for (const auto &landing : record.breakpoints)
-        force = std::max(force, landing.pairs[pair].normal_force.norm());
+        force = std::max(force, landing.pairs[pair].force);
       return force;
     }
 
@@ -63,8 +63,7 @@ namespace Amontons
                                &result.tangential_force,
                                &result.dissipation})
       *part *= factor;
-    for (unsigned int *const number : {&result.n_increments, &result.repeated_with})
-      *number = static_cast<unsigned int>(std::lround(*number / factor));
+    result.n_increments = static_cast<unsigned int>(std::lround(n_increments / factor));
     return result;
   }
 
@@ -73,6 +72,7 @@ namespace Amontons
   {
     IncrementErrors errors;
     errors.n_increments  = run.n_increments;
+    errors.measured_with = run.n_increments;
     errors.repeated_with = repeat.n_increments;
     const double factor  = 1 / std::abs(double(run.n_increments) / repeat.n_increments - 1);
 
@@ -90,21 +90,20 @@ namespace Amontons
         double normal = 0, normal_scale = 0, tangential = 0, tangential_scale = 0;
         for (unsigned int l = 0; l < run.breakpoints.size(); ++l)
           {
-            const auto  &a = run.breakpoints[l].pairs[i], &b = repeat.breakpoints[l].pairs[i];
-            const Norms  sums  = norms(a, b);
-            const double force = a.normal_force.norm();
-            pressure           = std::max(pressure, sums.pressure_change);
-            pressure_scale     = std::max(pressure_scale, sums.pressure);
-            shear              = std::max(shear, sums.shear_change);
+            const auto &a = run.breakpoints[l].pairs[i], &b = repeat.breakpoints[l].pairs[i];
+            const Norms sums = norms(a, b);
+            pressure         = std::max(pressure, sums.pressure_change);
+            pressure_scale   = std::max(pressure_scale, sums.pressure);
+            shear            = std::max(shear, sums.shear_change);
             shear_scale =
                 std::max(shear_scale, a.tresca_alone ? sums.bound : std::min(sums.bound, sums.pressure));
             stick            = std::max(stick, std::abs(b.stick_size - a.stick_size));
             size             = std::max(size, a.contact_size);
             normal           = std::max(normal, (b.normal_force - a.normal_force).norm());
-            normal_scale     = std::max(normal_scale, force);
+            normal_scale     = std::max(normal_scale, a.force);
             tangential       = std::max(tangential, (b.tangential_force - a.tangential_force).norm());
             tangential_scale = std::max(
-                tangential_scale, a.tresca_alone ? sums.bound_force : std::min(sums.bound_force, force));
+                tangential_scale, a.tresca_alone ? sums.bound_force : std::min(sums.bound_force, a.force));
           }
         errors.pressure     = std::max(errors.pressure, factor * relative(pressure, pressure_scale));
         errors.shear        = std::max(errors.shear, factor * relative(shear, shear_scale));

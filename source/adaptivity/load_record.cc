@@ -24,6 +24,7 @@ namespace Amontons
             const auto   X       = as_3d(interfaces[i].slave->nodes[row.node].X);
             const double bound   = pair.has_friction() ? shear_bound(pair, X, state.t, p).value : 0;
             kept.nodes[row.node] = {row.area, p, bound, as_3d(node.shear)};
+            kept.force += row.area * p;
           }
         kept.normal_force     = as_3d(fields[i].normal_force);
         kept.tangential_force = as_3d(fields[i].tangential_force);

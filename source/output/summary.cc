@@ -46,6 +46,7 @@ namespace Amontons
     {
       return Json::object()
           .add("number", errors.n_increments)
+          .add("measured_with", errors.measured_with)
           .add("repeated_with", errors.repeated_with)
           .add("pressure", errors.pressure)
           .add("shear", errors.shear)

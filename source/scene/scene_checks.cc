@@ -58,9 +58,34 @@ namespace Amontons
                 "different names for all rigid bodies, obstacles and platens");
     }
 
+    // Two conditions that give the same boundary different displacements: the first would count.
+    void
+    check_displacements(const ConditionData &condition, const ConditionData &before)
+    {
+      using Type = ConditionData::Type;
+      if (condition.type != Type::displacement || before.type != Type::displacement)
+        return;
+      for (const BoundaryName &boundary : condition.boundaries)
+        for (const BoundaryName &other : before.boundaries)
+          for (unsigned int c = 0; c < 3; ++c)
+            if (const auto &now = condition.displacement[c], &first = before.displacement[c];
+                boundary.body == other.body && boundary.boundary == other.boundary && now && first &&
+                now->text() != first->text())
+              throw InputError(
+                  condition.where,
+                  std::string(1, "xyz"[c]) + " of '" + boundary.body + "/" + boundary.boundary +
+                      "' is moved by " + now->text() + ", and by " + first->text() + " in " +
+                      before.where.entry +
+                      (before.where.line > 0 ? ", line " + std::to_string(before.where.line) : ""),
+                  "one displacement of each component of a boundary");
+    }
+
     void
     check_conditions(const Scene &scene)
     {
+      for (std::size_t i = 0; i < scene.conditions.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          check_displacements(scene.conditions[i], scene.conditions[j]);
       for (const ConditionData &condition : scene.conditions)
         for (const BoundaryName &boundary : condition.boundaries)
           {

@@ -22,6 +22,7 @@ namespace Amontons
     {
       std::map<unsigned int, Node> nodes; // by slave node
       dealii::Tensor<1, 3>         normal_force, tangential_force;
+      double                       force        = 0; // sum of the normal ones: around a shaft they balance
       double                       contact_size = 0, stick_size = 0;
       bool                         tresca_alone = false; // the bound does not depend on the pressure
     };
@@ -38,7 +39,8 @@ namespace Amontons
   // Estimated, relative, the largest of all pairs and landings.
   struct IncrementErrors
   {
-    unsigned int n_increments = 0, repeated_with = 0;
+    unsigned int n_increments  = 0; // that they are of
+    unsigned int measured_with = 0, repeated_with = 0;
     double       pressure         = 0; // in the mean square, as
     double       shear            = 0; // this, of its bound or of the pressure, whichever is smaller
     double       stick_size       = 0; // of the contact's size

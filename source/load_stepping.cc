@@ -159,7 +159,7 @@ namespace Amontons
   LoadStepping<dim>::commit_increment(LoadProgram &program)
   {
     note_snap(program.next() - program.time());
-    program.accept(history.last_report.moved ? 0 : history.last_report.iterations.size());
+    program.accept(history.last_report.moved ? 0 : history.last_report.iterations_per_solve());
     history.follow_motion = false;
     commit(program);
     if (follows_work()) // of which this increment is a part now

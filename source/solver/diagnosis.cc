@@ -45,7 +45,7 @@ namespace Amontons
                "support";
       }
 
-      // Of a method to compare with, which calls Newton's again and again.
+      // Of a method to compare with: what bears forces that it has not found.
       std::string
       unsettled(const std::string &what, const Failure &failure, const std::string &why)
       {
@@ -53,6 +53,19 @@ namespace Amontons
         text << what << " still changes by " << failure.residual << " of the forces after " << failure.n
              << why;
         return text.str();
+      }
+
+      std::string
+      seed_unsettled(const Failure &failure)
+      {
+        if (!failure.motion.empty())
+          return "seed: by its rules all nodes slip that could hold the rigid " + failure.motion +
+                 ", whether friction can hold it or not; take smaller increments, or say 'Method = mortar'";
+        return unsettled("seed: what friction bears",
+                         failure,
+                         " iterations, and " + std::to_string(failure.n_changes) +
+                             " nodes still change: the rules of the seed have no cure for states that come "
+                             "back; take smaller increments, or say 'Method = mortar'");
       }
 
       std::string
@@ -125,11 +138,7 @@ namespace Amontons
                              " updates, as this iteration does where friction is large; lower the friction "
                              "coefficient, or say 'Method = mortar'");
           case Failure::Kind::seed_unsettled:
-            return unsettled("seed: what friction bears",
-                             failure,
-                             " iterations, and " + std::to_string(failure.n_changes) +
-                                 " nodes still change: the rules of the seed have no cure for states that "
-                                 "come back; take smaller increments, or say 'Method = mortar'");
+            return seed_unsettled(failure);
         }
       Assert(false, ExcInternalError());
       return "";

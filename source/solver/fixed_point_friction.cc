@@ -9,7 +9,8 @@ namespace Amontons
     if (!newton.prepare())
       return newton.report();
     auto &report = newton.report();
-    bounds.assign(problem.contact.nodes().size(), std::numeric_limits<double>::max());
+    bounds.assign(problem.contact.nodes().size(),
+                  newton.floating_bodies().any() ? std::numeric_limits<double>::max() : 0.);
     if (!problem.state.contact.empty())
       update_bounds();
     newton.states().give_bounds(bounds);

@@ -116,7 +116,7 @@ namespace Amontons
       return;
     if (!now.free_modes.empty())
       {
-        report.failure         = Failure{Failure::Kind::moves_apart};
+        report.failure         = Failure{Failure::Kind::seed_unsettled};
         report.failure->motion = now.states.describe(now.free_modes);
         return;
       }

@@ -9,8 +9,7 @@ namespace Amontons
     if (!newton.prepare())
       return newton.report();
     auto &report = newton.report();
-    bounds.assign(problem.contact.nodes().size(),
-                  newton.floating_bodies().any() ? std::numeric_limits<double>::max() : 0.);
+    bounds.assign(problem.contact.nodes().size(), needs_friction() ? std::numeric_limits<double>::max() : 0.);
     if (!problem.state.contact.empty())
       update_bounds();
     newton.states().give_bounds(bounds);
@@ -32,6 +31,18 @@ namespace Amontons
           }
       }
     return newton.finish();
+  }
+
+  // Whether rigid motions are left where all nodes touch and none rubs.
+  template <int dim>
+  bool
+  FixedPointFriction<dim>::needs_friction() const
+  {
+    NodeStates<dim> all(newton.now().states);
+    for (unsigned int k = 0; k < problem.contact.nodes().size(); ++k)
+      if (!problem.contact.nodes()[k].tied)
+        all.impose(k, ContactStatus::slip);
+    return !all.free_rigid_modes().empty();
   }
 
   // By how much the forces of the bounds change, sqrt sum (area (new - old))^2.

@@ -12,7 +12,7 @@ namespace Amontons
   /// Ingenieur-Archiv 44 (1975) 421; Raous, Chabrand and Lebon, J. Theor. Appl. Mech. 7, suppl. 1 (1988)
   /// 111). Each of the problems is convex. The fixed point attracts where friction is small, by a factor that
   /// grows with mu; else bounds swing, and the report says so. First bounds: of the pressures of the first
-  /// guess; without one none, or, where supports do not hold all bodies, beyond all shears.
+  /// guess; without one none, or, where friction must hold a body, beyond all shears.
   template <int dim>
   class FixedPointFriction
   {
@@ -27,6 +27,8 @@ namespace Amontons
     run();
 
   private:
+    bool
+    needs_friction() const;
     double
     update_bounds();
 

@@ -15,14 +15,16 @@ namespace Amontons
   ///   (c.1) one that sticks has tau < mu |sigma_c|, else it slips, against the direction of tau;
   ///   (c.2) one that slips has tau = mu |sigma_c|: its force follows in the next iteration,
   /// until no state and no force changes. This fails as the paper's would: states may come back (there is no
-  /// safeguard but a number of iterations), forces swing where friction is large, and as no rule lets a
-  /// slipping node stick again, nodes that slipped too early or whose load turns round go on to slip, against
-  /// their friction: a note counts them. Small increments help, as fewer nodes change in each.
+  /// safeguard but a number of iterations), forces swing where friction is large, all nodes may slip although
+  /// friction holds the body, and as no rule lets a slipping node stick again, nodes that slipped too early
+  /// or whose load turns round go on to slip, against their friction: a note counts them. Smaller increments
+  /// change fewer nodes in each, but nothing where the first one fails and all loads grow alike.
   ///
-  /// Where this is not the paper's: small strain (its Updated Lagrangian formulation is not followed: pairs
-  /// of nodes are those of the start), nodes that touch faces (NodeToSegment) for its pairs of nodes, a force
-  /// of friction that keeps its direction, rounding that decides about nothing, and bodies that nothing
-  /// holds. No limit analysis and no rule for rigid motions comes to help (see NodeStates).
+  /// The paper does not say as what a node closes, nor which way friction points where the slip turns: it
+  /// keeps its direction here. What is not the paper's: small strain (its Updated Lagrangian formulation is
+  /// not followed, pairs are those of the start), nodes that touch faces (collocate()) for its pairs of
+  /// nodes, rounding that decides about nothing, and bodies that nothing holds. No limit analysis and no rule
+  /// for rigid motions comes to help (see NodeStates).
   template <int dim>
   class SeedIteration
   {

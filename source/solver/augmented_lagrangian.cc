@@ -20,7 +20,7 @@ namespace Amontons
         if (!report.converged)
           break;
         change           = update_multipliers() / newton.now().force_scale;
-        report.converged = !(change > problem.parameters.tolerance);
+        report.converged = change <= problem.parameters.tolerance;
         if (!report.converged && report.n_outer == problem.parameters.max_iterations)
           report.failure = Failure{Failure::Kind::multipliers_unsettled, report.n_outer, change};
         else if (!report.converged)
@@ -46,9 +46,9 @@ namespace Amontons
             next.pressure = std::max(0., now.answers[k].pressure);
             next.shear    = now.answers[k].shear;
           }
-        const auto change = (next.pressure - multipliers[k].pressure) * nodes[k].normal + next.shear -
-                            nodes[k].tangential(multipliers[k].shear);
-        sum += std::pow(nodes[k].area, 2) * change.norm_square();
+        if (problem.contact.is_opposite(k))
+          sum += std::pow(nodes[k].area, 2) * (std::pow(next.pressure - multipliers[k].pressure, 2) +
+                                               (next.shear - multipliers[k].shear).norm_square());
         multipliers[k] = next;
       }
     penalty.keep(multipliers);

@@ -18,10 +18,10 @@ namespace Amontons
       {
         newton.iterate();
         ++report.n_outer;
-        if (!report.converged)
+        if (report.failure)
           break;
         change           = update_bounds() / newton.now().force_scale;
-        report.converged = !(change > problem.parameters.tolerance);
+        report.converged = report.converged && change <= problem.parameters.tolerance;
         if (!report.converged && report.n_outer == problem.parameters.max_iterations)
           report.failure = Failure{Failure::Kind::bounds_unsettled, report.n_outer, change};
         else if (!report.converged)

@@ -10,9 +10,11 @@ namespace Amontons
   ///   s_i <- phi(p_i) = mu p_i
   /// of that solution, until their forces change no more (doc/introduction.md, (34); Panagiotopoulos,
   /// Ingenieur-Archiv 44 (1975) 421; Raous, Chabrand and Lebon, J. Theor. Appl. Mech. 7, suppl. 1 (1988)
-  /// 111). Each of the problems is convex. The fixed point attracts where friction is small, by a factor that
-  /// grows with mu; else bounds swing, and the report says so. First bounds: of the pressures of the first
-  /// guess; without one none, or, where friction must hold a body, beyond all shears.
+  /// 111). Each of the problems is convex, but for nodes that open, which have no shear here: where no states
+  /// are found with some bounds (in `Maximum iterations`), those of the last ones follow. The fixed point
+  /// attracts where friction is small, by a factor that grows with mu; else bounds swing, and the report says
+  /// so. First bounds: of the pressures of the first guess; without one none, or, where friction must hold a
+  /// body, beyond all shears.
   template <int dim>
   class FixedPointFriction
   {

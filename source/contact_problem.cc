@@ -20,9 +20,10 @@ namespace Amontons
         small_strain(this->scene, this->parameters)
   {
     const SourceLocation entry{scene.file, 0, "Contact solver/Method"};
-    if (parameters.newton.method == "node-to-segment" && scene.kinematics != Kinematics::small_strain)
-      throw InputError(
-          entry, "node-to-segment where surfaces move", "it with 'Kinematics = small strain' only");
+    if (parameters.newton.collocates() && scene.kinematics != Kinematics::small_strain)
+      throw InputError(entry,
+                       parameters.newton.method + " where surfaces move",
+                       "it with 'Kinematics = small strain' only");
     const SourceLocation target{scene.file, 0, "Refinement/Target quantity"};
     const std::string   &quantity = parameters.refinement.target_quantity;
     if ((quantity == "stick size" || quantity == "dissipation") && !scene.has_friction())
@@ -94,7 +95,7 @@ namespace Amontons
   {
     TimerOutput::Scope scope(report.timer(), "mesh");
     mesh             = std::make_shared<BodyMesh<dim>>(scene, parameters.discretization.degree);
-    mesh->collocated = parameters.newton.method == "node-to-segment";
+    mesh->collocated = parameters.newton.collocates();
   }
 
   // On the present mesh.

@@ -46,7 +46,7 @@ namespace Amontons
           }
         while (model->widen_search(history.state));
         evaluation.collect_fields(*model, history.state);
-        program.accept(history.last_report.moved ? 0 : history.last_report.iterations.size());
+        program.accept(history.last_report.moved ? 0 : history.last_report.iterations_per_solve());
         commit(program);
         if (!program.finished())
           begin_next(program);

@@ -160,7 +160,7 @@ namespace Amontons
   LoadStepping<dim>::commit_increment(LoadProgram &program)
   {
     note_snap(program.next() - program.time());
-    program.accept(history.last_report.moved ? 0 : history.last_report.iterations.size());
+    program.accept(history.last_report.moved ? 0 : history.last_report.iterations_per_solve());
     history.follow_motion = false;
     evaluation.keep();
     commit(program);

@@ -153,7 +153,7 @@ namespace Amontons
         LoadProgram program(scene,
                             scene.has_friction() || finite_strain,
                             LoadProgram::increments_by_default / LoadProgram::increments_at_first);
-        mesh->collocated = parameters.newton.method == "node-to-segment";
+        mesh->collocated = parameters.newton.collocates();
         path             = std::make_unique<LoadPath<dim>>(
             parameters, make_model(mesh, finite_strain, program.next(), timer), timer, control);
         path->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);

@@ -190,11 +190,12 @@ namespace Amontons
   RunReport<dim>::summarise(const Solve &solve, const Discretization<dim> &discretization) const
   {
     NewtonSummary newton;
-    newton.increment  = solve.program.number();
-    newton.mesh       = solve.mesh;
-    newton.cells      = n_cells(discretization);
-    newton.dofs       = discretization.dof_handler.n_dofs();
-    newton.iterations = solve.newton.iterations.size();
+    newton.increment        = solve.program.number();
+    newton.mesh             = solve.mesh;
+    newton.cells            = n_cells(discretization);
+    newton.dofs             = discretization.dof_handler.n_dofs();
+    newton.iterations       = solve.newton.iterations.size();
+    newton.outer_iterations = solve.newton.n_outer;
     for (const auto &iteration : solve.newton.iterations)
       {
         newton.active_set_changes.push_back(iteration.n_changes);

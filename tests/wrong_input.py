@@ -188,6 +188,8 @@ def scenes():
     method = "subsection Contact solver\n  set Method = %s\nend"
     case("node to segment on moving surfaces", "set Kinematics = finite strain\n" + method % "node-to-segment" + "\n" + BASE,
          "Contact solver/Method: node-to-segment where surfaces move.*small strain")
+    case("seed on moving surfaces", "set Kinematics = finite strain\n" + method % "seed" + "\n" + BASE,
+         "Contact solver/Method: seed where surfaces move.*small strain")
     case("unknown method", method % "penality" + "\n" + BASE, "penality.*mortar")
     change("unknown section", "subsection Contact middle", "subsection Contct middle", "unknown section 'Contct middle'.*Contact middle")
     change("unknown obstacle", "= lower/top", "= tool", "unknown obstacle 'tool'", part="subsection Contact")

@@ -43,10 +43,11 @@ namespace boost
              pivoted,
              moved,
              unstable,
+             n_outer,
              note] = report;
       (void)failure;
       archive &converged &iterations &one_linear_solve_seconds &start_residual &safeguarded &frozen &pivoted
-          &moved &unstable &note;
+          &moved &unstable &n_outer &note;
     }
 
     template <typename Archive>
@@ -78,7 +79,7 @@ namespace Amontons
 {
   namespace
   {
-    const std::string format = "amontons checkpoint 3 ";
+    const std::string format = "amontons checkpoint 4 ";
 
     // The line before an object.
     std::string

@@ -91,13 +91,15 @@ namespace Amontons
     Json
     to_json(const NewtonSummary &newton)
     {
-      return Json::object()
-          .add("increment", newton.increment)
+      Json json = Json::object();
+      json.add("increment", newton.increment)
           .add("mesh", newton.mesh)
           .add("dofs", newton.dofs)
           .add("cells", newton.cells)
-          .add("iterations", newton.iterations)
-          .add("active_set_changes", newton.active_set_changes)
+          .add("iterations", newton.iterations);
+      if (newton.outer_iterations > 0)
+        json.add("outer_iterations", newton.outer_iterations);
+      return json.add("active_set_changes", newton.active_set_changes)
           .add("krylov_iterations", newton.krylov_iterations)
           .add("residual", newton.residual)
           .add("residuals", newton.residuals);

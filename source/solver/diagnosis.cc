@@ -45,6 +45,29 @@ namespace Amontons
                "support";
       }
 
+      // Of a method to compare with: what bears forces that it has not found.
+      std::string
+      unsettled(const std::string &what, const Failure &failure, const std::string &why)
+      {
+        std::ostringstream text;
+        text << what << " still changes by " << failure.residual << " of the forces after " << failure.n
+             << why;
+        return text.str();
+      }
+
+      std::string
+      seed_unsettled(const Failure &failure)
+      {
+        if (!failure.motion.empty())
+          return "seed: by its rules all nodes slip that could hold the rigid " + failure.motion +
+                 ", whether friction can hold it or not; take smaller increments, or say 'Method = mortar'";
+        return unsettled("seed: what friction bears",
+                         failure,
+                         " iterations, and " + std::to_string(failure.n_changes) +
+                             " nodes still change: the rules of the seed have no cure for states that come "
+                             "back; take smaller increments, or say 'Method = mortar'");
+      }
+
       std::string
       still_moving(const Failure &failure)
       {
@@ -110,6 +133,17 @@ namespace Amontons
           case Failure::Kind::motion_lost:
             return "the damped motion cannot be followed: its steps become too short" +
                    (failure.cell.empty() ? "" : ", as " + failure.cell);
+          case Failure::Kind::multipliers_unsettled:
+            return unsettled("augmented Lagrangian: what the multipliers bear",
+                             failure,
+                             " updates; raise 'Penalty factor' or 'Maximum iterations'");
+          case Failure::Kind::bounds_unsettled:
+            return unsettled("fixed-point friction: what the bounds of friction bear",
+                             failure,
+                             " updates, as this iteration does where friction is large; lower the friction "
+                             "coefficient, or say 'Method = mortar'");
+          case Failure::Kind::seed_unsettled:
+            return seed_unsettled(failure);
         }
       Assert(false, ExcInternalError());
       return "";
@@ -150,6 +184,12 @@ namespace Amontons
             return "still moving";
           case Failure::Kind::motion_lost:
             return "motion lost";
+          case Failure::Kind::multipliers_unsettled:
+            return "multipliers unsettled";
+          case Failure::Kind::bounds_unsettled:
+            return "bounds unsettled";
+          case Failure::Kind::seed_unsettled:
+            return "seed unsettled";
         }
       Assert(false, ExcInternalError());
       return "";

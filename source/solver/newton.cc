@@ -120,7 +120,8 @@ namespace Amontons
   Newton<dim>::iterate()
   {
     //! [newton]
-    while (at.report.iterations.size() < problem.parameters.max_iterations)
+    const auto most = at.report.iterations.size() + problem.parameters.max_iterations;
+    while (at.report.iterations.size() < most)
       {
         if (!turn())
           return;
@@ -272,17 +273,16 @@ namespace Amontons
   {
     const auto &node = problem.contact.nodes()[k];
     const auto &u    = problem.state.displacement;
+    if (!problem.by_equations(k))
+      return problem.penalty->answer(k, at.states);
     if (at.states[k] == ContactStatus::open)
       {
         NodalContact<dim> result;
         result.gap = problem.contact.open_gap(k, u);
-        if (node.frictional && problem.contact.is_opposite(k) &&
-            problem.by_equations(k)) // where its law starts if it closes
+        if (node.frictional && problem.contact.is_opposite(k)) // where its law starts if it closes
           result.slip = problem.contact.slip(k, u);
         return result;
       }
-    if (!problem.by_equations(k))
-      return problem.penalty->answer(k, at.states);
     const unsigned int e           = at.first_equation[k];
     const bool         has_a_pivot = at.constraints->pivots()[e].has_value();
     return answer_of_closed(node,
@@ -375,7 +375,9 @@ namespace Amontons
   Newton<dim>::update_states(NewtonReport::Iteration &line)
   {
     const double rounding = rounding_of_pressures(problem.contact.nodes(), at.u.linfty_norm());
-    if (waits_for_equilibrium(line.residual, rounding))
+    if (rule)
+      line.n_changes = rule(at.states, at.answers, rounding);
+    if (rule || waits_for_equilibrium(line.residual, rounding))
       return;
     previous_set = at.states.all();
     Neutral neutral;

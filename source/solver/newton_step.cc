@@ -24,11 +24,14 @@ namespace Amontons
         "Method",
         method,
         "How surfaces are coupled: mortar (dual multipliers), or, to compare with, penalty (bodies "
-        "overlap) or node-to-segment (nodes touch faces; small strain).",
-        Patterns::Selection("mortar|penalty|node-to-segment"));
+        "overlap), augmented Lagrangian (penalty, and multipliers that Uzawa's iteration updates), "
+        "fixed-point friction (bounds of friction from the solve before), node-to-segment (nodes touch "
+        "faces; small strain) or seed (the iteration of Siminiati's paper; small strain).",
+        Patterns::Selection("mortar|penalty|augmented Lagrangian|fixed-point friction|node-to-segment|seed"));
     prm.add_parameter("Penalty factor",
                       penalty,
-                      "Method = penalty: contact stiffness over E/((1 - nu^2) h), h the size of slave faces.",
+                      "Penalty and augmented Lagrangian: contact stiffness over E/((1 - nu^2) h), h the size "
+                      "of slave faces.",
                       Patterns::Double(1e-8, 1e12));
     prm.leave_subsection();
   }

@@ -50,8 +50,8 @@ namespace Amontons
   ShearBound
   NodeStates<dim>::bound(const unsigned int k, const double pressure) const
   {
-    if (is_frozen)
-      return {frozen_bounds[k], 0.};
+    if (is_frozen || !given_bounds.empty())
+      return {is_frozen ? frozen_bounds[k] : given_bounds[k], 0.};
     return shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, pressure);
   }
 
@@ -413,7 +413,9 @@ namespace Amontons
         {
           const double p     = answers[k].pressure;
           const auto   q     = trial(k, answers[k]);
-          auto         limit = shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, p);
+          auto         limit = given_bounds.empty()
+                                   ? shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, p)
+                                   : ShearBound{given_bounds[k], 0.};
           limit.value += limit.slope * std::min(0., p); // a tension that leaves a node closed is no error
           const auto expected =
               nodes[k].old_gap > 0

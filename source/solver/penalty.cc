@@ -8,7 +8,9 @@ namespace Amontons
   {
     const auto    &node   = contact.nodes()[k];
     Tensor<1, dim> result = eps(k) * contact.slip(k, state.displacement);
-    if (!state.committed_contact.empty())
+    if (!kept.empty())
+      result += node.tangential(kept[k].shear);
+    else if (!state.committed_contact.empty())
       result += node.tangential(state.committed_contact[node.interface][node.node].shear);
     return result;
   }
@@ -18,7 +20,14 @@ namespace Amontons
   Penalty<dim>::answer(const unsigned int k, const NodeStates<dim> &states) const
   {
     NodalContact<dim> result;
-    result.pressure = -eps(k) * contact.gap(k, state.displacement);
+    if (states[k] == ContactStatus::open)
+      {
+        result.gap = contact.open_gap(k, state.displacement) - (kept.empty() ? 0 : kept[k].pressure / eps(k));
+        if (contact.nodes()[k].frictional && contact.is_opposite(k))
+          result.slip = trial(k) / eps(k);
+        return result;
+      }
+    result.pressure = pressure(k);
     if (!contact.nodes()[k].frictional)
       return result;
     const auto q = result.shear = trial(k);
@@ -64,7 +73,7 @@ namespace Amontons
         const auto           q      = trial(k);
         const bool           slips  = states[k] == ContactStatus::slip && q.norm() > 0;
         const Tensor<1, dim> d      = slips ? q / q.norm() : Tensor<1, dim>();
-        const auto           bound  = states.bound(k, -eps(k) * contact.gap(k, state.displacement));
+        const auto           bound  = states.bound(k, pressure(k));
         const double         across = slips ? bound.value / q.norm() * eps(k) : eps(k);
         for (unsigned int c = 0; c < dim; ++c)
           {

@@ -86,7 +86,7 @@ namespace Amontons
     drag.reference                        = newton.now().u;
     drag.values                           = damping.values;
     drag.values /= steps->size();
-    newton.forget_states();
+    newton.states().forget();
     for (unsigned int n = 0; n < max_iterations; ++n)
       {
         const auto goes_downhill = [&](const auto &solved) { return n > 0 || solved.is_downhill; };

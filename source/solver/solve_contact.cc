@@ -1,9 +1,12 @@
+#include <amontons/solver/augmented_lagrangian.h>
 #include <amontons/solver/contact_region.h>
 #include <amontons/solver/diagnosis.h>
 #include <amontons/solver/eliminated_step.h>
 #include <amontons/solver/fixed_contact.h>
+#include <amontons/solver/fixed_point_friction.h>
 #include <amontons/solver/pseudo_transient.h>
 #include <amontons/solver/row_step.h>
+#include <amontons/solver/seed_iteration.h>
 #include <amontons/solver/solve_contact.h>
 #include <amontons/solver/symmetry_planes.h>
 
@@ -66,6 +69,29 @@ namespace Amontons
       report.failure         = Failure{Failure::Kind::beyond_edge};
       report.failure->motion = at_start.describe(motion);
     }
+
+    // By Newton's method, or by one that calls it again and again. follow_motion: see PseudoTransient.
+    template <int dim>
+    NewtonReport
+    run_method(const ContactEquilibrium<dim> &problem,
+               NewtonStep<dim>               &step,
+               Newton<dim>                   &newton,
+               Penalty<dim>                  *penalty,
+               const bool                     follow_motion)
+    {
+      const auto &method = problem.parameters.method;
+      if (method == "augmented Lagrangian")
+        return AugmentedLagrangian<dim>(problem, newton, *penalty).run();
+      if (method == "fixed-point friction")
+        return FixedPointFriction<dim>(problem, newton).run();
+      if (method == "seed")
+        return SeedIteration<dim>(problem, newton).run();
+      if (problem.contact.moves())
+        return PseudoTransient<dim>(problem, step, newton).run(follow_motion);
+      newton.prepare();
+      newton.iterate();
+      return newton.finish();
+    }
   } // namespace
 
   //! [solve]
@@ -81,7 +107,7 @@ namespace Amontons
     TimerOutput::Scope          scope(timer, "contact iteration");
     std::optional<Penalty<dim>> penalty;
     const auto problem_with = [&](ContactKinematics<dim> &contact) -> ContactEquilibrium<dim> {
-      if (parameters.method == "penalty")
+      if (parameters.has_penalty())
         penalty.emplace(parameters.penalty, parameters.scaling, contact, state);
       return {parameters,
               solver_parameters,
@@ -101,9 +127,7 @@ namespace Amontons
         const auto          problem = problem_with(contact);
         EliminatedStep<dim> step(problem);
         Newton<dim>         newton(problem, step, smallest_cell, observer);
-        newton.prepare();
-        newton.iterate();
-        auto report = newton.finish();
+        auto                report = run_method(problem, step, newton, penalty ? &*penalty : nullptr, false);
         check_region(problem, newton.floating_bodies(), report);
         return report;
       }
@@ -111,7 +135,7 @@ namespace Amontons
     const auto         problem = problem_with(contact);
     RowStep<dim>       step(problem, contact, smallest_cell);
     Newton<dim>        newton(problem, step, smallest_cell, observer);
-    auto               report = PseudoTransient<dim>(problem, step, newton).run(follow_motion);
+    auto report = run_method(problem, step, newton, penalty ? &*penalty : nullptr, follow_motion);
     if (report.converged && !report.moved)
       check_crossing(contact, state, report);
     if (report.converged)

@@ -90,5 +90,29 @@ main(int argc, char **argv)
                  "an overlap closes");
   answers[0].pressure = -1; // a hundredth of the largest
   check::is_true(states.update(answers, 0, {1e4 * force, 2e-6}) == 1, "whatever the forces elsewhere");
+
+  // Given bounds stand instead of those that pressures make, and shears at them obey the law.
+  answers = NodalContacts<2>(3);
+  SlipLaw<2> law;
+  law.direction[0] = 1;
+  for (unsigned int k = 0; k < 3; ++k)
+    {
+      states.impose(k, ContactStatus::slip, law);
+      answers[k].pressure = 10;
+      answers[k].shear[0] = k + 2.;
+      answers[k].slip[0]  = 0.25;
+    }
+  check::is_true(states[1] == ContactStatus::slip && states.law(1).direction[0] == 1, "imposed state");
+  check::is_true(states.law_error(answers) > nodes[0].area, "shears that are not those of the pressures");
+  states.give_bounds({2, 3, 4});
+  check::is_close(states.bound(2, 10).value, 4, 1e-14, "given bound");
+  check::is_close(states.bound(2, 10).slope, 0, 1e-14, "slope of a given bound", 1);
+  check::is_close(states.law_error(answers), 0, 1e-14, "shears at given bounds", 1);
+  answers[2].shear[0] = 3.5;
+  check::is_close(states.law_error(answers), 0.5 * nodes[2].area, 1e-12, "a shear below the bound of slip");
+  check::is_true(states.update(answers, 0) == 0, "slip goes on at given bounds");
+  answers[2].slip[0] = 0;
+  check::is_true(states.update(answers, 0) == 1 && states[2] == ContactStatus::stick,
+                 "a shear below a given bound sticks");
   return check::result();
 }

@@ -1,4 +1,5 @@
-// The penalty's stiffness is the derivative of its forces, and its tractions obey the laws.
+// The penalty's stiffness is the derivative of its forces, and its tractions obey the laws, with and without
+// multipliers of the augmented Lagrangian.
 #include "contact/contact_scene.h"
 
 #include <amontons/solver/fixed_contact.h>
@@ -6,12 +7,13 @@
 
 template <int dim>
 void
-check_law(const ContactStatus status, const double friction)
+check_law(const ContactStatus status, const double friction, const bool has_multipliers)
 {
   const std::string what = std::to_string(dim) + "D, " +
                            (friction == 0                    ? "frictionless"
                             : status == ContactStatus::stick ? "stick"
-                                                             : "slip");
+                                                             : "slip") +
+                           (has_multipliers ? ", multipliers" : "");
   Scene scene;
   scene.bodies = {block("lower", {0, 0, 0}, {1, 1, 1}, {{3, 1, 1}}),
                   block("upper", {0, 1, 0}, {1, 2, 1}, {{2, 1, 2}})};
@@ -57,8 +59,18 @@ check_law(const ContactStatus status, const double friction)
   const FloatingBodies<dim> floating(discretization, supports, problem.interfaces);
   NodeStates<dim>           states(contact.nodes(), problem.interfaces, floating, 0);
   states.start(state, std::vector<bool>(contact.nodes().size(), true));
-  const double       factor = 7;
-  const Penalty<dim> penalty(factor, 1, contact, state);
+  const double                                   factor = 7;
+  Penalty<dim>                                   penalty(factor, 1, contact, state);
+  std::vector<typename Penalty<dim>::Multiplier> multipliers(contact.nodes().size());
+  if (has_multipliers)
+    {
+      for (auto &multiplier : multipliers)
+        {
+          multiplier.pressure = 0.02;
+          multiplier.shear[0] = 0.05; // instead of that before
+        }
+      penalty.keep(multipliers);
+    }
   check::is_true(contact.nodes().size() > 2, what + ": contact nodes");
 
   const auto forces = [&](const unsigned int k, const double step) {
@@ -75,14 +87,16 @@ check_law(const ContactStatus status, const double friction)
       const auto  &node = contact.nodes()[k];
       const double eps  = factor * node.c;
       const auto   at   = penalty.answer(k, states);
-      check::is_close(
-          at.pressure, -eps * contact.gap(k, state.displacement), 1e-12, what + ": pressure of the overlap");
+      check::is_close(at.pressure,
+                      multipliers[k].pressure - eps * contact.gap(k, state.displacement),
+                      1e-12,
+                      what + ": pressure of the overlap");
       if (friction > 0)
         {
           const Tensor<1, dim> v      = contact.slip(k, state.displacement);
           Tensor<1, dim>       before = v;
           before                      = 0;
-          before[0]                   = 0.01;
+          before[0]                   = has_multipliers ? 0.05 : 0.01;
           if (status == ContactStatus::stick)
             check::is_close((at.shear - before - eps * v).norm(), 0, 1e-12, what + ": elastic shear", 1);
           else
@@ -114,16 +128,52 @@ check_law(const ContactStatus status, const double friction)
     }
 }
 
+// An open node closes where the pressure of the overlap and the multiplier is positive.
+void
+check_open_node()
+{
+  Scene scene;
+  scene.bodies = {block("lower", {0, 0, 0}, {1, 1, 1}, {{3, 1, 1}}),
+                  block("upper", {0, 1.01, 0}, {1, 2, 1}, {{2, 1, 2}})};
+  scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+  Problem<2>       problem(scene, 1);
+  SolutionState<2> state;
+  state.displacement               = problem.discretization->make_relevant_vector();
+  const auto              supports = problem.discretization->make_supports(0);
+  const FixedContact<2>   contact(*problem.discretization, problem.interfaces, state, 1);
+  const FloatingBodies<2> floating(*problem.discretization, supports, problem.interfaces);
+  NodeStates<2>           states(contact.nodes(), problem.interfaces, floating, 0);
+  Penalty<2>              penalty(7, 1, contact, state);
+  for (const double pressure : {0., 1., 2.}) // in units of eps times the gap
+    {
+      std::vector<Penalty<2>::Multiplier> multipliers(contact.nodes().size());
+      for (unsigned int k = 0; k < multipliers.size(); ++k)
+        multipliers[k].pressure = pressure * 7 * contact.nodes()[k].c * 0.01;
+      penalty.keep(multipliers);
+      for (unsigned int k = 0; k < multipliers.size(); ++k)
+        {
+          const auto at = penalty.answer(k, states);
+          check::is_close(
+              at.gap, 0.01 * (1 - pressure), 1e-12, "gap of an open node with a multiplier", 0.01);
+          check::is_close(at.pressure, 0, 1e-14, "pressure of an open node", 1);
+        }
+    }
+}
+
 int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  check_law<2>(ContactStatus::slip, 0);
-  check_law<3>(ContactStatus::slip, 0);
-  for (const auto status : {ContactStatus::stick, ContactStatus::slip})
+  for (const bool has_multipliers : {false, true})
     {
-      check_law<2>(status, 0.3);
-      check_law<3>(status, 0.3);
+      check_law<2>(ContactStatus::slip, 0, has_multipliers);
+      check_law<3>(ContactStatus::slip, 0, has_multipliers);
+      for (const auto status : {ContactStatus::stick, ContactStatus::slip})
+        {
+          check_law<2>(status, 0.3, has_multipliers);
+          check_law<3>(status, 0.3, has_multipliers);
+        }
     }
+  check_open_node();
   return check::result();
 }

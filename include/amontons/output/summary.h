@@ -93,8 +93,8 @@ namespace Amontons
   {
     unsigned int              increment = 0, mesh = 0;
     unsigned long long        dofs = 0, cells = 0;
-    unsigned int              iterations = 0;
-    std::vector<unsigned int> active_set_changes; // per iteration
+    unsigned int              iterations = 0, outer_iterations = 0; // outer: of methods that have them
+    std::vector<unsigned int> active_set_changes;                   // per iteration
     unsigned int              krylov_iterations = 0;
     double                    residual          = unknown; // the last one
     std::vector<double>       residuals;                   // per iteration

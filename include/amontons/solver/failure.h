@@ -25,7 +25,10 @@ namespace Amontons
       friction_slides,       // all nodes that could hold a motion slipped time and again
       no_states,             // none of the above, after many iterations
       still_moving,          // damped motion that does not come to rest
-      motion_lost            // damped motion whose steps become too short
+      motion_lost,           // damped motion whose steps become too short
+      multipliers_unsettled, // of AugmentedLagrangian
+      bounds_unsettled,      // of FixedPointFriction
+      seed_unsettled         // states or friction forces of SeedIteration
     };
 
     Kind         kind;

@@ -26,13 +26,14 @@ namespace Amontons
     /// Motions without supports and the first guess of the closed nodes. False: a cell is inverted.
     bool
     prepare();
+    /// `Maximum iterations` at most, from where it is.
     void
     iterate();
     /// Leaves the contact in the state; the report is that of all.
     NewtonReport
     finish();
 
-    // What PseudoTransient needs.
+    // What the methods that call this one need: PseudoTransient, AugmentedLagrangian, ...
 
     const FloatingBodies<dim> &
     floating_bodies() const
@@ -76,10 +77,18 @@ namespace Amontons
     /// The first guess of the states again, with these answers.
     void
     guess_again(const NodalContacts<dim> &answers);
-    void
-    forget_states()
+    NodeStates<dim> &
+    states()
     {
-      at.states.forget();
+      return at.states;
+    }
+    /// What changes the states after each solve, instead of NodeStates::update; returns how many changed.
+    using StateRule = std::function<unsigned int(
+        NodeStates<dim> &, const NodalContacts<dim> &answers, const double rounding)>;
+    void
+    set_rule(const StateRule &new_rule)
+    {
+      rule = new_rule;
     }
     /// Of internal forces, loads and drag, relative.
     double
@@ -139,6 +148,7 @@ namespace Amontons
     Iterate<dim>                   at;
     RigidModeStabilisation         stabilisation;
     const Drag                    *drag = nullptr;
+    StateRule                      rule;         // see set_rule()
     LA::Vector                     push;         // see first_push()
     LA::Vector                     last_change;  // of u
     LA::Vector                     balance;      // internal - contact forces - loads

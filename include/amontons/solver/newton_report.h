@@ -3,6 +3,7 @@
 
 #include <amontons/solver/failure.h>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -21,13 +22,20 @@ namespace Amontons
     double                 one_linear_solve_seconds = 0;
     double                 start_residual =
         0; // of the first guess, moved on to the constraints, relative to the final forces
-    bool        safeguarded = false;
-    bool        frozen      = false; // bounds of friction were held for a while, see NodeStates
-    bool        pivoted     = false; // states were found by NewtonStep::settle
-    bool        moved       = false; // a damped motion was followed, see PseudoTransient
-    bool        unstable    = false; // from an equilibrium that was not stable
-    std::string note;
+    bool         safeguarded = false;
+    bool         frozen      = false; // bounds of friction were held for a while, see NodeStates
+    bool         pivoted     = false; // states were found by NewtonStep::settle
+    bool         moved       = false; // a damped motion was followed, see PseudoTransient
+    bool         unstable    = false; // from an equilibrium that was not stable
+    unsigned int n_outer     = 0;     // solves of the methods that call Newton's again and again; else 0
+    std::string  note;
 
+    /// How hard it was.
+    unsigned int
+    iterations_per_solve() const
+    {
+      return iterations.size() / std::max(1u, n_outer);
+    }
     bool
     goes_on() const
     {

@@ -18,11 +18,24 @@ namespace Amontons
     unsigned int max_iterations = 60;
     double       tolerance      = 1e-9;     // residual relative to the internal forces
     double       scaling        = 1;        // multiplies the complementarity parameter c = E / h
-    std::string  method         = "mortar"; // mortar | penalty | node-to-segment
+    std::string  method         = "mortar"; // or one to compare with, see declare()
     double       penalty        = 10;       // contact stiffness over E/(1 - nu^2)/h
 
     void
     declare(ParameterHandler &prm) override;
+
+    /// Nodes touch faces, where they lie at the start; else surfaces are coupled by integrals.
+    bool
+    collocates() const
+    {
+      return method == "node-to-segment" || method == "seed";
+    }
+    /// Nodes have stiffnesses instead of equations.
+    bool
+    has_penalty() const
+    {
+      return method == "penalty" || method == "augmented Lagrangian";
+    }
   };
 
   /// internal forces(u) - contact forces(u, p, q) = loads(u),  gaps(u) >= 0, ...  at one time on one mesh.

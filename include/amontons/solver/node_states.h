@@ -66,6 +66,19 @@ namespace Amontons
     // The states of these, with the laws that their pressures and shears make.
     void
     impose(const NodalContacts<dim> &answers);
+    void
+    impose(const unsigned int k, const ContactStatus state, const SlipLaw<dim> &law = {})
+    {
+      states[k] = state;
+      laws[k]   = law;
+    }
+
+    // From now on shears obey these bounds, by node, instead of those that pressures make.
+    void
+    give_bounds(const std::vector<double> &bounds)
+    {
+      given_bounds = bounds;
+    }
 
     // The next set of states has nothing to do with those before: safeguards start anew.
     void
@@ -197,7 +210,7 @@ namespace Amontons
     std::vector<ContactStatus>                states;
     std::vector<SlipLaw<dim>>                 laws;
     std::vector<ClosingSlip<dim>>             closing_slips;
-    std::vector<double>                       frozen_bounds;
+    std::vector<double>                       frozen_bounds, given_bounds;
     bool                                      first        = true; // no update yet: directions are guesses
     bool                                      is_frozen    = false;
     bool                                      single       = false; // frozen, and states came back even so

@@ -149,17 +149,41 @@ namespace Amontons
     return result;
   }
 
-  // Pressures and what they make of all gaps, with those nodes that have been asked for.
+  // Of each node that takes part, with pressures over c: z >= 0 is the pressure of one that the base has open
+  // and the gap of one that it has closed, w >= 0 the other of the two: w = q + M z.
   template <int dim>
   class CondensedContact
   {
   public:
     CondensedContact(const BaseSolution<dim> &base, const typename ActiveSetLookahead<dim>::Respond &respond)
-        : base(base), respond(respond), working(base.nodes.size(), false)
+        : base(base), respond(respond), takes_part(base.nodes.size(), false)
     {
       for (unsigned int k = 0; k < base.nodes.size(); ++k)
-        if (!base.nodes[k].tied)
-          size = std::max(size, std::abs(base.answers[k].gap));
+        q.push_back(base.nodes[k].tied ? 0. : dependent(k, base.answers[k]));
+      size =
+          std::max(1e-300, std::abs(*std::max_element(q.begin(), q.end(), [](const double a, const double b) {
+                     return std::abs(a) < std::abs(b);
+                   })));
+    }
+
+    // The others that pull or overlap, by more than rounding.
+    std::vector<unsigned int>
+    wrong() const
+    {
+      std::vector<unsigned int> result;
+      for (unsigned int k = 0; k < base.nodes.size(); ++k)
+        if (!takes_part[k] && !base.nodes[k].tied && value(k) < -1e-10 * size)
+          result.push_back(k);
+      return result;
+    }
+
+    void
+    add(const unsigned int k)
+    {
+      takes_part[k] = true;
+      nodes.push_back(k);
+      responses.push_back(respond(k, NodeInput::across));
+      own.push_back(is_open(k) ? responses.back()[k].pressure / base.nodes[k].c : responses.back()[k].gap);
     }
 
     unsigned int
@@ -168,89 +192,84 @@ namespace Amontons
       return nodes.size();
     }
 
-    void
-    add(const unsigned int k)
-    {
-      if (working[k] || base.nodes[k].tied)
-        return;
-      working[k] = true;
-      nodes.push_back(k);
-      responses.push_back(respond(k, NodeInput::across));
-    }
-
     // False: the path ends on a ray.
     bool
     solve()
     {
       FullMatrix<double> M(n(), n());
-      Vector<double>     q(n());
+      Vector<double>     q_of_nodes(n());
       for (unsigned int i = 0; i < n(); ++i)
         {
-          q[i] = base.answers[nodes[i]].gap / size;
+          q_of_nodes[i] = q[nodes[i]] / size;
           for (unsigned int j = 0; j < n(); ++j)
-            M(i, j) = responses[j][nodes[i]].gap;
+            M(i, j) = dependent(nodes[i], responses[j][nodes[i]]) / own[j];
         }
-      const auto z = complementary_solution(M, q);
-      if (z)
-        pressures = *z;
-      return z.has_value();
-    }
-
-    // Those outside that overlap by more than rounding.
-    std::vector<unsigned int>
-    overlapping() const
-    {
-      std::vector<unsigned int> result;
-      for (unsigned int k = 0; k < base.nodes.size(); ++k)
-        if (!working[k] && !base.nodes[k].tied)
-          {
-            double gap = base.answers[k].gap, sum = std::abs(gap);
-            for (unsigned int j = 0; j < n(); ++j)
-              {
-                const double change = size * pressures[j] * responses[j][k].gap;
-                gap += change;
-                sum += std::abs(change);
-              }
-            if (gap < -1e-10 * sum)
-              result.push_back(k);
-          }
-      return result;
+      const auto solution = complementary_solution(M, q_of_nodes);
+      if (solution)
+        z = *solution;
+      return solution.has_value();
     }
 
     NodalContacts<dim>
     answers() const
     {
-      NodalContacts<dim> result(base.nodes.size());
+      NodalContacts<dim> result = base.answers;
       for (unsigned int k = 0; k < result.size(); ++k)
-        result[k].state = base.nodes[k].tied ? base.states[k] : ContactStatus::open;
+        {
+          result[k].state = base.states[k];
+          if (!base.nodes[k].tied && !is_open(k))
+            result[k].pressure = base.nodes[k].c * value(k);
+        }
       for (unsigned int j = 0; j < n(); ++j)
-        if (pressures[j] > 0)
+        if (auto &answer = result[nodes[j]]; z[j] > 0)
           {
-            result[nodes[j]].state    = ContactStatus::slip;
-            result[nodes[j]].pressure = size * base.nodes[nodes[j]].c * pressures[j];
+            answer.state    = is_open(nodes[j]) ? ContactStatus::slip : ContactStatus::open;
+            answer.pressure = is_open(nodes[j]) ? size * z[j] * base.nodes[nodes[j]].c : 0;
           }
       return result;
     }
 
   private:
+    bool
+    is_open(const unsigned int k) const
+    {
+      return base.states[k] == ContactStatus::open;
+    }
+    // Of an answer, what w is.
+    double
+    dependent(const unsigned int k, const NodalContact<dim> &answer) const
+    {
+      return is_open(k) ? answer.gap : answer.pressure / base.nodes[k].c;
+    }
+    // w of any node
+    double
+    value(const unsigned int k) const
+    {
+      double w = q[k];
+      for (unsigned int j = 0; j < z.size(); ++j)
+        w += size * z[j] / own[j] * dependent(k, responses[j][k]);
+      return w;
+    }
+
     const BaseSolution<dim>                         &base;
     const typename ActiveSetLookahead<dim>::Respond &respond;
-    double                                           size = 0; // of the gaps
-    std::vector<bool>                                working;
+    std::vector<bool>                                takes_part;
+    std::vector<double>                              q;
+    double                                           size; // of q; z and M are without
     std::vector<unsigned int>                        nodes;
-    std::vector<NodalContacts<dim>>                  responses; // of these to p = c
-    Vector<double>                                   pressures; // over size c
+    std::vector<NodalContacts<dim>>                  responses; // of these to their inputs
+    std::vector<double>                              own;       // z that these inputs are
+    Vector<double>                                   z;
   };
 
   template <int dim>
   std::optional<NodalContacts<dim>>
   solve_condensed_contact(const BaseSolution<dim>                         &base,
                           const typename ActiveSetLookahead<dim>::Respond &respond,
-                          const std::vector<unsigned int>                 &first,
                           const unsigned int                               n_most)
   {
     CondensedContact<dim> contact(base, respond);
-    for (auto more = first; !more.empty(); more = contact.overlapping())
+    for (auto more = contact.wrong(); !more.empty(); more = contact.wrong())
       {
         if (contact.n() + more.size() > n_most)
           return {};
@@ -273,11 +292,9 @@ namespace Amontons
   template std::optional<NodalContacts<2>>
   solve_condensed_contact(const BaseSolution<2> &,
                           const ActiveSetLookahead<2>::Respond &,
-                          const std::vector<unsigned int> &,
                           const unsigned int);
   template std::optional<NodalContacts<3>>
   solve_condensed_contact(const BaseSolution<3> &,
                           const ActiveSetLookahead<3>::Respond &,
-                          const std::vector<unsigned int> &,
                           const unsigned int);
 } // namespace Amontons

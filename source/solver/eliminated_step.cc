@@ -173,7 +173,7 @@ namespace Amontons
                                   const double                      rounding)
   {
     if (!looks_ahead(now))
-      return 0;
+      return pivot(now, before);
     TimerOutput::Scope      scope(problem.timer, "condensed contact");
     const BaseSolution<dim> base{
         problem.contact.nodes(), before, now.laws, now.answers, movable_nodes(), now.u};
@@ -236,10 +236,9 @@ namespace Amontons
   bool
   EliminatedStep<dim>::settle(Iterate<dim> &now, const LA::Vector *springs)
   {
-    // Each node takes a solve; with friction two, and four rows of a dense problem.
-    const unsigned int most  = any_friction ? 160 : 800;
+    const unsigned int most  = 160; // nodes: each takes two solves, and four rows of a dense problem
     const auto        &nodes = problem.contact.nodes();
-    if ((any_friction && (dim == 3 || nodes.size() > most)) || problem.penalty != nullptr ||
+    if (dim == 3 || !any_friction || problem.penalty != nullptr || nodes.size() > most ||
         !solver.is_direct(problem.discretization.dof_handler.n_dofs()))
       return false;
     TimerOutput::Scope scope(problem.timer, "condensed contact");
@@ -247,18 +246,42 @@ namespace Amontons
     const auto              open = with_open_nodes(now, springs);
     const BaseSolution<dim> base{nodes, open.states.all(), open.laws, open.answers, movable_nodes(), open.u};
     const auto              responses = compliance(open, base);
-    const auto              respond   = [&](const unsigned int k, const NodeInput input) {
-      return responses.respond(k, input);
-    };
-    std::vector<unsigned int> closed;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (now.states[k] != ContactStatus::open)
-        closed.push_back(k);
-    const auto found = any_friction ? solve_condensed_friction<dim>(base, respond, linear_bounds(now))
-                                    : solve_condensed_contact<dim>(base, respond, closed, most);
+    const auto              found     = solve_condensed_friction<dim>(
+        base,
+        [&](const unsigned int k, const NodeInput input) { return responses.respond(k, input); },
+        linear_bounds(now));
     if (found)
       now.states.impose(*found);
     return found.has_value();
+  }
+
+  // Without friction, where all nodes at once change in vain.
+  template <int dim>
+  unsigned int
+  EliminatedStep<dim>::pivot(Iterate<dim> &now, const std::vector<ContactStatus> &before)
+  {
+    constexpr unsigned int n_most = 800, n_most_times = 3;
+    if (any_friction || !now.states.safeguarded() || !now.free_modes.empty() || problem.penalty != nullptr ||
+        n_pivoted == n_most_times || !solver.is_direct(problem.discretization.dof_handler.n_dofs()))
+      return 0;
+    TimerOutput::Scope scope(problem.timer, "condensed contact");
+    ++n_pivoted;
+    unsigned int            n_responses = 0;
+    const BaseSolution<dim> base{
+        problem.contact.nodes(), before, now.laws, now.answers, movable_nodes(), now.u};
+    const auto responses = compliance(now, base);
+    const auto found     = solve_condensed_contact<dim>(
+        base,
+        [&](const unsigned int k, const NodeInput input) {
+          ++n_responses;
+          return responses.respond(k, input);
+        },
+        n_most);
+    if (!found)
+      return 0;
+    now.states.impose(*found);
+    now.report.pivoted = true;
+    return n_responses;
   }
 
   template class EliminatedStep<2>;

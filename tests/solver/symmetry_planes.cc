@@ -1,5 +1,5 @@
-// A body that moves through its own plane of symmetry is found, with the place; one that stays before it, or that the mesh has on
-// both sides of it, is none.
+// A body that moves through its own plane of symmetry is found, with the place; one that stays before it, or
+// that the mesh has on both sides of it, is none.
 #include "check.h"
 
 #include <amontons/solver/symmetry_planes.h>

@@ -22,13 +22,13 @@ namespace Amontons
                            const typename ActiveSetLookahead<dim>::Respond &respond,
                            const std::vector<ShearBound>                   &bounds);
 
-  /// The same without friction, in the plane and in space: gap >= 0, p >= 0, p gap = 0. The matrix is
-  /// symmetric and positive semidefinite. Only nodes that press or overlap take part: `first` to begin with,
-  /// and as many more as it takes; nothing if these are more than n_most.
+  /// The same without friction, in the plane and in space, from any base: of its open nodes gap >= 0 and p >=
+  /// 0, p gap = 0 with the pressures as unknowns, of its closed ones with the gaps. (A principal pivotal
+  /// transform of the compliance: monotone, as that is.) Only nodes that pull or overlap take part, and those
+  /// that do then; nothing if these are more than n_most.
   template <int dim>
   std::optional<NodalContacts<dim>>
   solve_condensed_contact(const BaseSolution<dim>                         &base,
                           const typename ActiveSetLookahead<dim>::Respond &respond,
-                          const std::vector<unsigned int>                 &first,
                           const unsigned int                               n_most);
 } // namespace Amontons

@@ -54,11 +54,14 @@ namespace Amontons
     movable_nodes() const;
     std::vector<ShearBound>
     linear_bounds(const Iterate<dim> &now) const;
+    unsigned int
+    pivot(Iterate<dim> &now, const std::vector<ContactStatus> &before);
 
     const ContactEquilibrium<dim> &problem;
     const bool                     any_friction;
     EliminatedSystem               system;
     LinearSolver                   solver; // its factorisation refers to the matrix, which must outlive it
     bool                           looked_in_vain = false;
+    unsigned int                   n_pivoted      = 0; // see pivot()
   };
 } // namespace Amontons

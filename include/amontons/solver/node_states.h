@@ -138,12 +138,11 @@ namespace Amontons
     }
     ShearBound
     bound(const unsigned int k, const double pressure) const;
-    // States came back although single nodes were changed at given bounds; without friction, changing all
-    // nodes at once no longer helps.
+    // States came back although single nodes were changed at given bounds.
     bool
     exhausted() const
     {
-      return is_exhausted || (!any_friction && active_set.safeguarded());
+      return is_exhausted;
     }
     bool
     safeguarded() const

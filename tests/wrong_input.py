@@ -215,6 +215,8 @@ def scenes():
     # values
     change("wrong type", "= 1000", "= stiff", "found 'stiff'.*number")
     change("wrong choice", "Kind = plane strain", "Kind = plain strain", "found 'plain strain'.*plane strain")
+    change("one unit", "set Kind", "set Units = mm\nset Kind", "Units: found 'mm'; allowed: LENGTH, FORCE, as in 'mm, N'")
+    change("units in another order", "set Kind", "set Units = N, mm\nset Kind", "found 'N, mm'.*first the unit of length")
     change("unknown kinematics", "set Kind", "set Kinematics = large strain\nset Kind", "found 'large strain'.*small strain, finite strain, auto")
     change("unknown law", "= 0.3", "= 0.3\n  set Law = Mooney-Rivlin", "Body upper/Law: found 'Mooney-Rivlin'.*neo-Hookean, St. Venant-Kirchhoff", part="set Law")
     change("not a flag", "= lower/top", "= lower/top\n  set Tied = perhaps", "found 'perhaps'", part="set Tied")

@@ -141,7 +141,7 @@ namespace Amontons
 
   Camera
   camera_of(const std::vector<const BodySurfaces *> &states,
-            const View                              &view,
+            const BodyView                          &view,
             const double                             warp,
             const unsigned int                       width,
             const unsigned int                       height)
@@ -208,7 +208,7 @@ namespace Amontons
 
     // Arrows along the axes from a point; those towards the viewer last.
     std::string
-    triad(const View &view, const double x, const double y)
+    triad(const BodyView &view, const double x, const double y)
     {
       static const std::array<const char *, 3> names   = {{"x", "y", "z"}},
                                                colours = {{"#c0392b", "#2a8a55", "#1f6fb4"}};

@@ -36,7 +36,7 @@ namespace Amontons
     unsigned int
     divisions(const unsigned long long n_faces)
     {
-      return n_faces <= 1500 ? 4 : (n_faces <= 4000 ? 3 : (n_faces <= 30000 ? 2 : 1));
+      return n_faces <= 400 ? 4 : (n_faces <= 1000 ? 3 : (n_faces <= 10000 ? 2 : 1));
     }
 
     // Of the reference configuration: the same on any number of ranks.

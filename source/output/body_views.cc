@@ -31,12 +31,12 @@ namespace Amontons
     }
 
     // Angles in degrees: about `up` from the axis that follows it, and above the horizon.
-    View
+    BodyView
     view_from(const unsigned int up, const double azimuth, const double elevation)
     {
       const double       a = azimuth * numbers::PI / 180, e = elevation * numbers::PI / 180;
       const Tensor<1, 3> first = unit_vector((up + 1) % 3), second = unit_vector((up + 2) % 3);
-      View               view;
+      BodyView           view;
       view.towards =
           std::cos(e) * (std::cos(a) * first + std::sin(a) * second) + std::sin(e) * unit_vector(up);
       view.right = -std::sin(a) * first + std::cos(a) * second;
@@ -48,7 +48,7 @@ namespace Amontons
     double
     seen_part(const BodySurfaces              &surfaces,
               const std::vector<PressedPoint> &pressed,
-              const View                      &view,
+              const BodyView                  &view,
               const double                     warp,
               const double                     depth)
     {
@@ -85,6 +85,19 @@ namespace Amontons
     {
       const auto [lower, upper] = box_of(surfaces);
       return 0.5 * (lower + upper);
+    }
+
+    // Corners alone.
+    BodySurfaces
+    coarse(const BodySurfaces &surfaces)
+    {
+      BodySurfaces result;
+      for (const BodyPatch &patch : surfaces)
+        result.push_back(
+            {patch.body,
+             1,
+             {patch.at(0, 0), patch.at(patch.n, 0), patch.at(0, patch.n), patch.at(patch.n, patch.n)}});
+      return result;
     }
 
     // 1, 2 or 5 times a power of ten.
@@ -197,14 +210,17 @@ namespace Amontons
     if (!place)
       return best;
     // Of views that show as much, the one from the side on which the contact is.
-    const Tensor<1, 3> off  = (place_of(place->centre, 0) - middle_of(surfaces)) / size_of(surfaces);
-    double             most = -1;
+    const Tensor<1, 3> off     = (place_of(place->centre, 0) - middle_of(surfaces)) / size_of(surfaces);
+    const BodySurfaces corners = coarse(surfaces);
+    double             most    = -1;
     for (const double elevation : {25., -25.})
       for (const double azimuth : {-60., 30., 120., 210.})
         {
-          const View   view  = view_from(up, azimuth, elevation);
-          const double seen  = seen_part(surfaces, pressed, view, warp, 0.3 * place->radius);
-          const double worth = seen + 0.5 * (view.towards * off);
+          if (elevation < 0 && best.seen > 1 - far)
+            continue; // nothing to gain
+          const BodyView view  = view_from(up, azimuth, elevation);
+          const double   seen  = seen_part(corners, pressed, view, warp, 0.3 * place->radius);
+          const double   worth = seen + 0.5 * (view.towards * off);
           if (most < 0 || worth > most + (elevation > 0 ? much : far))
             {
               best = {view, seen};
@@ -215,7 +231,7 @@ namespace Amontons
   }
 
   CutPlane
-  choose_cut(const View &view, const ContactPlace &contact, const double size, const double moved)
+  choose_cut(const BodyView &view, const ContactPlace &contact, const double size, const double moved)
   {
     // `up` is the axis along which the picture goes up; of the two others the one towards the viewer.
     unsigned int up = 0;

@@ -18,12 +18,11 @@ namespace Amontons
         "10px;"
         "border-radius:10px;color:#fff;background:#b3402a;font-size:13px}.good{background:#2a8a55}"
         "details{margin-top:10px}summary{cursor:pointer;color:#555}.sub{color:#666}pre{white-space:pre-wrap;"
-        "margin:0}code,pre{font:13px/1.45 ui-monospace,monospace}table.map{margin:0 24px 10px 0}.map td,.map "
-        "th{padding:3px 7px;border:1px solid #fff;text-align:center;font-size:12px}.map "
-        "th{color:#555;font-weight:"
-        "400}.map th.y{text-align:right}.swatch{display:inline-block;width:12px;height:12px;margin:0 6px 0 "
-        "14px;vertical-align:-1px}";
-
+        "margin:0}code,pre{font:13px/1.45 ui-monospace,monospace}td:first-child{white-space:nowrap}"
+        "table+table{margin-top:14px}table.map{margin:0 24px 10px 0}.map td,.map th{padding:3px "
+        "7px;border:1px solid #fff;text-align:center;font-size:12px;min-width:22px}.map "
+        "th{color:#555;font-weight:400}.map th.y{text-align:right}.swatch{display:inline-block;width:12px;"
+        "height:12px;margin:0 6px 0 14px;vertical-align:-1px}.swatch:first-child{margin-left:0}";
   } // namespace
 
   std::string

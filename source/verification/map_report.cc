@@ -44,6 +44,8 @@ namespace Amontons
       html += is_line ? "<tr>" : "<tr><th></th>";
       for (const std::string &value : x.values)
         html += "<th>" + escaped(value) + "</th>";
+      html += is_line ? "</tr>\n<tr>" : "</tr>\n<tr><th></th>";
+      html += "<th colspan=\"" + std::to_string(x.values.size()) + "\">" + escaped(x.label) + "</th>";
       return html + "</tr></table>\n</div>\n";
     }
 
@@ -58,20 +60,22 @@ namespace Amontons
         if (number[i] > 0)
           html += "<span class=\"swatch\" style=\"background:" + std::string(outcome_styles[i].colour) +
                   "\"></span>" + escaped(outcome_styles[i].name) + " (" + std::to_string(number[i]) + ")";
-      return html + "</p>\n<p class=\"sub\">To the right: " + escaped(study.sweep[0].label) +
-             (study.sweep.size() < 2 ? "" : "; upwards: " + escaped(study.sweep[1].label)) +
-             ". In the cells: iterations, or the error where it is wrong; the pointer over a cell shows what "
-             "its "
-             "run says.</p>\n";
+      return html + "</p>\n<p class=\"sub\">" +
+             (study.sweep.size() < 2 ? "" : "Upwards: " + escaped(study.sweep[1].label) + ". ") +
+             "In the cells: iterations, or the error where it is wrong; the pointer over a cell shows what "
+             "its run "
+             "says.</p>\n";
     }
 
     std::string
     failures_html(const RunStudy &study, const std::vector<StudyResult> &results)
     {
-      std::string html;
+      std::string  html;
+      unsigned int n = 0;
       for (const StudyResult &result : results)
         if (const Outcome outcome = outcome_of(study, result); outcome > Outcome::refused)
           {
+            ++n;
             html += "<p><b>" + escaped(name_of(study, result.point)) +
                     "</b>: " + outcome_styles[static_cast<unsigned int>(outcome)].name;
             for (const std::string &text : {what_is_off(study, result), result.record.message})
@@ -79,7 +83,7 @@ namespace Amontons
             html += "</p>\n<pre>" + escaped(command_of(study.scene, overrides_of(study, result.point))) +
                     "</pre>\n";
           }
-      return html;
+      return n > 4 ? html_details(std::to_string(n) + " runs, with the commands that show it", html) : html;
     }
   } // namespace
 
@@ -89,11 +93,8 @@ namespace Amontons
     std::string maps;
     for (const MapPanel &panel : map_panels(study, results))
       maps += panel_html(study, panel);
-    const std::string failures = failures_html(study, results);
     return html_section("Map",
                         legend_html(study, results) + "<div class=\"pictures\">\n" + maps + "</div>\n") +
-           html_section("Wrong or failed",
-                        failures.size() > 20000 ? html_details("With the commands that show it", failures)
-                                                : failures);
+           html_section("Wrong or failed", failures_html(study, results));
   }
 } // namespace Amontons

@@ -188,7 +188,10 @@ namespace Amontons
         head.emplace_back(name);
       for (const StudyQuantity &quantity : study.quantities)
         head.push_back("error of " + quantity.path.label);
-      head.emplace_back("message");
+      const bool has_messages = std::any_of(
+          results.begin(), results.end(), [](const auto &result) { return !result.record.message.empty(); });
+      if (has_messages)
+        head.emplace_back("message");
       std::vector<HtmlRow> rows;
       for (const StudyResult &result : results)
         {
@@ -207,7 +210,8 @@ namespace Amontons
                       short_number(record.megabytes)});
           for (const double error : result.errors)
             row.push_back(short_number(error));
-          row.push_back(record.message);
+          if (has_messages)
+            row.push_back(record.message);
           rows.push_back(row);
         }
       const std::string table = html_table(head, rows);

@@ -7,7 +7,7 @@
 namespace Amontons
 {
   /// Unit vectors in space: to the right and down in the picture, and towards the viewer.
-  struct View
+  struct BodyView
   {
     Tensor<1, 3> right, down, towards;
   };
@@ -15,7 +15,7 @@ namespace Amontons
   /// Where points X + warp u are in a picture; parallel projection.
   struct Camera
   {
-    View         view;
+    BodyView     view;
     double       warp = 1, scale = 1; // pixels per length
     double       x = 0, y = 0;        // of the picture's upper left corner, along right and down, in lengths
     unsigned int width = 1, height = 1;
@@ -27,7 +27,7 @@ namespace Amontons
   /// All that is in any of these states, in at most this many pixels.
   Camera
   camera_of(const std::vector<const BodySurfaces *> &states,
-            const View                              &view,
+            const BodyView                          &view,
             const double                             warp,
             const unsigned int                       width,
             const unsigned int                       height);
@@ -53,7 +53,7 @@ namespace Amontons
       std::string label; // below it; empty: none
     };
     std::string        title;
-    View               view; // whose axes are drawn beside the pictures
+    BodyView           view; // whose axes are drawn beside the pictures
     std::vector<Panel> panels;
     std::string        caption; // below all of it
   };

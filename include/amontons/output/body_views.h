@@ -45,8 +45,8 @@ namespace Amontons
   /// of the contact by far.
   struct ChosenView
   {
-    View   view;
-    double seen = 0; // part of the contact's force that acts where it is seen, or just behind what is seen
+    BodyView view;
+    double   seen = 0; // part of the contact's force that acts where it is seen, or just behind what is seen
   };
   ChosenView
   choose_view(const BodySurfaces &surfaces, const std::vector<PressedPoint> &pressed, const double warp);
@@ -54,5 +54,5 @@ namespace Amontons
   /// Through the centre of the contact, along the axis `up` and across the view as far as axes allow: the
   /// side away from the viewer is kept.
   CutPlane
-  choose_cut(const View &view, const ContactPlace &contact, const double size, const double moved);
+  choose_cut(const BodyView &view, const ContactPlace &contact, const double size, const double moved);
 } // namespace Amontons

@@ -13,7 +13,7 @@ namespace Amontons
 {
   namespace
   {
-    constexpr unsigned int n_channels = 3, n_filters = 5;
+    constexpr unsigned int n_channels = 3;
 
     std::string
     big_endian(const std::uint32_t n)
@@ -42,50 +42,37 @@ namespace Amontons
     }
 
     // What a filter predicts: nothing, the left, above, their mean, Paeth's.
+    template <unsigned int filter>
     int
-    predicted(const unsigned int filter, const int a, const int b, const int c)
+    predicted(const int a, const int b, const int c)
     {
-      switch (filter)
-        {
-          case 0:
-            return 0;
-          case 1:
-            return a;
-          case 2:
-            return b;
-          case 3:
-            return (a + b) / 2;
-          default:
-            return paeth(a, b, c);
-        }
+      return filter == 0 ? 0 : filter == 1 ? a : filter == 2 ? b : filter == 3 ? (a + b) / 2 : paeth(a, b, c);
     }
 
-    // The row less what is predicted, modulo 256, after the number of the filter.
-    std::string
-    filtered_row(const Image &image, const unsigned int y, const unsigned int filter)
+    // The row less what is predicted, modulo 256, after the number of the filter, takes the place of `best`
+    // if its magnitudes have a smaller sum, which tells how well it will be compressed.
+    template <unsigned int filter>
+    void
+    try_filter(const Image &image, const unsigned int y, std::string &best, unsigned long &least)
     {
       const std::size_t         n    = n_channels * image.width;
       const std::uint8_t *const here = image.rgb.data() + y * n, *const above = here - n;
-      std::string row(n + 1, static_cast<char>(filter));
+      std::string   row(n + 1, static_cast<char>(filter));
+      unsigned long sum = 0;
       for (std::size_t i = 0; i < n; ++i)
         {
           const bool left = i >= n_channels;
-          row[i + 1]      = static_cast<char>(here[i] - predicted(filter,
-                                                             left ? here[i - n_channels] : 0,
-                                                             y > 0 ? above[i] : 0,
-                                                             left && y > 0 ? above[i - n_channels] : 0));
+          const auto byte = static_cast<signed char>(
+              here[i] - predicted<filter>(left ? here[i - n_channels] : 0,
+                                          y > 0 ? above[i] : 0,
+                                          left && y > 0 ? above[i - n_channels] : 0));
+          row[i + 1] = byte;
+          sum += std::abs(static_cast<int>(byte));
         }
-      return row;
-    }
-
-    // The sum of magnitudes, which tells how well a row will be compressed.
-    unsigned long
-    size_of(const std::string &row)
-    {
-      unsigned long sum = 0;
-      for (const char c : row)
-        sum += std::abs(static_cast<int>(static_cast<signed char>(c)));
-      return sum;
+      if (sum >= least)
+        return;
+      best  = row;
+      least = sum;
     }
 
     std::string
@@ -93,12 +80,11 @@ namespace Amontons
     {
       std::string   best;
       unsigned long least = std::numeric_limits<unsigned long>::max();
-      for (unsigned int filter = 0; filter < n_filters; ++filter)
-        if (const std::string row = filtered_row(image, y, filter); size_of(row) < least)
-          {
-            best  = row;
-            least = size_of(row);
-          }
+      try_filter<0>(image, y, best, least);
+      try_filter<1>(image, y, best, least);
+      try_filter<2>(image, y, best, least);
+      try_filter<3>(image, y, best, least);
+      try_filter<4>(image, y, best, least);
       return best;
     }
 

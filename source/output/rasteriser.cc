@@ -156,23 +156,24 @@ namespace Amontons
   double
   Raster::outline(const int x, const int y) const
   {
-    constexpr double step = 4, edge = 0.8; // pixels; cosine
-    const Sample    &here     = at(x, y);
-    double           strength = 0;
+    constexpr float step     = 4;               // pixels
+    constexpr int   edge     = 0.8 * 127 * 127; // cosine
+    const Sample   &here     = at(x, y);
+    double          strength = 0;
     for (const auto &[dx, dy] : {std::array<int, 2>{{1, 0}}, {{-1, 0}}, {{0, 1}}, {{0, -1}}})
       {
         if (!is_inside(x + dx, y + dy))
           continue; // where the picture ends
-        const Sample &other     = at(x + dx, y + dy);
-        const bool    is_before = here.depth > other.depth;
-        if (other.part == no_part || (other.part != here.part && is_before))
+        const Sample &other = at(x + dx, y + dy);
+        const float   fall  = here.depth - other.depth;
+        if (other.part == no_part || (other.part != here.part && fall > 0))
           return 1;
-        const double slope = std::hypot(here.normal[0], here.normal[1]) / std::max<double>(here.normal[2], 8);
-        if (here.depth - other.depth > step + 3 * slope)
+        if (fall > step && fall > step + 3 * std::hypot(here.normal[0], here.normal[1]) /
+                                             std::max<double>(here.normal[2], 8))
           return 1;
-        double cosine = 0;
+        int cosine = 0;
         for (unsigned int d = 0; d < 3; ++d)
-          cosine += here.normal[d] * other.normal[d] / (127. * 127.);
+          cosine += here.normal[d] * other.normal[d];
         if (other.part == here.part && cosine < edge)
           strength = 0.7;
       }

@@ -22,7 +22,7 @@ PAGES = [
     ("walk/pin_in_lug", ["Increments=20"], {
         "walk_pressure": "Contact pressure", "walk_shear": "Shear traction", "walk_around": "Around the contact", "walk_errors": "Relative errors"}),
     ("walk/pin_in_lug", ["Refinement/Cycles=0"], {"walk_coarse_mesh": "Deformed mesh"}),
-    ("walk/pin_in_lug_3d", [], {"walk_3d_pressure": "Pressure on the surface", "walk_3d_states": "States"}),
+    ("walk/pin_in_lug_3d", [], {"walk_3d_bodies": "Bodies", "walk_3d_pressure": "Pressure on the surface", "walk_3d_states": "States"}),
     ("small_scene", [], {"small_scene_mesh": "Deformed mesh", "small_scene_pressure": "Contact pressure", "small_scene_shear": "Shear traction"}),
     ("hertz_cylinder", [], {"hertz_cylinder_mesh": "Deformed mesh", "hertz_cylinder_pressure": "Contact pressure"}),
     ("half_plane_box_friction", ["End time=4", "Increments=40"], {

@@ -90,6 +90,8 @@ namespace Amontons
         });
         control.try_to([&]() { vtu.write_contact(answer.interfaces, answer.fields, answer.state.t); });
       }
+    if (parameters.report)
+      keep_picture(answer, *evaluation.recovery);
     if (Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
     if (parameters.contact_tables)
@@ -107,6 +109,23 @@ namespace Amontons
     });
     last_write    = wall.wall_time();
     cost_of_write = last_write - now;
+  }
+
+  // Where bodies touch: of the last way through the load program.
+  template <int dim>
+  void
+  RunReport<dim>::keep_picture(const Answer<dim> &answer, const StressRecovery<dim> &recovery)
+  {
+    const auto touches = [](const MeshSummary &mesh) {
+      return std::any_of(
+          mesh.pairs.begin(), mesh.pairs.end(), [](const PairSummary &pair) { return pair.touched; });
+    };
+    if (summary.meshes.empty() || !touches(summary.meshes.back()))
+      return;
+    const auto pass = last_pass(summary);
+    const bool first =
+        std::none_of(pass.begin(), pass.end() - 1, [&](const auto *mesh) { return touches(*mesh); });
+    bodies.add(answer, recovery, first);
   }
 
   // seconds_left: of the load program on this mesh, if the rest goes like what was done.
@@ -135,13 +154,17 @@ namespace Amontons
   void
   RunReport<dim>::write_files(const Answer<dim> &answer, const StressRecovery<dim> *recovery) const
   {
-    MeshPicture picture;
-    double      largest_young = 0;
+    MeshPicture              picture;
+    std::vector<std::string> body_pictures;
+    double                   largest_young = 0;
     for (const BodyData &body : scene.bodies)
       largest_young = std::max(largest_young, body.material.young);
     if (parameters.report && recovery != nullptr)
-      picture = gather_mesh_picture(
-          answer.discretization, *recovery, answer.state.displacement, 1e-13 * largest_young);
+      {
+        picture = gather_mesh_picture(
+            answer.discretization, *recovery, answer.state.displacement, 1e-13 * largest_young);
+        body_pictures = bodies.pictures(answer, *recovery);
+      }
     if (Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
     const auto table = contact_table(answer.interfaces, answer.fields, answer.state.t);
@@ -163,7 +186,8 @@ namespace Amontons
                      summary,
                      pressure_curves(table, summary.pairs, dim, tractions),
                      picture,
-                     pressure_maps);
+                     pressure_maps,
+                     body_pictures);
       });
     control.try_to([&]() { write_summary(summary, folder + "/summary.json"); }); // all is there
   }

@@ -60,6 +60,7 @@ namespace Amontons
   RunReport<dim>::replay()
   {
     vtu.restart();
+    bodies.restart();
     n_tables = 0;
   }
 
@@ -300,6 +301,7 @@ namespace Amontons
     summary.scene       = scene.file;
     summary.title       = scene.title;
     summary.kind        = scene.kind;
+    summary.units       = scene.units;
     summary.ranks       = Utilities::MPI::n_mpi_processes(communicator);
     if (has_answer())
       add_answer(answer, ending);

@@ -399,11 +399,85 @@ def last_pass(meshes):
     return rows[::-1]
 
 
+def png(data):
+    """(width, height, rows of pixels as bytes) of a PNG with 8 bits of three colours."""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    at, deflated = 8, b""
+    while at < len(data):
+        (size,) = struct.unpack(">I", data[at : at + 4])
+        name, content = data[at + 4 : at + 8], data[at + 8 : at + 8 + size]
+        assert struct.unpack(">I", data[at + 8 + size : at + 12 + size])[0] == zlib.crc32(name + content)
+        if name == b"IHDR":
+            width, height, *kind = struct.unpack(">IIBBBBB", content)
+            assert kind == [8, 2, 0, 0, 0]
+        deflated += content if name == b"IDAT" else b""
+        at += 12 + size
+    raw, n = zlib.decompress(deflated), 3 * width
+    assert len(raw) == (n + 1) * height
+    rows, above = [], bytes(n)
+    for y in range(height):
+        how, row = raw[y * (n + 1)], bytearray(raw[y * (n + 1) + 1 : (y + 1) * (n + 1)])
+        for i in range(n):
+            a, b, c = row[i - 3] if i > 2 else 0, above[i], above[i - 3] if i > 2 else 0
+            nearest = min((a, b, c), key=lambda v: abs(a + b - c - v))
+            row[i] = (row[i] + (0, a, b, (a + b) // 2, nearest)[how]) % 256
+        above = bytes(row)
+        rows.append(above)
+    return width, height, rows
+
+
+def body_pictures(text):
+    """{title: (the SVG, [pictures])} of bodies in space."""
+    result = {}
+    for svg in re.findall(r"(?s)<svg (?:(?!</svg>).)*</svg>", text):
+        images = [png(base64.b64decode(data)) for data in re.findall(r'href="data:image/png;base64,([^"]*)"', svg)]
+        if images:
+            result[html.unescape(re.search(r'font-weight="600">([^<]*)</text>', svg).group(1))] = (svg, images)
+    return result
+
+
+def check_bodies_picture(output, text):
+    """The bodies in space: as wide and as high as they are from one of the sides, in the colours of their stresses."""
+    found = [value for title, value in body_pictures(text).items() if title.startswith("Bodies, von Mises stress")]
+    yield "report: a picture of the bodies", len(found) == 1 and len(found[0][1]) == 1, len(found)
+    if not found:
+        return
+    svg, ((width, height, rows),) = found[0]
+    drawn = [[any(row[3 * x : 3 * x + 3] != b"\xff\xff\xff" for row in rows) for x in range(width)], [any(channel != 255 for channel in row) for row in rows]]
+    spans = [(line.index(True), len(line) - 1 - line[::-1].index(True)) if True in line else (0, -1) for line in drawn]
+    good = all(2 <= first <= 4 and size - 5 <= last <= size - 3 for (first, last), size in zip(spans, (width, height)))
+    yield "report: the bodies fill their picture", good, f"{spans} of {width}, {height}"
+    factor = re.search(r"are drawn ([-+.\de]+) times as large", svg)
+    warp = float(factor.group(1)) if factor else 1
+    _, path = records(os.path.join(output, "bodies.pvd"))[-1]
+    points = [[x + warp * d for x, d in zip(X, u)] for part in pieces(path) for X, u in zip(part["Points"], part["displacement"])]
+    best = 1
+    for up in range(3):
+        for azimuth in (-60, 30, 120, 210):
+            for elevation in (25, -25):
+                a, e = math.radians(azimuth), math.radians(elevation)
+                right, over = [0, 0, 0], [0, 0, 0]
+                right[(up + 1) % 3], right[(up + 2) % 3] = -math.sin(a), math.cos(a)
+                over[(up + 1) % 3], over[(up + 2) % 3], over[up] = -math.sin(e) * math.cos(a), -math.sin(e) * math.sin(a), math.cos(e)
+                sizes = []
+                for axis in (right, over):
+                    places = [sum(x * d for x, d in zip(p, axis)) for p in points]
+                    sizes.append(max(places) - min(places))
+                best = min(best, abs((width - 6) / (height - 6) / (sizes[0] / sizes[1]) - 1))
+    yield "report: shape of the bodies", best < 0.01, best
+    mises = max(v for part in pieces(path) for v in part["von_mises"])
+    ticks = [float(v) for v in re.findall(r'<text x="[-\d.]+" y="[-\d.]+">([-+.\deE]+)</text>', svg)]
+    yield "report: largest von Mises stress of the bodies", 0.1 * mises <= max(ticks, default=0) <= 1.01 * mises, f"{ticks[-1:]}, {mises}"
+    colours = {row[3 * x : 3 * x + 3] for row in rows for x in range(width)}
+    yield "report: stresses in many colours", len(colours) > 20, len(colours)
+
+
 def check_picture(output, summary, text):
     """The deformed mesh: as many cells, as wide and as high as the bodies, and stresses no larger than theirs."""
     svg = re.search(r"(?s)<svg (?:(?!</svg>).)*Deformed mesh, von Mises stress.*?</svg>", text)
     if summary["dimension"] != 2:
         yield "report: no mesh in space", not svg, ""
+        yield from check_bodies_picture(output, text)
         return
     paths = re.findall(r'<path fill="[^"]*" stroke="[^"]*"[^>]* d="([^"]*)"/>', svg.group(0))
     outlines = [re.findall(r"[ML]([-\d.]+) ([-\d.]+)", cell) for path in paths for cell in path.split("Z") if cell]

@@ -217,6 +217,8 @@ def scenes():
     # values
     change("wrong type", "= 1000", "= stiff", "found 'stiff'.*number")
     change("wrong choice", "Kind = plane strain", "Kind = plain strain", "found 'plain strain'.*plane strain")
+    change("one unit", "set Kind", "set Units = mm\nset Kind", "Units: found 'mm'; allowed: LENGTH, FORCE, as in 'mm, N'")
+    change("units in another order", "set Kind", "set Units = N, mm\nset Kind", "found 'N, mm'.*first the unit of length")
     change("unknown kinematics", "set Kind", "set Kinematics = large strain\nset Kind", "found 'large strain'.*small strain, finite strain, auto")
     twice = BASE + "subsection Boundary condition again\n  set Boundaries = lower/bottom\n  set Value = free; 0.5\nend\n"
     case("two displacements of a boundary", twice, rf"^scene\.prm:{line_of(twice, 'condition again')}: .*y of 'lower/bottom' is moved by 0\.5, and by 0 in Boundary condition .*, line")

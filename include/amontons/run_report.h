@@ -4,6 +4,7 @@
 
 #include <amontons/evaluation.h>
 #include <amontons/load_history.h>
+#include <amontons/output/body_history.h>
 #include <amontons/output/reference.h>
 #include <amontons/output/terminal.h>
 #include <amontons/output/vtu_output.h>
@@ -189,6 +190,8 @@ namespace Amontons
     void
     write_increment(const Answer<dim> &answer, const Evaluation<dim> &evaluation);
     void
+    keep_picture(const Answer<dim> &answer, const StressRecovery<dim> &recovery);
+    void
     write_progress(const std::string &state) const;
     void
     write_files(const Answer<dim> &answer, const StressRecovery<dim> *recovery) const;
@@ -204,6 +207,7 @@ namespace Amontons
     TimerOutput                           phases;
     std::unique_ptr<const Reference<dim>> reference;
     VtuOutput                             vtu;
+    BodyHistory<dim>                      bodies;
     unsigned int                          n_tables   = 0;
     double                                fraction   = 0; // of the load program on this mesh
     double                                last_write = -1, cost_of_write = 0; // seconds

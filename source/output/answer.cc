@@ -68,31 +68,48 @@ namespace Amontons
              (pair.tied ? ", tied" : "") + friction_text(pair) + ")";
     }
 
+    // "250 N"; without a unit the number alone.
+    std::string
+    measured(const double number, const std::string &unit)
+    {
+      return short_number(number) + (unit.empty() ? "" : " " + unit);
+    }
+
+    bool
+    is_plane(const ProblemType kind)
+    {
+      return kind == ProblemType::plane_strain || kind == ProblemType::plane_stress;
+    }
+
     using Lines = std::vector<std::pair<std::string, std::string>>;
 
     void
-    add_pair(Lines &lines, const PairSummary &pair, const ProblemType kind)
+    add_pair(Lines &lines, const PairSummary &pair, const ProblemType kind, const Units &units)
     {
+      const std::string force     = units.force_of(is_plane(kind));
       const std::string full_turn = kind == ProblemType::axisymmetric ? ", full turn" : "";
       lines.emplace_back("pair " + pair.name, "");
       if (!pair.touched)
         lines.emplace_back("  contact", "NONE in the whole run: " + without_contact(pair));
       lines.emplace_back("  normal force",
-                         short_number(norm(pair.normal_force)) + "   " + vector_text(pair.normal_force) +
+                         measured(norm(pair.normal_force), force) + "   " + vector_text(pair.normal_force) +
                              full_turn);
       if (norm(pair.tangential_force) > 1e-12 * norm(pair.normal_force))
-        lines.emplace_back("  tangential force", vector_text(pair.tangential_force) + full_turn);
-      lines.emplace_back("  peak pressure", short_number(pair.peak_pressure));
+        lines.emplace_back("  tangential force",
+                           vector_text(pair.tangential_force) + (force.empty() ? "" : " " + force) +
+                               full_turn);
+      lines.emplace_back("  peak pressure", measured(pair.peak_pressure, units.pressure()));
       if (pair.n_open > 0)
         lines.emplace_back(kind == ProblemType::three_dimensional || kind == ProblemType::axisymmetric
                                ? "  contact radius"
                                : "  contact half-width",
-                           short_number(pair.contact_size) + "   (Hertz-equivalent)");
+                           measured(pair.contact_size, units.length) + "   (Hertz-equivalent)");
       if (pair.stick_size && pair.n_open > 0 && pair.n_slip > 0 && pair.n_stick > 0)
         lines.emplace_back(kind == ProblemType::three_dimensional || kind == ProblemType::axisymmetric
                                ? "  stick radius"
                                : "  stick half-width",
-                           short_number(*pair.stick_size) + "   (Hertz-equivalent, of bound less shear)");
+                           measured(*pair.stick_size, units.length) +
+                               "   (Hertz-equivalent, of bound less shear)");
       lines.emplace_back("  nodes",
                          std::to_string(pair.n_open) + " open, " + std::to_string(pair.n_stick) + " stick, " +
                              std::to_string(pair.n_slip) + " slip");
@@ -139,17 +156,19 @@ namespace Amontons
 
     // A line per point; the report and summary.json have those of long probes.
     void
-    add_probe(Lines &lines, const ProbeSummary &probe)
+    add_probe(Lines &lines, const ProbeSummary &probe, const Units &units)
     {
       if (probe.points.size() > 4)
         return;
-      std::string label = "probe " + probe.name;
+      std::string       label  = "probe " + probe.name;
+      const std::string length = units.are_known() ? " " + units.length : "";
       for (const ProbePoint &point : probe.points)
         {
-          lines.emplace_back(label,
-                             "at " + vector_text(point.point) + ": displacement " +
-                                 (point.displacement.empty() ? "-" : vector_text(point.displacement)) +
-                                 "; von Mises " + short_number(point.von_mises));
+          lines.emplace_back(
+              label,
+              "at " + vector_text(point.point) + ": displacement " +
+                  (point.displacement.empty() ? "-" : vector_text(point.displacement) + length) +
+                  "; von Mises " + measured(point.von_mises, units.pressure()));
           label.clear();
         }
     }
@@ -220,7 +239,8 @@ namespace Amontons
   {
     Lines lines = {{"status", summary.status() + (summary.message.empty() ? "" : ": " + summary.message)}};
     for (const PairSummary &pair : summary.pairs)
-      add_pair(lines, pair, summary.kind);
+      add_pair(lines, pair, summary.kind, summary.units);
+    const std::string     work       = summary.units.work_of(is_plane(summary.kind));
     const auto           &estimate   = summary.error_estimate;
     const IncrementErrors increments = summary.increments.value_or(IncrementErrors());
     add_estimate(lines, "pressure", estimate.contact, estimate.facets, increments.pressure, summary);
@@ -230,14 +250,14 @@ namespace Amontons
     if (summary.increments)
       add_increments(lines, *summary.increments);
     if (!std::isnan(summary.energy))
-      lines.emplace_back("strain energy", short_number(summary.energy));
+      lines.emplace_back("strain energy", measured(summary.energy, work));
     if (!summary.meshes.empty() && summary.meshes.back().dissipation)
       {
-        lines.emplace_back("external work", short_number(*summary.meshes.back().external_work));
-        lines.emplace_back("work of friction", short_number(*summary.meshes.back().dissipation));
+        lines.emplace_back("external work", measured(*summary.meshes.back().external_work, work));
+        lines.emplace_back("work of friction", measured(*summary.meshes.back().dissipation, work));
       }
     for (const ProbeSummary &probe : summary.probes)
-      add_probe(lines, probe);
+      add_probe(lines, probe, summary.units);
     if (summary.reference)
       add_reference(lines, *summary.reference);
     lines.emplace_back("finest mesh",

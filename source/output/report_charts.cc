@@ -166,13 +166,14 @@ namespace Amontons
   }
 
   Chart
-  pressure_chart(const PressureCurve &curve)
+  pressure_chart(const PressureCurve &curve, const Units &units)
   {
     Chart chart;
     chart.title   = "Contact pressure, " + curve.pair;
-    chart.x_label = curve.radial ? "distance from the centre of the contact"
-                                 : "arc length from the centre of the contact";
-    chart.y_label = "pressure";
+    chart.x_label = with_unit(curve.radial ? "distance from the centre of the contact"
+                                           : "arc length from the centre of the contact",
+                              units.length);
+    chart.y_label = with_unit("pressure", units.pressure());
     Curve computed{"computed", {}, {}, !curve.radial, true};
     for (std::size_t i = 0; i < curve.s.size(); ++i)
       if (curve.shown == 0 || std::abs(curve.s[i]) <= curve.shown)

@@ -10,6 +10,21 @@ namespace Amontons
   {
     using Pass = std::vector<const MeshSummary *>;
 
+    // For labels.
+    struct UnitNames
+    {
+      std::string length, force, pressure, work;
+    };
+
+    UnitNames
+    names_of(const RunSummary &summary)
+    {
+      const Units &units = summary.units;
+      const bool   per_thickness =
+          summary.kind == ProblemType::plane_strain || summary.kind == ProblemType::plane_stress;
+      return {units.length, units.force_of(per_thickness), units.pressure(), units.work_of(per_thickness)};
+    }
+
     double
     norm(const std::vector<double> &v)
     {
@@ -77,9 +92,9 @@ namespace Amontons
     }
 
     Chart
-    normal_force_chart(const Pass &pass)
+    normal_force_chart(const Pass &pass, const UnitNames &units)
     {
-      Chart chart = over_time("Normal force", "force on the slave body");
+      Chart chart = over_time("Normal force", with_unit("force on the slave body", units.force));
       for (std::size_t i = 0; i < pass.back()->pairs.size(); ++i)
         add_curve(chart, pass.back()->pairs[i].name, pass, [i](const MeshSummary &mesh) {
           return norm(mesh.pairs[i].normal_force);
@@ -88,9 +103,9 @@ namespace Amontons
     }
 
     Chart
-    tangential_force_chart(const Pass &pass)
+    tangential_force_chart(const Pass &pass, const UnitNames &units)
     {
-      Chart chart = over_time("Tangential force", "force on the slave body");
+      Chart chart = over_time("Tangential force", with_unit("force on the slave body", units.force));
       for (std::size_t i = 0; i < pass.back()->pairs.size(); ++i)
         if (const auto direction = tangential_direction(pass, i); !direction.empty())
           add_curve(chart, pass.back()->pairs[i].name, pass, [&](const MeshSummary &mesh) {
@@ -100,9 +115,9 @@ namespace Amontons
     }
 
     Chart
-    peak_chart(const Pass &pass)
+    peak_chart(const Pass &pass, const UnitNames &units)
     {
-      Chart chart = over_time("Peak pressure", "pressure");
+      Chart chart = over_time("Peak pressure", with_unit("pressure", units.pressure));
       for (std::size_t i = 0; i < pass.back()->pairs.size(); ++i)
         add_curve(chart, pass.back()->pairs[i].name, pass, [i](const MeshSummary &mesh) {
           return mesh.pairs[i].peak_pressure;
@@ -112,9 +127,9 @@ namespace Amontons
 
     // Where part of a surface slips: how large the sticking part is.
     Chart
-    size_chart(const Pass &pass)
+    size_chart(const Pass &pass, const UnitNames &units)
     {
-      Chart chart = over_time("Size of contact and stick", "half-width or radius");
+      Chart chart = over_time("Size of contact and stick", with_unit("half-width or radius", units.length));
       for (std::size_t i = 0; i < pass.back()->pairs.size(); ++i)
         if (std::any_of(pass.begin(), pass.end(), [i](const MeshSummary *mesh) {
               const PairSummary &pair = mesh->pairs[i];
@@ -143,9 +158,9 @@ namespace Amontons
     }
 
     Chart
-    work_chart(const Pass &pass)
+    work_chart(const Pass &pass, const UnitNames &units)
     {
-      Chart chart = over_time("Where the work goes", "since t = 0");
+      Chart chart = over_time("Where the work goes", with_unit("since t = 0", units.work));
       if (!pass.back()->external_work)
         return chart;
       add_curve(chart, "external work", pass, [](const MeshSummary &mesh) {
@@ -160,9 +175,9 @@ namespace Amontons
     }
 
     Chart
-    dissipation_chart(const Pass &pass)
+    dissipation_chart(const Pass &pass, const UnitNames &units)
     {
-      Chart chart = over_time("Work of friction", "dissipation since t = 0");
+      Chart chart = over_time("Work of friction", with_unit("dissipation since t = 0", units.work));
       if (!pass.back()->dissipation)
         return chart;
       add_curve(chart, "", pass, [](const MeshSummary &mesh) { return mesh.dissipation.value_or(unknown); });
@@ -172,7 +187,7 @@ namespace Amontons
 
     // The first point of a probe, along the tangential force of the first pair that has one.
     Chart
-    hysteresis_chart(const Pass &pass, const std::size_t probe)
+    hysteresis_chart(const Pass &pass, const std::size_t probe, const UnitNames &units)
     {
       Chart chart;
       for (std::size_t i = 0; i < pass.back()->pairs.size() && chart.curves.empty(); ++i)
@@ -180,9 +195,10 @@ namespace Amontons
           const auto direction = tangential_direction(pass, i);
           if (direction.empty())
             continue;
-          chart.title   = "Hysteresis, " + pass.back()->pairs[i].name;
-          chart.x_label = "displacement along it, probe " + pass.back()->probes[probe].name;
-          chart.y_label = "tangential force on the slave body";
+          chart.title = "Hysteresis, " + pass.back()->pairs[i].name;
+          chart.x_label =
+              with_unit("displacement along it, probe " + pass.back()->probes[probe].name, units.length);
+          chart.y_label = with_unit("tangential force on the slave body", units.force);
           Curve curve{"", {}, {}, true, true};
           for (const MeshSummary *mesh : pass)
             {
@@ -240,14 +256,15 @@ namespace Amontons
     const Pass pass = last_pass(summary);
     if (pass.size() < 2)
       return {};
-    std::vector<Chart> charts = {normal_force_chart(pass),
-                                 tangential_force_chart(pass),
-                                 peak_chart(pass),
-                                 size_chart(pass),
-                                 work_chart(pass),
-                                 dissipation_chart(pass)};
+    const UnitNames    units  = names_of(summary);
+    std::vector<Chart> charts = {normal_force_chart(pass, units),
+                                 tangential_force_chart(pass, units),
+                                 peak_chart(pass, units),
+                                 size_chart(pass, units),
+                                 work_chart(pass, units),
+                                 dissipation_chart(pass, units)};
     for (std::size_t p = 0; p < std::min<std::size_t>(2, pass.back()->probes.size()); ++p)
-      charts.push_back(hysteresis_chart(pass, p));
+      charts.push_back(hysteresis_chart(pass, p, units));
     charts.push_back(iterations_chart(pass));
     charts.erase(
         std::remove_if(charts.begin(), charts.end(), [](const Chart &chart) { return chart.curves.empty(); }),

@@ -99,15 +99,17 @@ namespace Amontons
   } // namespace
 
   Chart
-  shear_chart(const PressureCurve &curve)
+  shear_chart(const PressureCurve &curve, const Units &units)
   {
     Chart chart;
     if (curve.shear.empty())
       return chart;
     chart.title   = "Shear traction, " + curve.pair;
-    chart.x_label = curve.radial ? "distance from the centre of the contact"
-                                 : "arc length from the centre of the contact";
-    chart.y_label = curve.radial ? "shear along the force on the slave" : "shear on the slave";
+    chart.x_label = with_unit(curve.radial ? "distance from the centre of the contact"
+                                           : "arc length from the centre of the contact",
+                              units.length);
+    chart.y_label = with_unit(curve.radial ? "shear along the force on the slave" : "shear on the slave",
+                              units.pressure());
     add_bounds(chart, curve);
     Curve computed{"computed", {}, {}, true, false, "#1f6fb4"};
     for (std::size_t i = 0; i < curve.s.size(); ++i)
@@ -128,15 +130,15 @@ namespace Amontons
   }
 
   Chart
-  state_map(const PressureCurve &curve)
+  state_map(const PressureCurve &curve, const Units &units)
   {
     Chart chart;
     if (curve.shear.empty() || !curve.radial)
       return chart;
     const char *const names[] = {"x", "y", "z"};
     chart.title               = "States, " + curve.pair;
-    chart.x_label             = names[curve.axes[0]];
-    chart.y_label             = names[curve.axes[1]];
+    chart.x_label             = with_unit(names[curve.axes[0]], units.length);
+    chart.y_label             = with_unit(names[curve.axes[1]], units.length);
     chart.is_map              = true;
     chart.width               = 530;
     const double ratio        = extent(curve, 0) > 0 ? extent(curve, 1) / extent(curve, 0) : 1;

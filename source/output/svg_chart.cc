@@ -243,13 +243,9 @@ namespace Amontons
   {
     const Frame       frame(chart);
     const std::string width = std::to_string(chart.width), height = pixels(frame.height);
-    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
-                      "\" viewBox=\"0 0 " + width + " " + height +
-                      "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<rect width=\"100%\" "
-                      "height=\"100%\" fill=\"#fff\"/>\n" +
-                      axes(frame);
+    std::string       svg = axes(frame);
     for (std::size_t c = 0; c < chart.curves.size(); ++c)
       svg += curve_svg(frame, chart.curves[c], colour_of_curve(chart, c));
-    return svg + legend(frame) + "</svg>\n";
+    return svg_of(width, height, svg + legend(frame));
   }
 } // namespace Amontons

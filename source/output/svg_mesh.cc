@@ -12,7 +12,7 @@ namespace Amontons
   namespace
   {
     constexpr double margin = 12, top = 34, largest = 420, bar_room = 90;
-    constexpr int    n_colours = 24;
+    constexpr int    n_colours = n_bar_colours;
 
     struct Box
     {
@@ -144,27 +144,6 @@ namespace Amontons
       std::map<int, std::string>    with_edges, without_edges;
       std::set<std::pair<int, int>> drawn;
     };
-
-    std::string
-    colour_bar(const double x, const double height, const double lowest, const double highest)
-    {
-      std::string  svg;
-      const double step = height / n_colours;
-      for (int i = 0; i < n_colours; ++i)
-        svg += "<rect x=\"" + pixels(x) + "\" y=\"" + pixels(top + height - (i + 1) * step) +
-               "\" width=\"12\" height=\"" + pixels(step + 0.3) + "\" fill=\"" +
-               colour_of(double(i) / (n_colours - 1)) + "\"/>\n";
-      const auto mark = [&](const double value, const double place) {
-        svg += "<text x=\"" + pixels(x + 17) + "\" y=\"" + pixels(top + height * (1 - place) + 4) + "\">" +
-               short_number(value) + "</text>\n";
-      };
-      if (highest > lowest)
-        for (const double tick : nice_ticks(lowest, highest, 5, false))
-          mark(tick, (tick - lowest) / (highest - lowest));
-      else
-        mark(lowest, 0);
-      return svg;
-    }
   } // namespace
 
   std::string
@@ -195,14 +174,13 @@ namespace Amontons
     std::string id; // of this picture among those of a page
     for (const char c : title)
       id += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h +
-           "\" viewBox=\"0 0 " + w + " " + h +
-           "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<rect width=\"100%\" "
-           "height=\"100%\" fill=\"#fff\"/>\n<clipPath id=\"" +
-           id + "\"><rect x=\"" + pixels(margin) + "\" y=\"" + pixels(top) + "\" width=\"" + pixels(width) +
-           "\" height=\"" + pixels(height) + "\"/></clipPath>\n<text x=\"" + pixels(margin) +
-           "\" y=\"20\" font-size=\"14\" font-weight=\"600\">" + escaped(title) +
-           "</text>\n<g clip-path=\"url(#" + id + ")\">\n" + painter.svg() + "</g>\n" +
-           colour_bar(margin + width + 14, std::max(height, 120.), lowest, highest) + "</svg>\n";
+    return svg_of(w,
+                  h,
+                  "<clipPath id=\"" + id + "\"><rect x=\"" + pixels(margin) + "\" y=\"" + pixels(top) +
+                      "\" width=\"" + pixels(width) + "\" height=\"" + pixels(height) +
+                      "\"/></clipPath>\n<text x=\"" + pixels(margin) +
+                      "\" y=\"20\" font-size=\"14\" font-weight=\"600\">" + escaped(title) +
+                      "</text>\n<g clip-path=\"url(#" + id + ")\">\n" + painter.svg() + "</g>\n" +
+                      colour_bar(margin + width + 14, top, std::max(height, 120.), lowest, highest));
   }
 } // namespace Amontons

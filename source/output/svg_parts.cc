@@ -1,4 +1,5 @@
 #include <amontons/output/svg_chart.h>
+#include <amontons/output/terminal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -94,5 +95,36 @@ namespace Amontons
     char text[32];
     std::snprintf(text, sizeof(text), "%.1f", value);
     return text;
+  }
+
+  std::string
+  colour_bar(const double x, const double top, const double height, const double lowest, const double highest)
+  {
+    std::string  svg;
+    const double step = height / n_bar_colours;
+    for (int i = 0; i < n_bar_colours; ++i)
+      svg += "<rect x=\"" + pixels(x) + "\" y=\"" + pixels(top + height - (i + 1) * step) +
+             "\" width=\"12\" height=\"" + pixels(step + 0.3) + "\" fill=\"" +
+             colour_of(double(i) / (n_bar_colours - 1)) + "\"/>\n";
+    const auto mark = [&](const double value, const double place) {
+      svg += "<text x=\"" + pixels(x + 17) + "\" y=\"" + pixels(top + height * (1 - place) + 4) + "\">" +
+             short_number(value) + "</text>\n";
+    };
+    if (highest > lowest)
+      for (const double tick : nice_ticks(lowest, highest, 5, false))
+        mark(tick, (tick - lowest) / (highest - lowest));
+    else
+      mark(lowest, 0);
+    return svg;
+  }
+
+  std::string
+  svg_of(const std::string &width, const std::string &height, const std::string &content)
+  {
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
+           "\" viewBox=\"0 0 " + width + " " + height +
+           "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n<rect width=\"100%\" "
+           "height=\"100%\" fill=\"#fff\"/>\n" +
+           content + "</svg>\n";
   }
 } // namespace Amontons

@@ -249,6 +249,12 @@ namespace Amontons
   declare_top_level(ParameterHandler &prm)
   {
     prm.declare_entry("Title", "", anything, "One line for reports.");
+    prm.declare_entry(
+        "Units",
+        "",
+        anything,
+        "LENGTH, FORCE, as in 'mm, N': names for labels of the answer and the report; nothing is "
+        "computed with them. Empty: no labels.");
     prm.declare_entry("Kind",
                       "plane strain",
                       Patterns::Selection("plane strain|plane stress|axisymmetric|3D"),

@@ -14,8 +14,13 @@ namespace Amontons
     read_top_level(const SceneInput &input, Scene &scene)
     {
       const SectionInput top(input, "", ""), reference(input, "Reference", "");
-      scene.title                  = top.text("Title");
-      scene.file                   = input.file;
+      scene.title = top.text("Title");
+      scene.file  = input.file;
+      std::string allowed;
+      const auto  units = read_units(top.text("Units"), allowed);
+      if (!units)
+        top.fail("Units", "found '" + top.text("Units") + "'", allowed);
+      scene.units                  = *units;
       scene.kind                   = input.kind;
       const std::string kinematics = top.text("Kinematics");
       scene.kinematics             = kinematics == "small strain"    ? Kinematics::small_strain

@@ -1,5 +1,6 @@
 #include <amontons/verification/convergence_study.h>
-#include <amontons/verification/study_output.h>
+#include <amontons/verification/gnuplot.h>
+#include <amontons/verification/study_report.h>
 #include <amontons/verification/summary_path.h>
 
 #include <deal.II/base/conditional_ostream.h>
@@ -119,6 +120,7 @@ namespace Amontons
         {
           out << "A run of the study failed (" << series.label << (series.label.empty() ? "" : ", ") << varied
               << "): " << error.what() << std::endl;
+          series.failures.push_back({varied, error.what(), overrides});
           return false;
         }
       add_rows(study, summary, varied, series);
@@ -162,7 +164,8 @@ namespace Amontons
     if (root)
       {
         print_tables(study, all_series, out);
-        good = write_study_files(study, all_series, out) && good;
+        good = write_study_files(study, all_series, out) &&
+               write_report(study, all_series, "amontons study " + in_shell(study_file), out) && good;
       }
     return dealii::Utilities::MPI::min(good ? 1 : 0, communicator) == 1 ? 0 : 1;
   }

@@ -4,21 +4,35 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 namespace Amontons
 {
   namespace
   {
-    std::string
-    in_shell(const std::string &text)
+    bool
+    has_gnuplot()
     {
-      std::string result = "'";
-      for (const char c : text)
-        result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-      return result + "'";
+      return std::system("command -v gnuplot >/dev/null 2>&1") == 0;
     }
   } // namespace
+
+  std::string
+  in_shell(const std::string &text)
+  {
+    const auto is_plain = [](const char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("/._-+=:,", c) != nullptr;
+    };
+    if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain))
+      return text;
+    std::string result = "'";
+    for (const char c : text)
+      result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return result + "'";
+  }
 
   std::string
   in_gnuplot(const std::string &text)
@@ -50,7 +64,7 @@ namespace Amontons
   {
     const std::filesystem::path path = std::filesystem::path(folder) / stem;
     out << "Wrote " << path.string() << ".csv and " << path.string() << ".gp";
-    if (std::system("command -v gnuplot >/dev/null 2>&1") != 0)
+    if (!has_gnuplot())
       {
         out << "; no chart, since there is no gnuplot." << std::endl;
         return true;
@@ -61,6 +75,18 @@ namespace Amontons
     out << (status == 0 ? ", and the chart " + path.string() + ".svg and .png" : "; gnuplot failed") << '.'
         << std::endl;
     return status == 0;
+  }
+
+  std::string
+  drawn_chart(const std::string &folder, const std::string &stem)
+  {
+    if (!has_gnuplot())
+      return "";
+    std::ifstream      in(std::filesystem::path(folder) / (stem + ".svg"), std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    const auto begin = text.str().find("<svg");
+    return begin == std::string::npos ? "" : text.str().substr(begin);
   }
 
   bool

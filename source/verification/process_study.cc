@@ -2,7 +2,8 @@
 #include <amontons/scene/text.h>
 #include <amontons/verification/process_study.h>
 #include <amontons/verification/run_table.h>
-#include <amontons/verification/stability_map.h>
+#include <amontons/verification/gnuplot.h>
+#include <amontons/verification/study_report.h>
 #include <amontons/verification/work_precision.h>
 
 #include <filesystem>
@@ -129,9 +130,11 @@ namespace Amontons
         return 128 + StopOnSignal::signal();
       }
     table.rewrite(keys);
-    return (study.kind == StudyKind::stability ? show_stability_map(study, results, out)
-                                               : show_work_precision(study, results, out))
-               ? 0
-               : 1;
+    const std::string command = "amontons study " + in_shell(study.file) +
+                                (options.output.empty() ? "" : " --output " + in_shell(options.output));
+    const bool good = (study.kind == StudyKind::stability ? show_stability_map(study, results, out)
+                                                          : show_work_precision(study, results, out)) &&
+                      write_report(study, results, command, out);
+    return good ? 0 : 1;
   }
 } // namespace Amontons

@@ -52,24 +52,6 @@ namespace Amontons
       bool                logarithmic = false;
     };
 
-    // Solved: the number of iterations; wrong: the error; else the letter.
-    std::string
-    words_of(const RunStudy &study, const StudyResult &result)
-    {
-      const Outcome      outcome = outcome_of(study, result);
-      std::ostringstream text;
-      if (outcome == Outcome::solved || outcome == Outcome::cut_back)
-        text << result.record.iterations;
-      else if (const double error =
-                   result.errors.empty() ? 0 : *std::max_element(result.errors.begin(), result.errors.end());
-               outcome == Outcome::wrong && error > study.wrong_above)
-        text << std::setprecision(error < 1 ? 2 : 3) << (error > 1e3 ? error : 100 * error)
-             << (error > 1e3 ? "" : "%");
-      else
-        text << outcome_styles[static_cast<unsigned int>(outcome)].letter;
-      return text.str();
-    }
-
     void
     write_panel_data(const RunStudy    &study,
                      const MapPanel    &panel,
@@ -85,7 +67,7 @@ namespace Amontons
               const auto &style   = outcome_styles[static_cast<unsigned int>(outcome)];
               const bool  dark =
                   outcome == Outcome::wrong || outcome == Outcome::crash || outcome == Outcome::time_limit;
-              out << x << ' ' << y << " 0x" << style.colour + 1 << ' ' << words_of(study, *cell) << ' '
+              out << x << ' ' << y << " 0x" << style.colour + 1 << ' ' << cell_text(study, *cell) << ' '
                   << (dark ? "0xffffff" : "0x404040") << '\n';
             }
       out << "END\n";
@@ -181,6 +163,23 @@ namespace Amontons
       out << '\n';
     }
   } // namespace
+
+  std::string
+  cell_text(const RunStudy &study, const StudyResult &result)
+  {
+    const Outcome      outcome = outcome_of(study, result);
+    std::ostringstream text;
+    if (outcome == Outcome::solved || outcome == Outcome::cut_back)
+      text << result.record.iterations;
+    else if (const double error =
+                 result.errors.empty() ? 0 : *std::max_element(result.errors.begin(), result.errors.end());
+             outcome == Outcome::wrong && error > study.wrong_above)
+      text << std::setprecision(error < 1 ? 2 : 3) << (error > 1e3 ? error : 100 * error)
+           << (error > 1e3 ? "" : "%");
+    else
+      text << outcome_styles[static_cast<unsigned int>(outcome)].letter;
+    return text.str();
+  }
 
   // Panels side by side under the title and over the legend.
   void

@@ -85,19 +85,6 @@ namespace Amontons
       out << '\n';
     }
 
-    std::string
-    what_is_off(const RunStudy &study, const StudyResult &result)
-    {
-      std::ostringstream text;
-      text << std::setprecision(3);
-      for (unsigned int q = 0; q < result.errors.size(); ++q)
-        if (!(result.errors[q] <= study.wrong_above))
-          text << "; " << study.quantities[q].path.path << " is off by " << result.errors[q];
-      if (study.no_solution_where && evaluate(*study.no_solution_where, study, result.point) > 0)
-        text << "; there is no solution";
-      return text.str().empty() ? "" : text.str().substr(2);
-    }
-
     double
     largest_error(const StudyResult &result)
     {
@@ -134,6 +121,19 @@ namespace Amontons
           }
     }
   } // namespace
+
+  std::string
+  what_is_off(const RunStudy &study, const StudyResult &result)
+  {
+    std::ostringstream text;
+    text << std::setprecision(3);
+    for (unsigned int q = 0; q < result.errors.size(); ++q)
+      if (!(result.errors[q] <= study.wrong_above))
+        text << "; " << study.quantities[q].path.path << " is off by " << result.errors[q];
+    if (study.no_solution_where && evaluate(*study.no_solution_where, study, result.point) > 0)
+      text << "; there is no solution";
+    return text.str().empty() ? "" : text.str().substr(2);
+  }
 
   Outcome
   outcome_of(const RunStudy &study, const StudyResult &result)

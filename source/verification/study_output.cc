@@ -21,12 +21,6 @@ namespace Amontons
       return i;
     }
 
-    std::string
-    varied_name(const Study &study)
-    {
-      return study.per_mesh ? "mesh" : study.sweep.back().label;
-    }
-
     // Orders need more DoFs in every row, and an error in every row.
     bool
     has_orders(const StudySeries &series, const unsigned int dofs, const unsigned int quantity)
@@ -107,6 +101,12 @@ namespace Amontons
           }
     }
   } // namespace
+
+  std::string
+  varied_name(const Study &study)
+  {
+    return study.per_mesh ? "mesh" : study.sweep.back().label;
+  }
 
   double
   observed_order(const double e1, const double e2, const double n1, const double n2, const unsigned int dim)

@@ -72,11 +72,19 @@ namespace
     calls.clear();
     check::is_true(run_convergence_study(name + ".prm", fake, out, MPI_COMM_WORLD) == expected,
                    name + ": return value");
-    for (const std::string ending : {".csv", ".gp"})
+    for (const std::string ending : {".csv", ".gp", ".html"})
       check::is_true(fs::exists("out_" + name + "/" + name + ending), name + ending + " exists");
     if (std::system("command -v gnuplot >/dev/null 2>&1") == 0)
       check::is_true(fs::exists("out_" + name + "/" + name + ".svg"), name + ".svg exists");
     return out.str();
+  }
+
+  std::string
+  page(const std::string &name)
+  {
+    std::ostringstream text;
+    text << std::ifstream("out_" + name + "/" + name + ".html").rdbuf();
+    return text.str();
   }
 
   std::vector<std::vector<std::string>>
@@ -137,6 +145,19 @@ main(int argc, char **argv)
   for (unsigned int r = 1; r < rows.size(); ++r)
     if (!rows[r][7].empty())
       check::is_close(std::stod(rows[r][7]), r > 4 ? 4 : 2, 1e-8, "order");
+  for (const std::string text : {"<h1>Cylinder on a plane: uniform_refinement, known errors</h1>",
+                                 "class=\"status good\">all runs converged<",
+                                 "<td>swept: Degree</td><td>1, 2   (Discretization/Degree)</td>",
+                                 "<td>all runs with</td><td>A/B = 1 | C/D = x</td>",
+                                 "<pre>amontons study uniform.prm</pre>",
+                                 "<b>Degree = 2</b>",
+                                 "<svg"})
+    check::contains(page("uniform"), text);
+  // Refinements 3 after 2 with linear elements: 2048 unknowns, 3/1024, a quarter of that before.
+  check::contains(
+      page("uniform"),
+      "<td>3</td><td class=\"n\">1024</td><td class=\"n\">2048</td><td class=\"n\">0.1024</td><td "
+      "class=\"n\">0.2048</td><td class=\"n\">0.0029297</td><td class=\"n\">2</td>");
   check::is_close(observed_order(1, .25, 100, 400, 2), 2, 1e-12, "order in 2D");
   check::is_close(observed_order(1, .25, 100, 800, 3), 2, 1e-12, "order in 3D");
 
@@ -157,6 +178,10 @@ main(int argc, char **argv)
   const std::string failed =
       study("failed", quantities + "subsection Sweep\nset 1 = B/Refinements: 1, 13\nend\n", 1);
   check::contains(failed, "no convergence");
+  for (const std::string text : {">1 run failed<",
+                                 "<b>Refinements = 13</b>: no convergence",
+                                 "<pre>amontons ../scene.prm --set 'B/Refinements = 13'</pre>"})
+    check::contains(page("failed"), text);
 
   message(quantities + "set Agianst = finest\n",
           "wrong.prm:4: Agianst: there is no such entry (did you mean 'Against'?)");

@@ -2,7 +2,7 @@
 // the Pareto front and the targets.
 #include <amontons/verification/process_study.h>
 #include <amontons/verification/run_table.h>
-#include <amontons/verification/stability_map.h>
+#include <amontons/verification/study_report.h>
 #include <amontons/verification/work_precision.h>
 
 #include <text_checks.h>
@@ -135,6 +135,20 @@ namespace
     check::contains(printed, "--set \"Contact a/Friction = 0.7\"");
     check::contains(read_text("out_map/map.gp"), "$threshold_0 << END");
     check::is_true(!fs::exists("out_map/map_runs"), "folders of runs are gone");
+    const std::string page = read_text("out_map/map.html");
+    for (const std::string text :
+         {"<h1>A map</h1>",
+          ">12 wrong or failed<",
+          "<td>swept: Friction</td><td>0.1, 0.25, 0.3, 0.7, 0.75, 0.8, 0.9   (Contact a/Friction)</td>",
+          "<td>threshold</td><td>limit: y = 0.3 + 0*x</td>",
+          "<td>no solution where</td><td>0.3 - y &gt; 0</td>",
+          "<pre>amontons study map.prm</pre>",
+          "</span>wrong (3)",
+          "title=\"wrong: force is off by 0.571\">57%</td>",
+          "<b>Steps = 4, Friction = 0.7</b>: wrong; force is off by 0.571",
+          "--set 'Contact a/Friction = 0.7'</pre>",
+          "found '0.75', a number, &quot;odd&quot;; allowed: others"})
+      check::contains(page, text);
     check::is_true(run("map", map_text).find("of which 21 are known") != std::string::npos && n_runs == 0,
                    "nothing is run twice");
   }
@@ -221,6 +235,30 @@ namespace
     const std::string script = read_text("out_work/work.gp");
     check::contains(script, "$front_0_3 << END");
     check::contains(script, "0.1 with lines");
+    const std::string page = read_text("out_work/work.html");
+    for (const std::string text :
+         {">6 without an answer<",
+          "<td>series other</td><td>M = b</td>",
+          "<td>targets</td><td>0.1, 0.01, 1e-06</td>",
+          "<th class=\"n\">at most 0.01</th>",
+          "<td class=\"n\">5 s, 10000 DoFs</td><td class=\"n\">not reached</td>",
+          "<b>other, Friction = 0.1, Steps = 10</b>: not converged: friction cannot hold",
+          "--set 'M = b' --set 'Contact a/Friction = 0.1' --set 'Steps = 10'</pre>"})
+      check::contains(page, text);
+    // Without gnuplot, charts of our own: error against each cost.
+    const RunStudy study = read_run_study(StudyEntries("work.prm"));
+    StudyResult    result;
+    result.point                    = {1, {0, 2}};
+    result.record.ending            = "converged";
+    result.record.processor_seconds = 2;
+    result.record.dofs              = 30;
+    result.record.megabytes         = 4;
+    result.record.linear_solves     = 5;
+    result.errors                   = {0.5};
+    const auto charts               = work_charts(study, {result});
+    check::is_true(charts.size() == 4 && work_charts(study, {}).empty(), "a chart for each cost");
+    check::contains(charts.at(1), "Error of error by degrees of freedom");
+    check::contains(charts.at(1), ">other, Friction = 0.5<");
   }
 
   void

@@ -52,14 +52,14 @@ namespace Amontons
   Chart
   error_chart(const RunSummary &summary);
   Chart
-  pressure_chart(const PressureCurve &curve);
+  pressure_chart(const PressureCurve &curve, const Units &units = {});
 
   // Friction: shear between its bounds, with the states of the nodes; 3D: the states from above, with the
   // tractions as needles.
   Chart
-  shear_chart(const PressureCurve &curve);
+  shear_chart(const PressureCurve &curve, const Units &units = {});
   Chart
-  state_map(const PressureCurve &curve);
+  state_map(const PressureCurve &curve, const Units &units = {});
 
   // The last pass of the load program through t: of a replay the rows of the last mesh, of increments that
   // were solved on several meshes the last.
@@ -72,11 +72,12 @@ namespace Amontons
   history_charts(const RunSummary &summary);
 
   // To be called on rank 0. mesh: of gather_mesh_picture (empty: no such picture); pressure_maps: of
-  // make_pressure_picture, with the names of the pairs.
+  // make_pressure_picture, with the names of the pairs; bodies: of BodyHistory.
   void
   write_report(const std::string                                      &file,
                const RunSummary                                       &summary,
                const std::vector<PressureCurve>                       &curves,
                const MeshPicture                                      &mesh,
-               const std::vector<std::pair<std::string, MeshPicture>> &pressure_maps);
+               const std::vector<std::pair<std::string, MeshPicture>> &pressure_maps,
+               const std::vector<std::string>                         &bodies = {});
 } // namespace Amontons

@@ -122,6 +122,7 @@ namespace Amontons
     std::string message;      // why not
     std::string scene, title; // scene: the file
     ProblemType kind = ProblemType::plane_strain;
+    Units       units;
 
     unsigned long long dofs = 0, cells = 0; // of the finest mesh
     unsigned int       ranks       = 1;

@@ -39,6 +39,16 @@ namespace Amontons
   std::string
   colour_of(const double value);
 
+  // Its colours from lowest to highest, with round numbers beside them; 12 pixels wide.
+  constexpr int n_bar_colours = 24;
+  std::string
+  colour_bar(
+      const double x, const double top, const double height, const double lowest, const double highest);
+
+  // A picture of this size, as text in pixels, on white.
+  std::string
+  svg_of(const std::string &width, const std::string &height, const std::string &content);
+
   // Text with <, >, & and quotes written so that SVG and HTML show them.
   std::string
   escaped(const std::string &text);

@@ -3,6 +3,7 @@
 
 #include <amontons/base/input_error.h>
 #include <amontons/scene/expression.h>
+#include <amontons/scene/units.h>
 
 #include <deal.II/base/point.h>
 
@@ -249,6 +250,7 @@ namespace Amontons
   {
     std::string                  title;
     std::string                  file; // path as given
+    Units                        units;
     ProblemType                  kind       = ProblemType::plane_strain;
     Kinematics                   kinematics = Kinematics::small_strain;
     std::vector<std::string>     entries; // "Section/Name = value" of all that the answer depends on

@@ -37,6 +37,14 @@ namespace Amontons
   bool
   draw(const std::string &folder, const std::string &stem, std::ostream &out);
 
+  /// STEM.svg as draw() has just drawn it, to stand within a page; empty without gnuplot.
+  std::string
+  drawn_chart(const std::string &folder, const std::string &stem);
+
+  /// As a word of a shell; in quotes where it has to be.
+  std::string
+  in_shell(const std::string &text);
+
   /// Writes the script to STEM.gp first.
   bool
   draw(const std::string &folder, const std::string &stem, const std::string &script, std::ostream &out);

@@ -32,6 +32,14 @@ namespace Amontons
   Outcome
   outcome_of(const RunStudy &study, const StudyResult &result);
 
+  /// Which quantities are off, and how far; empty where none is.
+  std::string
+  what_is_off(const RunStudy &study, const StudyResult &result);
+
+  /// In a cell of the map. Solved: the number of iterations; wrong: the error; else the letter.
+  std::string
+  cell_text(const RunStudy &study, const StudyResult &result);
+
   /// The results of one series and one value of the third parameter.
   struct MapPanel
   {

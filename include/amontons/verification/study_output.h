@@ -14,13 +14,24 @@ namespace Amontons
     std::vector<double> errors;  // as in Study::quantities
   };
 
+  struct FailedRun
+  {
+    std::string              varied, message;
+    std::vector<std::string> overrides;
+  };
+
   // The rows of one table and one curve per quantity.
   struct StudySeries
   {
-    std::string           label; // "Degree = 2", empty if there is only one
-    unsigned int          dim = 2;
-    std::vector<StudyRow> rows;
+    std::string            label; // "Degree = 2", empty if there is only one
+    unsigned int           dim = 2;
+    std::vector<StudyRow>  rows;
+    std::vector<FailedRun> failures;
   };
+
+  // Of what varies along the rows: "mesh", "Refinements".
+  std::string
+  varied_name(const Study &study);
 
   // dim log(e1/e2) / log(n2/n1), the order in h on meshes of n1 and n2 unknowns; NaN where there is none.
   double

@@ -1,0 +1,208 @@
+"""Scenes of cases.py as input of CalculiX (ccx 2.20), and its answers.
+
+f2f     face-to-face penalty, in the plane or axisymmetric with elements of degree 1 or 2 (CPE4, CPE8, CAX4), in space C3D8
+mortar  C3D8 (mortar works in space only: in the plane one layer, held across)
+tie     one linear solve of the same mesh, glued where contact will be
+
+Slave is the curved side, which is the finer one. It reaches to 1.7 a.
+"""
+import itertools
+import math
+import re
+
+from cases import E, NU, grid, lifted
+
+STIFFNESS = 50 * E  # of the penalty, N/mm^3
+STICK = 10 * E  # of friction
+SAMPLES = 4  # between nodes
+
+
+class Mesh:
+    """Nodes and cells of one body, numbered from where the other ends."""
+
+    def __init__(self, case, N, degree, lower, layer, first):
+        lines = grid(case, N, lower)
+        if layer:
+            lines = [lines[0], [0.0, 1.0], lines[1]]
+        self.number_all(case, lines, degree, lower, layer, first)
+
+    def number_all(self, case, lines, degree, lower, layer, first):
+        self.lines, self.lower = lines, lower
+        dim = len(lines)
+        if degree == 2:
+            lines = [sorted(x + [(a + b) / 2 for a, b in zip(x, x[1:])]) for x in lines]
+        shape = [len(x) for x in lines]
+        self.nodes, self.number = {}, {}
+        for index in itertools.product(*map(range, shape)):
+            if degree == 2 and sum(k % 2 for k in index) > 1:
+                continue  # serendipity: no node in the middle
+            point = tuple(x[k] for x, k in zip(lines, index))
+            if not lower:
+                bent = lifted(case, (point[0], point[2]) if layer else point)
+                point = (bent[0], point[1], bent[1]) if layer else bent
+            number = first["node"] + len(self.nodes)
+            self.nodes[number], self.number[index] = point, number
+        self.cells = {}
+        for index in itertools.product(*(range(len(x) - 1) for x in self.lines)):
+            low = [degree * k for k in index]
+            self.cells[first["cell"] + len(self.cells)] = [self.number[tuple(a + b for a, b in zip(low, step))] for step in steps(dim, degree)]
+        self.shape, self.columns = shape, [len(x) - 1 for x in self.lines]
+
+    def side(self, axis, end):
+        """Nodes of one side of the block; `end` is 0 or -1."""
+        at = 0 if end == 0 else self.shape[axis] - 1
+        return [number for index, number in self.number.items() if index[axis] == at]
+
+    def faces(self, test):
+        """(cell, name of the face) of the side that touches, where the face's farthest corner passes the test of its distance to the axis."""
+        last = len(self.lines) - 1
+        row, name = (self.columns[last] - 1, "S3" if last == 1 else "S2") if self.lower else (0, "S1")
+        found = []
+        for index, cell in zip(itertools.product(*map(range, self.columns)), self.cells):
+            if index[last] == row:
+                corners = [x[k:k + 2] for x, k in zip(self.lines[:last], index)]
+                if test(math.hypot(*(max(map(abs, c)) for c in corners[:1 if self.layered else None]))):
+                    found.append((cell, name))
+        return found
+
+    @property
+    def layered(self):
+        return len(self.lines) == 3 and self.columns[1] == 1 and self.lines[1] == [0.0, 1.0]
+
+
+class Plane(Mesh):
+    """The rigid plane: cells that are held."""
+
+    def __init__(self, case, dim, first):
+        line = [0.25 * k * case.a for k in range(9)]
+        if case.kind == "axisymmetric":
+            line[0] = 1e-3 * case.a  # a face on the axis is a triangle in space, on which CalculiX finds no contact
+        self.number_all(case, [line] * (dim - 1) + [[-case.a, 0.0]], 1, True, False, first)
+
+
+def steps(dim, degree):
+    """Nodes of a cell in CalculiX' order, as steps on the grid."""
+    corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    if dim == 3:
+        return [(*c, z) for z in (0, 1) for c in corners]
+    if degree == 1:
+        return corners
+    return [(0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1)]
+
+
+def slave_nodes(body, faces):
+    return {n for cell, _ in faces for n in body.cells[cell]} & set(body.side(len(body.lines) - 1, 0))
+
+
+def rows(values, many=12):
+    values = [str(v) for v in values]
+    return "\n".join(",".join(values[k:k + many]) for k in range(0, len(values), many))
+
+
+def deck(case, N, element, contact, solver="SPOOLES"):
+    """The input file; contact is f2f, mortar or tie."""
+    degree, space = (2 if element == "CPE8" else 1), element.startswith("C3D8")
+    layer = space and case.kind == "plane"
+    up = 3 if space else 2
+    upper = Mesh(case, N, degree, False, layer, {"node": 1, "cell": 1})
+    text = ["*NODE, NSET=ALL"]
+    bodies = [upper]
+    if not case.rigid:
+        bodies.append(Mesh(case, N, degree, True, layer, {"node": 1 + len(upper.nodes), "cell": 1 + len(upper.cells)}))
+    text += [f"{n}," + ",".join(f"{x:.12g}" for x in point) for body in bodies for n, point in body.nodes.items()]
+    text.append(f"*ELEMENT, TYPE={element}, ELSET=SOLID")
+    text += [f"{n},{rows(cell)}" for body in bodies for n, cell in body.cells.items()]
+    text += ["*MATERIAL, NAME=STEEL", "*ELASTIC", f"{E},{NU}", "*SOLID SECTION, ELSET=SOLID, MATERIAL=STEEL"]
+    text += [] if space else ["1."]
+    held = []
+    reach = 1.85 if contact != "tie" else 1 - 1e-9  # of the slave side, times a
+    slave = upper.faces(lambda r: r < reach * case.a)
+    free = slave_nodes(upper, slave) if contact == "mortar" else set()  # mortar takes no supports of slave nodes: it would go on for ever
+
+    def hold(name, nodes, *axes):
+        nodes = [n for n in nodes if 2 not in axes or n not in free]
+        text.extend([f"*NSET, NSET={name}", rows(nodes)])
+        held.extend(f"{name},{axis},{axis}" for axis in axes)
+
+    for k, body in enumerate(bodies):
+        end = "UL"[k]
+        hold(f"FAR{end}", body.side(len(body.lines) - 1, -1 if k == 0 else 0), *([up] if k else []))
+        if case.whole:
+            held.extend([f"FAR{end},1,1"] if k else [])
+        else:
+            hold(f"AXIS{end}", body.side(0, 0), 1)
+        if space:
+            hold(f"ACROSS{end}", body.nodes if layer else body.side(1, 0), 2)
+    rigid = case.rigid and contact != "tie"
+    if rigid:
+        plane = Plane(case, up, {"node": 1 + len(upper.nodes), "cell": 1 + len(upper.cells)})
+        text += ["*NODE, NSET=PLANE"] + [f"{n}," + ",".join(f"{x:.12g}" for x in p) for n, p in plane.nodes.items()]
+        text += [f"*ELEMENT, TYPE={element}, ELSET=SOLID"] + [f"{n}," + rows(cell) for n, cell in plane.cells.items()]
+        held.extend(f"PLANE,{axis},{axis}" for axis in range(1, up + 1))
+    if contact == "tie" and case.rigid:
+        hold("GLUED", sorted(slave_nodes(upper, slave)), up)
+    else:
+        master = plane.faces(lambda r: True) if rigid else bodies[1].faces(lambda r: r < 2.2 * case.a)
+        text += ["*SURFACE, NAME=CURVED"] + [f"{c},{s}" for c, s in slave] + ["*SURFACE, NAME=FLAT"] + [f"{c},{s}" for c, s in master]
+        if contact == "tie":
+            text += ["*TIE, NAME=GLUE, POSITION TOLERANCE=0.1, ADJUST=NO", "CURVED,FLAT"]
+        elif contact == "mortar":
+            text += ["*SURFACE INTERACTION, NAME=TOUCH", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HARD", "*CONTACT PAIR, INTERACTION=TOUCH, TYPE=MORTAR", "CURVED,FLAT"]
+        else:
+            text += ["*SURFACE INTERACTION, NAME=TOUCH", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR", f"{STIFFNESS}"]
+            text += ["*FRICTION", f"{case.friction},{STICK}"] if case.friction else []
+            text += ["*CONTACT PAIR, INTERACTION=TOUCH, TYPE=SURFACE TO SURFACE", "CURVED,FLAT"]
+    text += ["*BOUNDARY"] + held
+    for along in [0.0, case.shear] if case.shear and contact != "tie" else [0.0]:
+        text += ["*STEP, INC=100", f"*STATIC, SOLVER={solver}", "1.,1."] if contact != "tie" else ["*STEP", f"*STATIC, SOLVER={solver}"]
+        text += ["*BOUNDARY", f"FARU,{up},{up},{-case.press}"] + ([f"FARU,1,1,{along}"] if case.whole else [])
+        text += ["*NODE PRINT, NSET=FARU, TOTALS=ONLY", "RF"]
+        text += [] if contact == "tie" else ["*CONTACT FILE", "CDIS,CSTR"]
+        text.append("*END STEP")
+    return "\n".join(text) + "\n", bodies
+
+
+def nodal_pressure(path):
+    """Contact pressure at nodes, of the last step: {node: value}."""
+    values, inside = {}, False
+    with open(path, encoding="utf-8") as file:
+        for text in file:
+            if text.startswith(" -4"):
+                inside = "CONTACT" in text
+                values = {} if inside else values
+            elif inside and text.startswith(" -1"):
+                values[int(text[3:13])] = float(text[13 + 3 * 12:13 + 4 * 12])
+            elif text.startswith(" -3"):
+                inside = False
+    return values
+
+
+def samples(case, upper, nodal):
+    """Samples of pressure.py: the nodal pressures, linear in each coordinate between nodes."""
+    line = [0, 0] if upper.layered else [0]
+    reach = range(upper.shape[0] - 1)
+    found, parts = [], [(k + 0.5) / SAMPLES for k in range(SAMPLES)]
+
+    def at(*index):
+        return upper.nodes[upper.number[index]], nodal.get(upper.number[index], 0.0)
+
+    for i in reach:
+        if case.kind != "space":
+            (p, left), (q, right) = at(i, *line), at(i + 1, *line)
+            found += [(abs(p[0] + t * (q[0] - p[0])), (q[0] - p[0]) / SAMPLES, left + t * (right - left)) for t in parts]
+            continue
+        for j in reach:
+            (p, a), (q, b), (_, c), (_, d) = at(i, j, 0), at(i + 1, j + 1, 0), at(i + 1, j, 0), at(i, j + 1, 0)
+            area = (q[0] - p[0]) * (q[1] - p[1]) / SAMPLES**2
+            for s, t in itertools.product(parts, parts):
+                place = math.hypot(p[0] + s * (q[0] - p[0]), p[1] + t * (q[1] - p[1]))
+                found.append((place, area, (1 - s) * ((1 - t) * a + t * d) + s * ((1 - t) * c + t * b)))
+    return [sample for sample in found if sample[0] < 1.7 * case.a]
+
+
+def iterations(path):
+    """As 13, or as 21/2inc, from what CalculiX says of its convergence."""
+    with open(path, encoding="utf-8") as file:
+        rows = [text.split() for text in file if re.match(r"\s+\d+\s+\d+", text)]
+    increments = len({tuple(row[:2]) for row in rows})
+    return f"{len(rows)}/{increments}inc" if increments > 1 else str(len(rows))

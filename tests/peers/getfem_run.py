@@ -129,15 +129,16 @@ def model(case, N, degree, kind):
 
 def samples(md, body):
     """Distance from the axis, weight and pressure at the points of integration. GetFEM's weights are of the unit face."""
-    faces, rows = body.mesh.region(CONTACT), []
+    faces = body.mesh.region(CONTACT)
+    nodes = body.fine.im_nodes(faces)
+    sizes = []
     for k in range(faces.shape[1]):
         corners = body.mesh.pts()[:-1, body.mesh.pid_in_faces(faces[:, k:k + 1])]
-        size = np.prod(corners.max(axis=1) - corners.min(axis=1))
-        nodes = body.fine.im_nodes(faces[:, k:k + 1])
-        pressure = md.interpolation("p", nodes[:-1], body.mesh, -1, 1)
-        weights = nodes[-1] / nodes[-1].sum() * size
-        rows += [[float(np.sqrt((x**2).sum())), float(w), float(p)] for x, w, p in zip(nodes[:-2].T, weights, pressure)]
-    return rows
+        sizes.append(np.prod(corners.max(axis=1) - corners.min(axis=1)))
+    each = nodes.shape[1] // len(sizes)
+    weights = nodes[-1] / nodes[-1, :each].sum() * np.repeat(sizes, each)
+    pressure = md.interpolation("p", nodes[:-1], body.mesh, -1, 1)
+    return np.array([np.sqrt((nodes[:-2] ** 2).sum(axis=0)), weights, pressure]).T.tolist()
 
 
 def main():

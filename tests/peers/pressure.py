@@ -15,10 +15,10 @@ def hertz(case, force):
 
 
 def error(case, samples, force=None):
-    """Relative, in L2 over r < 1.3 a; and the force. Of the axisymmetric case, weights are lengths of the meridian."""
+    """Relative, in L2 over r < 1.3 a; `force` is that of all of the scene, or found from the pressure. Of the axisymmetric case, weights are lengths of the meridian."""
     if case.kind == "axisymmetric":
         samples = [(r, w * 2 * math.pi * r, p) for r, w, p in samples]
     force = force or case.share * math.fsum(w * p for _, w, p in samples)
     a, peak = hertz(case, force)
     exact = [(w, p, peak * math.sqrt(max(1 - (r / a) ** 2, 0))) for r, w, p in samples if r < 1.3 * a]
-    return math.sqrt(math.fsum(w * (p - q) ** 2 for w, p, q in exact) / math.fsum(w * q * q for w, _, q in exact)), force
+    return math.sqrt(math.fsum(w * (p - q) ** 2 for w, p, q in exact) / math.fsum(w * q * q for w, _, q in exact))

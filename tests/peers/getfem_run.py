@@ -9,7 +9,7 @@ import getfem as gf
 import numpy as np
 from cases import CASES, E, NU, grid, lifted
 
-GAMMA = E  # of the augmented Lagrangian, N/mm^3: see below
+GAMMA = E  # of the augmented Lagrangian, N/mm^3: of the order of E over a length of the contact. It changes the iterations, not the answer
 HELD = 1e4 * E  # stiffness of supports, N/mm^3: a block gives E / 48
 TOP, BOTTOM, AXIS, OTHER_AXIS, CONTACT, GLUED = range(1, 7)
 

@@ -8,8 +8,8 @@ from figures import BLUE, FOLDER, GREEN, GREY, INK, RED, Figure
 
 TABLE = pathlib.Path(__file__).resolve().parent / "peers.csv"
 # case: title, seconds, errors
-PANELS = {"H2": ("cylinder, without friction", (0.3, 40), (1e-3, 0.1)), "CM": ("cylinder, with friction", (0.3, 40), (1e-3, 0.1)),
-          "HA": ("sphere, axisymmetric", (0.1, 15), (1e-3, 0.1)), "H3": ("sphere, in space", (0.3, 100), (1e-2, 0.2))}
+PANELS = {"H2": ("cylinder, without friction", (0.2, 40), (1e-3, 0.1)), "CM": ("cylinder, with friction", (0.3, 40), (1e-3, 0.1)),
+          "HA": ("sphere, axisymmetric", (0.1, 15), (1e-3, 0.1)), "H3": ("sphere, in space", (0.3, 30), (3e-3, 0.2))}
 PICTURES = {"peers": ("H2", "CM"), "peers_sphere": ("HA", "H3")}
 CURVES = [
     ("Amontons", ["degree 1"], BLUE, "5 3", "Amontons, linear"), ("Amontons", ["degree 2"], BLUE, "", "Amontons, quadratic"),
@@ -25,12 +25,12 @@ def read():
 
 def panel(f, rows, case, left):
     title, (low, high), (bottom, top) = PANELS[case]
-    upper, width, height = 40, 310, 262
+    upper, width, height = 52, 310, 262
 
     def place(x, y):
         return left + width * math.log(x / low) / math.log(high / low), upper + height * math.log(top / y) / math.log(top / bottom)
 
-    f.text(left + width / 2, 24, title, INK, "middle", 14, True)
+    f.text(left + width / 2, 22, title, INK, "middle", 14, True)
     for x in (x for x in MARKS if low * 0.999 <= x <= high * 1.001):
         f.line([place(x, top), place(x, bottom)], "#e4e7ea", 1)
         f.text(*map(sum, zip(place(x, bottom), (0, 17))), f"{x:g}", INK, "middle", 12)
@@ -49,13 +49,13 @@ def panel(f, rows, case, left):
 
 
 def draw(rows, name, cases):
-    f = Figure(name, 760, 420)
+    f = Figure(name, 760, 432)
     f.path = FOLDER / f"{name}.svg"
     for column, case in enumerate(cases):
         panel(f, rows, case, 62 + 370 * column)
-    f.text(8, 24, "error of the pressure", INK, "start", 11)
+    f.text(8, 38, "error of the pressure", INK, "start", 11)
     for k, (_, _, colour, dash, label) in enumerate(CURVES):
-        x, y = 62 + 220 * (k // 2), 372 + 24 * (k % 2)
+        x, y = 62 + 220 * (k // 2), 384 + 24 * (k % 2)
         f.line([(x, y), (x + 34, y)], colour, 2, dash)
         f.dot(x + 17, y, colour, 3.5, hollow=bool(dash))
         f.text(x + 42, y + 5, label, INK, "start", 13)

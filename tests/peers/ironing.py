@@ -109,7 +109,7 @@ def main():
         code, row = measured(["ccx", "scene"], folder, given.limit)
         (vertical, horizontal), last = forces(os.path.join(folder, "scene.dat"), given.low, given.high)
         counted = iterations(os.path.join(folder, "scene.cvg"))
-    note = f"slide {given.reach:g}; V {vertical:.2f} H {horizontal:.2f} over {given.low * given.reach:g}..{given.high * given.reach:g}"
+    note = f"slide {given.reach:g}; V {vertical:.2f} H {horizontal:.2f} over {given.low * given.reach:.3g}..{given.high * given.reach:.3g}"
     note = note if not code and last > 1.999 else f"not finished: t = {last:.3f} after {row['wall']:.0f} s"
     result = {**dict.fromkeys(COLUMNS, ""), "program": "ccx2.20", "formulation": f"f2f K={given.stiffness:g}E", "case": "IR2", "N": f"{given.press}+{given.slide}", "threads": "1",
               "wall": f"{row['wall']:.1f}", "cpu": f"{row['cpu']:.1f}", "memory_MB": f"{row['memory_MB']:.0f}", "iterations": counted.split("/")[0], "note": note}

@@ -1,0 +1,82 @@
+"""The scenes that other programs solve, too, as plain data: doc/studies.md. Units mm, N, MPa.
+
+H2  half of a block with the surface of a cylinder on a flat block          parameters/verification/peers_cylinder.prm
+CM  the whole of it with friction, pressed and then sheared                 parameters/verification/peers_shear.prm
+HA  axisymmetric block with the surface of a sphere on a rigid plane        parameters/verification/peers_sphere.prm
+H3  that in space, a quarter with a square cross-section                    parameters/verification/peers_sphere_3d.prm
+
+Meshes are grids of lines. N cells reach over the length `a`, which is a little more than the contact; cells are as large to 1.3 a beside the axis and to `depth` from the
+surface, then grow by 1.3 to the far sides. In the plane the flat block has 0.88 N cells where the curved one has N: their nodes do not match.
+"""
+import dataclasses
+import math
+
+E, NU, RADIUS = 210e3, 0.3, 50.0
+GROWTH, REACH, COARSER = 1.3, 1.3, 0.88
+
+
+@dataclasses.dataclass(frozen=True)
+class Case:
+    name: str
+    kind: str  # "plane", "axisymmetric", "space"
+    size: float  # half width and height of a block
+    a: float  # N cells are as long as this
+    depth: float  # as a part of a
+    press: float
+    shear: float = 0.0
+    friction: float = 0.0
+    whole: bool = False  # to both sides of x = 0
+    scene: str = ""
+
+    @property
+    def rigid(self):
+        """Whether the other side is a rigid plane."""
+        return self.kind != "plane"
+
+    @property
+    def share(self):
+        """Whole force over that of the mesh."""
+        return {"plane": 1 if self.whole else 2, "axisymmetric": 1, "space": 4}[self.kind]
+
+    def sagitta(self, r):
+        """Height of the curved surface above the plane."""
+        return RADIUS - math.sqrt(RADIUS**2 - r * r)
+
+
+CASES = {case.name: case for case in (
+    Case("H2", "plane", 48, 1.5, 0.5, 0.0903, scene="peers_cylinder"),
+    Case("CM", "plane", 48, 1.5, 0.5, 0.0903, 0.0203, 0.3, True, scene="peers_shear"),
+    Case("HA", "axisymmetric", 30, 3.0, 0.5, 0.161, scene="peers_sphere"),
+    Case("H3", "space", 30, 3.0, 0.0, 0.161, scene="peers_sphere_3d"))}
+
+
+def line(h, equal, length):
+    """Places 0, h, .., equal h, and on with cells that grow, at most by GROWTH, to `length`."""
+    rest = length - equal * h
+    many = math.ceil(math.log(1 + rest * (GROWTH - 1) / (GROWTH * h)) / math.log(GROWTH) - 1e-9)
+    low, high = 1.0 + 1e-9, GROWTH
+    for _ in range(100):
+        q = 0.5 * (low + high)
+        low, high = (q, high) if h * q * (q**many - 1) / (q - 1) < rest else (low, q)
+    places = [h * k for k in range(equal + 1)]
+    for k in range(many):
+        places.append(places[-1] + h * q ** (k + 1))
+    return places[:-1] + [float(length)]
+
+
+def grid(case, N, lower=False):
+    """Lines of a body along x (and y), and upwards: the lower one's go from -size to 0."""
+    cells = COARSER * N if lower else N
+    h = case.a / cells
+    along = line(h, math.ceil(REACH * cells - 1e-9), case.size)
+    up = line(h, max(1, math.ceil(case.depth * cells - 1e-9)), case.size)
+    if case.whole:
+        along = [-x for x in reversed(along[1:])] + along
+    up = [-y for y in reversed(up)] if lower else up
+    return [along, along, up] if case.kind == "space" else [along, up]
+
+
+def lifted(case, point):
+    """Where a node of the curved body's grid is: its lower side has the curve, the upper one is plane."""
+    r = math.hypot(*point[:-1])
+    return (*point[:-1], point[-1] + case.sagitta(r) * (1 - point[-1] / case.size))

@@ -85,6 +85,40 @@ namespace Amontons
           weights.push_back(weight * std::pow(box.size, d));
       return Quadrature<d>(points_in(boxes, formula), weights);
     }
+
+    // Halves of the boxes where the load is smooth go to the leaves, the others are the new boxes.
+    template <int d>
+    void
+    halve(const Quadrature<d>   &formula,
+          const LoadAt<d>       &load,
+          const double           scale,
+          std::vector<Box<d>>   &boxes,
+          std::vector<Integral> &of_boxes,
+          std::vector<Box<d>>   &leaves)
+    {
+      const unsigned int  n = Utilities::fixed_power<d>(2u);
+      std::vector<Box<d>> parts, rough;
+      for (const auto &box : boxes)
+        for (const auto &part : parts_of(box, 2))
+          parts.push_back(part);
+      const auto            of_parts = integrals(parts, formula, load);
+      std::vector<Integral> of_rough;
+      for (unsigned int i = 0; i < boxes.size(); ++i)
+        {
+          Tensor<1, 3> change = of_boxes[i].load;
+          for (unsigned int k = i * n; k < (i + 1) * n; ++k)
+            change -= of_parts[k].load;
+          const bool smooth = change.norm() <= 1e-5 * scale && of_boxes[i].range <= 1e-4 * scale;
+          for (unsigned int k = i * n; k < (i + 1) * n; ++k)
+            {
+              (smooth ? leaves : rough).push_back(parts[k]);
+              if (!smooth)
+                of_rough.push_back(of_parts[k]);
+            }
+        }
+      boxes    = std::move(rough);
+      of_boxes = std::move(of_rough);
+    }
   } // namespace
 
   template <int d>
@@ -106,31 +140,8 @@ namespace Amontons
     if (whole.norm() <= 1e-4 * scale && mismatch <= 5e-3 * scale)
       return formula;
 
-    const unsigned int n = Utilities::fixed_power<d>(2u);
     for (unsigned int level = 0; level < n_levels && !boxes.empty(); ++level)
-      {
-        std::vector<Box<d>> parts, rough;
-        for (const auto &box : boxes)
-          for (const auto &part : parts_of(box, 2))
-            parts.push_back(part);
-        const auto            of_parts = integrals(parts, formula, load);
-        std::vector<Integral> of_rough;
-        for (unsigned int i = 0; i < boxes.size(); ++i)
-          {
-            Tensor<1, 3> change = of_boxes[i].load;
-            for (unsigned int k = i * n; k < (i + 1) * n; ++k)
-              change -= of_parts[k].load;
-            const bool smooth = change.norm() <= 1e-5 * scale && of_boxes[i].range <= 1e-4 * scale;
-            for (unsigned int k = i * n; k < (i + 1) * n; ++k)
-              {
-                (smooth ? leaves : rough).push_back(parts[k]);
-                if (!smooth)
-                  of_rough.push_back(of_parts[k]);
-              }
-          }
-        boxes    = std::move(rough);
-        of_boxes = std::move(of_rough);
-      }
+      halve(formula, load, scale, boxes, of_boxes, leaves);
     leaves.insert(leaves.end(), boxes.begin(), boxes.end());
     return formula_on(leaves, formula);
   }

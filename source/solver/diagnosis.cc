@@ -1,5 +1,7 @@
 #include <amontons/solver/diagnosis.h>
 
+#include <map>
+
 #include <sstream>
 
 namespace Amontons
@@ -152,47 +154,27 @@ namespace Amontons
     std::string
     kind(const Failure &failure)
     {
-      switch (failure.kind)
-        {
-          case Failure::Kind::not_a_number:
-            return "not a number";
-          case Failure::Kind::linear_solver:
-            return "linear solver";
-          case Failure::Kind::no_memory:
-            return "no memory";
-          case Failure::Kind::inverted_cell:
-            return "inverted cell";
-          case Failure::Kind::passed_through:
-            return "passed through";
-          case Failure::Kind::entered:
-            return "entered";
-          case Failure::Kind::beyond_symmetry:
-            return "beyond symmetry";
-          case Failure::Kind::moves_apart:
-            return "moves apart";
-          case Failure::Kind::beyond_edge:
-            return "beyond edge";
-          case Failure::Kind::friction_beyond_limit:
-            return "friction beyond limit";
-          case Failure::Kind::friction_exceeded:
-            return "friction exceeded";
-          case Failure::Kind::friction_slides:
-            return "friction slides";
-          case Failure::Kind::no_states:
-            return "no states";
-          case Failure::Kind::still_moving:
-            return "still moving";
-          case Failure::Kind::motion_lost:
-            return "motion lost";
-          case Failure::Kind::multipliers_unsettled:
-            return "multipliers unsettled";
-          case Failure::Kind::bounds_unsettled:
-            return "bounds unsettled";
-          case Failure::Kind::seed_unsettled:
-            return "seed unsettled";
-        }
-      Assert(false, ExcInternalError());
-      return "";
+      using Kind                                      = Failure::Kind;
+      static const std::map<Kind, const char *> names = {
+          {Kind::not_a_number, "not a number"},
+          {Kind::linear_solver, "linear solver"},
+          {Kind::no_memory, "no memory"},
+          {Kind::inverted_cell, "inverted cell"},
+          {Kind::passed_through, "passed through"},
+          {Kind::entered, "entered"},
+          {Kind::beyond_symmetry, "beyond symmetry"},
+          {Kind::moves_apart, "moves apart"},
+          {Kind::beyond_edge, "beyond edge"},
+          {Kind::friction_beyond_limit, "friction beyond limit"},
+          {Kind::friction_exceeded, "friction exceeded"},
+          {Kind::friction_slides, "friction slides"},
+          {Kind::no_states, "no states"},
+          {Kind::still_moving, "still moving"},
+          {Kind::motion_lost, "motion lost"},
+          {Kind::multipliers_unsettled, "multipliers unsettled"},
+          {Kind::bounds_unsettled, "bounds unsettled"},
+          {Kind::seed_unsettled, "seed unsettled"}};
+      return names.at(failure.kind);
     }
 
     std::string

@@ -16,15 +16,26 @@ namespace Amontons
 {
   namespace
   {
+    // Of a converged increment. Damped motion takes bodies farther than an increment does: what was opposite
+    // of each other before says nothing then.
     template <int dim>
     void
-    check_crossing(const MovingContact<dim> &contact, const SolutionState<dim> &state, NewtonReport &report)
+    check_crossing(const MovingContact<dim>  &contact,
+                   const Discretization<dim> &discretization,
+                   const SolutionState<dim>  &state,
+                   NewtonReport              &report)
     {
-      using Kind = Failure::Kind;
-      if (const auto nodes = contact.passed_through(state); !nodes.empty())
-        report.failure = Diagnosis::surfaces_cross(Kind::passed_through, nodes);
-      else if (const auto nodes = contact.entered(); !nodes.empty())
-        report.failure = Diagnosis::surfaces_cross(Kind::entered, nodes);
+      using Kind      = Failure::Kind;
+      const auto fail = [&](const Kind kind, const std::vector<Point<dim>> &nodes) {
+        if (!report.failure && !nodes.empty())
+          report.failure = Diagnosis::surfaces_cross(kind, nodes);
+      };
+      if (!report.moved)
+        {
+          fail(Kind::passed_through, contact.passed_through(state));
+          fail(Kind::entered, contact.entered());
+        }
+      fail(Kind::beyond_symmetry, beyond_symmetry_planes(discretization, state.displacement));
       report.converged = !report.failure;
     }
 
@@ -136,14 +147,8 @@ namespace Amontons
     RowStep<dim>       step(problem, contact, smallest_cell);
     Newton<dim>        newton(problem, step, smallest_cell, observer);
     auto report = run_method(problem, step, newton, penalty ? &*penalty : nullptr, follow_motion);
-    if (report.converged && !report.moved)
-      check_crossing(contact, state, report);
     if (report.converged)
-      if (const auto nodes = beyond_symmetry_planes(discretization, state.displacement); !nodes.empty())
-        {
-          report.failure   = Diagnosis::surfaces_cross(Failure::Kind::beyond_symmetry, nodes);
-          report.converged = false;
-        }
+      check_crossing(contact, discretization, state, report);
     check_region(problem, newton.floating_bodies(), report);
     return report;
   }

@@ -17,7 +17,8 @@ PARAMETERS = pathlib.Path(__file__).resolve().parent.parent / "parameters"
 WHOLE, AROUND, CUT, STRIP = "Bodies, von Mises stress", "Around the contact, von Mises stress", "Cut through the contact, von Mises stress", "From the first contact to the end, von Mises stress"
 SCENES = [
     ("hertz_sphere", ["Refinement/Cycles=2"], [WHOLE, AROUND]),
-    ("verification/patch_friction_3d", ["Units=mm, N"], [WHOLE + " [MPa]"]),
+    ("verification/patch_friction_3d", ["Units=mm, N"], [WHOLE + " [MPa]", STRIP + " [MPa]"]),
+    ("verification/oblique_drag", ["Refinement/Cycles=0"], [WHOLE, CUT, STRIP]),
 ]
 
 

@@ -225,6 +225,8 @@ add_scene_test(NAME roller_1d SCENE nafems_roller.prm
                CHECK ${ITERATIONS} "pairs.0.contact_size ~ 6.197 0.002" "reference.values.peak_pressure.0 ~ 3595.5 0.002"
                      "probes.0.points.0.displacement.1 ~ -1.2812 0.001" "probes.1.points.0.displacement.1 ~ -1.5686 0.002")
 add_scene_test(NAME sphere_2a SCENE hertz_sphere_axisymmetric.prm READ_BACK CHECK ${HERTZ} "reference.errors.pressure_l2 <= 0.01")
+# In space, seen enlarged: the picture of the bodies.
+add_scene_test(NAME sphere_2a_3d_report SCENE hertz_sphere.prm RANKS 2 READ_BACK SET "Refinement/Cycles=3" CHECK ${ITERATIONS} "pairs.0.normal_force.2 ~ -250 1e-8")
 add_scene_test(NAME flat_punch_3a_fine SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=10"
                CHECK ${ITERATIONS} "reference.errors.pressure_l2 <= 0.02" "reference.errors.normal_force <= 1e-8"
                      "meshes.6.reference.errors.pressure_l2 <= 0.02" "meshes.6.reference.errors.normal_force <= 1e-8")

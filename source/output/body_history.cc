@@ -71,7 +71,7 @@ namespace Amontons
       {
         const double lower = std::max(centre - size / 2, first),
                      upper = std::min(centre + size / 2, first + all);
-        return {lower, std::max(1., std::ceil(scale * (upper - lower)))};
+        return {lower, static_cast<unsigned int>(std::max(1l, std::lround(scale * (upper - lower))))};
       }
     };
 

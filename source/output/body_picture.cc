@@ -169,8 +169,8 @@ namespace Amontons
         std::min((width - 2 * margin) / (upper[0] - lower[0]), (height - 2 * margin) / (upper[1] - lower[1]));
     camera.x      = lower[0] - margin / camera.scale;
     camera.y      = lower[1] - margin / camera.scale;
-    camera.width  = std::ceil(camera.scale * (upper[0] - lower[0]) + 2 * margin);
-    camera.height = std::ceil(camera.scale * (upper[1] - lower[1]) + 2 * margin);
+    camera.width  = std::lround(camera.scale * (upper[0] - lower[0]) + 2 * margin);
+    camera.height = std::lround(camera.scale * (upper[1] - lower[1]) + 2 * margin);
     return camera;
   }
 

@@ -100,12 +100,13 @@ namespace Amontons
       return result;
     }
 
-    // 1, 2 or 5 times a power of ten.
+    // 1, 2 or 5 times a power of ten; floats may miss that by a little.
     double
     rounded_down(const double factor)
     {
-      const double power = std::pow(10., std::floor(std::log10(factor) + 1e-9));
-      return factor >= 5 * power ? 5 * power : (factor >= 2 * power ? 2 * power : power);
+      const double f     = factor * (1 + 1e-5);
+      const double power = std::pow(10., std::floor(std::log10(f)));
+      return f >= 5 * power ? 5 * power : (f >= 2 * power ? 2 * power : power);
     }
   } // namespace
 

@@ -137,9 +137,12 @@ namespace Amontons
     report.announce("warning: on mesh " + std::to_string(mesh->n_refinements) + " " + report.message() +
                     ": the answer is that of the mesh before");
     report.restart_coarser();
+    const int cycles             = parameters.refinement.cycles;
     parameters.refinement.cycles = mesh->n_refinements - 1;
     start_on_first_mesh(finite_strain);
-    return steps->run();
+    const bool success           = steps->run();
+    parameters.refinement.cycles = cycles;
+    return success;
   }
 
   // Bodies that move by far more than their size leave nothing but rounding of their strain.
@@ -196,42 +199,30 @@ namespace Amontons
     return success && judge_small_strain();
   }
 
-  // Should this fail, small strain may still be the better answer.
+  // Should this fail, small strain may still be the better answer. Where that is none, neither is the mesh
+  // that it was refined to: in sharp corners its cells would be turned inside out.
   template <int dim>
   bool
   ContactProblem<dim>::run_with_finite_strain(const bool small_strain_converged)
   {
     report.announce(small_strain.description() + ": finite strain is used" + small_strain.allowance());
     report.restart();
-    start(true);
     const bool has_fallback = small_strain_converged && small_strain.error() <= small_strain.too_much;
-    const bool is_refined   = mesh->n_refinements > 0;
-    if (has_fallback || is_refined)
+    if (!has_fallback && mesh->n_refinements > 0)
+      start_on_first_mesh(true);
+    else
+      start(true);
+    if (has_fallback)
       steps->history.most_cut_backs = LoadHistory<dim>::many_cut_backs;
     if (run_load_program())
       return true;
-    if (control.stop.is_there())
+    if (!has_fallback || control.stop.is_there())
       return false;
-    if (!has_fallback)
-      return is_refined && run_on_first_mesh();
     report.announce("warning: finite strain failed (" + report.message() +
                     "): the answer is that of small strain");
     report.restart();
     start(false);
     return steps->run();
-  }
-
-  // With finite strain, where the mesh that small strain was refined to fails: into a sharp corner, say,
-  // whose cells are turned inside out.
-  template <int dim>
-  bool
-  ContactProblem<dim>::run_on_first_mesh()
-  {
-    report.announce("finite strain failed on the mesh that small strain has led to (" + report.message() +
-                    "): it starts on the first one");
-    report.restart();
-    start_on_first_mesh(true);
-    return run_load_program();
   }
 
   template <int dim>

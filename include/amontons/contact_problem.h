@@ -37,8 +37,6 @@ namespace Amontons
     bool
     run_with_finite_strain(const bool small_strain_converged);
     bool
-    run_on_first_mesh();
-    bool
     judge_small_strain();
     void
     add_error_of_increments();

@@ -57,13 +57,54 @@ namespace Amontons
       return misalignment;
     }
 
+    template <int dim>
+    Tensor<1, dim>
+    normal_of_other_side(const MasterSide<dim> &master, const OverlapPoint<dim> &p)
+    {
+      if (master.surface != nullptr)
+        return master.surface->face_normal(p.master_face, p.xi_master);
+      const auto projection = project_to_obstacle(*master.obstacle, master.motion, p.x_slave, p.normal);
+      return projection ? projection->normal : -p.normal;
+    }
+
+    // Sine of the angle between the normals of the two sides where nodes press, in the mean by their forces.
+    // Both sides fit where they touch, but for a corner or an edge of the slave, whose faces have normals of
+    // their own.
+    template <int dim>
+    double
+    normal_mismatch(const Answer<dim> &answer, const unsigned int i)
+    {
+      const auto                            &interface = answer.interfaces[i];
+      const auto                            &slave     = *interface.slave;
+      std::vector<double>                    distance(slave.nodes.size(), std::numeric_limits<double>::max());
+      std::vector<const OverlapPoint<dim> *> nearest(slave.nodes.size(), nullptr);
+      for (const auto &p : interface.coupling.points)
+        for (const unsigned int node : slave.faces[p.slave_face].unknowns)
+          if (const double d = p.x_slave.distance(slave.nodes[node].x); d < distance[node])
+            {
+              distance[node] = d;
+              nearest[node]  = &p;
+            }
+      double force = 0, off = 0;
+      for (const auto &row : interface.coupling.rows)
+        if (const double f = row.area * answer.state.contact[i][row.node].pressure;
+            f > 0 && nearest[row.node] != nullptr)
+          {
+            const double cosine =
+                slave.nodes[row.node].normal * normal_of_other_side(interface.master, *nearest[row.node]);
+            force += f;
+            off += f * std::sqrt(std::max(0., 1 - cosine * cosine));
+          }
+      return force > 0 ? off / force : 0;
+    }
+
     using Checks = std::map<std::string, double>;
 
     template <int dim>
     void
     check_contact(const Answer<dim> &answer, Checks &checks)
     {
-      double penetration = 0, tension = 0, complementarity = 0, cone = 0, misalignment = 0;
+      double penetration = 0, tension = 0, complementarity = 0, cone = 0, misalignment = 0, mismatch = 0;
       bool   any_friction = false;
       for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
         {
@@ -73,6 +114,7 @@ namespace Amontons
           any_friction      = any_friction || interface.pair->has_friction();
           cone              = std::max(cone, cone_excess(answer, i));
           misalignment      = std::max(misalignment, slip_misalignment(answer, i));
+          mismatch          = std::max(mismatch, normal_mismatch(answer, i));
           const double h    = interface.slave->mean_size;
           double       peak = pressure_of_rounding(answer, i);
           for (const auto &node : answer.state.contact[i])
@@ -87,6 +129,7 @@ namespace Amontons
       checks["penetration"]     = penetration;
       checks["tension"]         = tension;
       checks["complementarity"] = complementarity;
+      checks["normal_mismatch"] = mismatch;
       if (any_friction)
         {
           checks["coulomb_cone"]   = cone;
@@ -183,6 +226,9 @@ namespace Amontons
     return checks;
   }
 
+  // Where surfaces that are as coarse as bodies allow touch at one node it is less.
+  constexpr double largest_normal_mismatch = 0.25;
+
   std::string
   broken_laws(const std::map<std::string, double> &checks, const double tolerance)
   {
@@ -196,6 +242,13 @@ namespace Amontons
                                     std::make_pair("coulomb_cone", "the bound of friction")})
       if (const auto check = checks.find(name); check != checks.end() && !(check->second <= tolerance))
         text << (text.str().empty() ? "" : "; ") << law << " by " << check->second;
+    if (const auto check = checks.find("normal_mismatch");
+        check != checks.end() && check->second > largest_normal_mismatch)
+      text << (text.str().empty() ? "" : "; ") << "contact along the normals of both sides by "
+           << check->second << " (sine of their angle, at most " << largest_normal_mismatch
+           << ": a corner of the slave presses on a face, along the normal of its own faces; round the "
+              "corner, or "
+              "make the other side the slave)";
     return text.str();
   }
 

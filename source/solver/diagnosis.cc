@@ -33,7 +33,10 @@ namespace Amontons
         text << "); tried: all nodes at once" << (failure.single_nodes ? ", single nodes" : "")
              << (failure.given_bounds ? ", given bounds of friction (Tresca)" : "")
              << "; try a finer mesh, smaller loads, more iterations"
-             << (failure.friction ? ", smaller increments or less friction" : "");
+             << (failure.friction
+                     ? ", smaller increments or less friction; what friction alone holds may have no "
+                       "equilibrium at all"
+                     : "");
         return text.str();
       }
 
@@ -231,6 +234,15 @@ namespace Amontons
 
     template <int dim>
     Failure
+    moves_apart(const NodeStates<dim> &states, const std::vector<std::vector<double>> &motions)
+    {
+      Failure failure{Failure::Kind::moves_apart};
+      failure.motion = states.describe(motions);
+      return failure;
+    }
+
+    template <int dim>
+    Failure
     surfaces_cross(const Failure::Kind kind, const std::vector<Point<dim>> &nodes)
     {
       Failure failure{kind};
@@ -251,6 +263,9 @@ namespace Amontons
           failure.motion = states.describe(motions);
           return failure;
         }
+      if (const auto motions = states.free_rigid_modes();
+          report.iterations.back().n_changes == 0 && !motions.empty())
+        return moves_apart(states, motions);
       failure.residual     = report.iterations.back().residual;
       failure.n_changes    = report.iterations.back().n_changes;
       failure.where        = states.where_unsettled();
@@ -277,6 +292,10 @@ namespace Amontons
       return failure;
     }
 
+    template Failure
+    moves_apart(const NodeStates<2> &, const std::vector<std::vector<double>> &);
+    template Failure
+    moves_apart(const NodeStates<3> &, const std::vector<std::vector<double>> &);
     template std::optional<Failure>
     friction_beyond_limit(const NodeStates<2> &);
     template Failure

@@ -428,10 +428,7 @@ namespace Amontons
           failure = Diagnosis::friction_exceeded(at.states);
       }
     else if (stays && moves_apart() && !reach_contact())
-      {
-        failure         = Failure{Failure::Kind::moves_apart};
-        failure->motion = at.states.describe(at.free_modes);
-      }
+      failure = Diagnosis::moves_apart(at.states, at.free_modes);
     else if (is_linear && at.report.iterations.size() == 1)
       failure = Diagnosis::friction_beyond_limit(at.states);
     else if (drag == nullptr && !is_linear && at.report.stagnates(problem.parameters.tolerance))

@@ -60,7 +60,9 @@ namespace Amontons
       {
         const LA::Vector start = newton.now().u;
         if (report.iterations.size() > first + max_iterations)
-          report.failure = Failure{Failure::Kind::still_moving, max_iterations, residual};
+          report.failure = newton.now().free_modes.empty()
+                               ? Failure{Failure::Kind::still_moving, max_iterations, residual}
+                               : Diagnosis::moves_apart(newton.now().states, newton.now().free_modes);
         else if (move_on())
           {
             const double now = report.iterations.back().residual;

@@ -32,6 +32,11 @@ namespace Amontons
     Failure
     friction_exceeded(const NodeStates<dim> &states);
 
+    /// motions: rigid ones that the states leave.
+    template <int dim>
+    Failure
+    moves_apart(const NodeStates<dim> &states, const std::vector<std::vector<double>> &motions);
+
     /// kind: passed_through, entered or beyond_symmetry, at these nodes.
     template <int dim>
     Failure

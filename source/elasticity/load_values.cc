@@ -41,13 +41,13 @@ namespace Amontons
     }
 
     // Of the load over a box, by the formula; how far the trapezoidal rule, which sees the corners, is from
-    // that; and by how much values at the points of both differ, times the volume. A jump may lie outside of
-    // the formula's points, or in the middle, where the integrals over the halves add up to that over the
-    // whole, right or not.
+    // that; and by how much values at the points of both differ, here and in the box that this one is a part
+    // of. A jump may lie outside of the formula's points, or in the middle, where the integrals over the
+    // halves add up to that over the whole, right or not; but values differ by as much in ever smaller boxes.
     struct Integral
     {
       Tensor<1, 3> load;
-      double       mismatch = 0, range = 0;
+      double       mismatch = 0, range = 0, range_around = 0;
     };
 
     template <int d>
@@ -64,7 +64,7 @@ namespace Amontons
           Tensor<1, 3> by_corners;
           const auto   look = [&](const Tensor<1, 3> &value, const double weight, Tensor<1, 3> &sum) {
             sum += volume * weight * value;
-            results[b].range = std::max(results[b].range, volume * (value - values[b * n]).norm());
+            results[b].range = std::max(results[b].range, (value - values[b * n]).norm());
           };
           for (unsigned int q = 0; q < n; ++q)
             look(values[b * n + q], formula.weight(q), results[b].load);
@@ -108,12 +108,18 @@ namespace Amontons
           Tensor<1, 3> change = of_boxes[i].load;
           for (unsigned int k = i * n; k < (i + 1) * n; ++k)
             change -= of_parts[k].load;
-          const bool smooth = change.norm() <= 1e-5 * scale && of_boxes[i].range <= 1e-4 * scale;
+          const auto &here = of_boxes[i];
+          const bool  smooth =
+              change.norm() <= 1e-5 * scale && (here.range <= 0.75 * here.range_around ||
+                                                here.range * std::pow(boxes[i].size, d) <= 1e-5 * scale);
           for (unsigned int k = i * n; k < (i + 1) * n; ++k)
             {
               (smooth ? leaves : rough).push_back(parts[k]);
               if (!smooth)
-                of_rough.push_back(of_parts[k]);
+                {
+                  of_rough.push_back(of_parts[k]);
+                  of_rough.back().range_around = here.range;
+                }
             }
         }
       boxes    = std::move(rough);
@@ -123,22 +129,26 @@ namespace Amontons
 
   template <int d>
   Quadrature<d>
-  adapted_quadrature(const Quadrature<d> &formula, const LoadAt<d> &load)
+  adapted_quadrature(const Quadrature<d> &formula, const LoadAt<d> &load, const double negligible)
   {
     const unsigned int  n_levels = d == 1 ? 24 : d == 2 ? 5 : 3; // a jump crosses ever more boxes
     const Box<d>        all{Point<d>(), 1};
     std::vector<Box<d>> boxes    = parts_of(all, d == 1 ? 8 : 4), leaves;
     auto                of_boxes = integrals(boxes, formula, load);
-    Tensor<1, 3>        whole    = integrals<d>({all}, formula, load)[0].load;
-    double              scale = 0, mismatch = 0;
+    const Integral      of_all   = integrals<d>({all}, formula, load)[0];
+    Tensor<1, 3>        change   = of_all.load;
+    double              scale = 0, mismatch = 0, range = of_all.range;
     for (const auto &integral : of_boxes)
       {
-        whole -= integral.load;
+        change -= integral.load;
         scale += integral.load.norm();
         mismatch = std::max(mismatch, integral.mismatch);
+        range    = std::max(range, integral.range);
       }
-    if (whole.norm() <= 1e-4 * scale && mismatch <= 5e-3 * scale)
+    if (change.norm() <= std::max(1e-4 * scale, negligible) && mismatch <= std::max(5e-3 * scale, negligible))
       return formula;
+    for (auto &integral : of_boxes)
+      integral.range_around = range;
 
     for (unsigned int level = 0; level < n_levels && !boxes.empty(); ++level)
       halve(formula, load, scale, boxes, of_boxes, leaves);
@@ -147,9 +157,9 @@ namespace Amontons
   }
 
   template Quadrature<1>
-  adapted_quadrature(const Quadrature<1> &, const LoadAt<1> &);
+  adapted_quadrature(const Quadrature<1> &, const LoadAt<1> &, const double);
   template Quadrature<2>
-  adapted_quadrature(const Quadrature<2> &, const LoadAt<2> &);
+  adapted_quadrature(const Quadrature<2> &, const LoadAt<2> &, const double);
   template Quadrature<3>
-  adapted_quadrature(const Quadrature<3> &, const LoadAt<3> &);
+  adapted_quadrature(const Quadrature<3> &, const LoadAt<3> &, const double);
 } // namespace Amontons

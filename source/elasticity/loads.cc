@@ -58,17 +58,25 @@ namespace Amontons
         LoadCellValues<dim> cell_values(discretization,
                                         QGauss<dim>(discretization.fe.degree + 1),
                                         update_values | update_quadrature_points | update_JxW_values);
-        for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-          if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
-            {
-              const auto &force = discretization.scene.bodies[cell->material_id()].body_force;
-              if (force[0].is_zero() && force[1].is_zero() && force[2].is_zero())
-                continue;
+        for (unsigned int body = 0; body < discretization.scene.bodies.size(); ++body)
+          {
+            const auto &force = discretization.scene.bodies[body].body_force;
+            if (!discretization.is_deformable(body) ||
+                (force[0].is_zero() && force[1].is_zero() && force[2].is_zero()))
+              continue;
+            const auto for_each_cell = [&](const auto &action) {
+              for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+                if (cell->is_locally_owned() && cell->material_id() == body)
+                  action(cell);
+            };
+            cell_values.measure(force, t, for_each_cell);
+            for_each_cell([&](const auto &cell) {
               const auto &values = cell_values.reinit(force, t, cell);
               cell->get_dof_indices(dofs);
               for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
                 add_point_force(values, q, vector_at(force, values.quadrature_point(q)) * weight(values, q));
-            }
+            });
+          }
       }
 
       void
@@ -87,6 +95,8 @@ namespace Amontons
         for (const auto &name : condition.boundaries)
           {
             const auto id = discretization.geometry.boundary(name, discretization.scene).id;
+            face_values.measure(
+                condition.value, t, [&](const auto &action) { for_each_face(discretization, id, action); });
             for_each_face(discretization, id, [&](const auto &cell, const unsigned int f) {
               const auto &values = face_values.reinit(condition.value, t, cell, f);
               cell->get_dof_indices(dofs);

@@ -24,6 +24,13 @@ namespace Amontons
       {
       }
 
+      template <typename ForEach>
+      void
+      measure_load(const std::array<Expression, 3> &load, const ForEach &for_each)
+      {
+        values.measure(load, t, for_each);
+      }
+
       LocalMatrix
       matrix(const typename DoFHandler<dim>::active_cell_iterator &cell,
              const unsigned int                                    f,
@@ -83,11 +90,14 @@ namespace Amontons
     for (const auto &condition : discretization.scene.conditions)
       if (condition.type == ConditionData::Type::pressure)
         for (const auto &name : condition.boundaries)
-          for_each_face(discretization,
-                        discretization.geometry.boundary(name, discretization.scene).id,
-                        [&](const auto &cell, const unsigned int f) {
-                          matrices.push_back(stiffness.matrix(cell, f, condition.value));
-                        });
+          {
+            const auto id = discretization.geometry.boundary(name, discretization.scene).id;
+            stiffness.measure_load(condition.value,
+                                   [&](const auto &action) { for_each_face(discretization, id, action); });
+            for_each_face(discretization, id, [&](const auto &cell, const unsigned int f) {
+              matrices.push_back(stiffness.matrix(cell, f, condition.value));
+            });
+          }
     return matrices;
   }
 

@@ -15,14 +15,14 @@ namespace Amontons
   using LoadAt = std::function<std::vector<Tensor<1, 3>>(const std::vector<Point<d>> &)>;
 
   /// The formula itself where it integrates the load to 1e-4 of what a lattice of 8 intervals or 4 x 4 (x 4)
-  /// boxes says, and the trapezoidal rule on none of these is off by 5e-3 of it (a jump near an end); else
-  /// the formula on boxes that are halved where that changes the integral by 1e-5 of the load on the cell or
-  /// face, or where the load varies by 1e-4 of it over the box's volume. A load may end or jump anywhere, and
-  /// no refinement of the mesh follows where nothing is loaded. What is narrower than the points of the
-  /// lattice (1/32; 1/16) may be missed.
+  /// boxes says, and the trapezoidal rule on none of these is off by 5e-3 of it (a jump near an end), or both
+  /// by what is negligible; else the formula on boxes that are halved where that changes the integral by 1e-5
+  /// of the load on the cell or face, or where values vary as much as in twice the box. A load may end or
+  /// jump anywhere, and no refinement of the mesh follows where nothing is loaded. What is narrower than the
+  /// points of the lattice (1/32; 1/16) may be missed.
   template <int d>
   Quadrature<d>
-  adapted_quadrature(const Quadrature<d> &formula, const LoadAt<d> &load);
+  adapted_quadrature(const Quadrature<d> &formula, const LoadAt<d> &load, const double negligible = 0);
 
   /// FEV: FEValues<dim> with d = dim, or FEFaceValues<dim> with d = dim - 1.
   template <template <int, int> class FEV, int dim, int d>
@@ -39,6 +39,23 @@ namespace Amontons
     {
     }
 
+    /// Before the first reinit() for a load: its size, over all cells or faces where it acts;
+    /// for_each(action) calls action(cell) or action(cell, face) for those of this rank. Collective.
+    template <typename ForEach>
+    void
+    measure(const std::array<Expression, 3> &load, const double t, const ForEach &for_each)
+    {
+      total = 0;
+      if (!depends_on_place(load))
+        return;
+      for_each([&](const auto &cell, const auto... face) {
+        plain.reinit(cell, face...);
+        for (unsigned int q = 0; q < plain.n_quadrature_points; ++q)
+          total += value(load, t, plain.quadrature_point(q)).norm() * plain.JxW(q);
+      });
+      total = Utilities::MPI::sum(total, discretization.geometry.communicator);
+    }
+
     /// On a cell, or on a face of it (its number), for integrals of the load at time t. Valid until the next
     /// call.
     template <typename... Face>
@@ -49,7 +66,7 @@ namespace Amontons
            const Face... face)
     {
       plain.reinit(cell, face...);
-      if (std::none_of(load.begin(), load.end(), [](const auto &f) { return f.depends_on_place(); }))
+      if (!depends_on_place(load))
         return plain;
       const auto at = [&](const std::vector<Point<d>> &points) {
         FEV<dim, dim> places(
@@ -57,14 +74,13 @@ namespace Amontons
         places.reinit(typename Triangulation<dim>::active_cell_iterator(cell), face...);
         std::vector<Tensor<1, 3>> values;
         for (const auto &x : places.get_quadrature_points())
-          {
-            values.emplace_back();
-            for (unsigned int c = 0; c < 3; ++c)
-              values.back()[c] = load[c].value(as_3d(x), t);
-          }
+          values.push_back(value(load, t, x));
         return values;
       };
-      const Quadrature<d> here = adapted_quadrature<d>(formula, at);
+      double size = 0; // of the cell or face
+      for (unsigned int q = 0; q < plain.n_quadrature_points; ++q)
+        size += plain.JxW(q);
+      const Quadrature<d> here = adapted_quadrature<d>(formula, at, 1e-6 * total / size);
       if (here.size() == formula.size())
         return plain;
       adapted = std::make_unique<Values>(discretization.mapping, discretization.fe, here, flags);
@@ -82,12 +98,27 @@ namespace Amontons
     }
 
   private:
+    static bool
+    depends_on_place(const std::array<Expression, 3> &load)
+    {
+      return std::any_of(load.begin(), load.end(), [](const auto &f) { return f.depends_on_place(); });
+    }
+    static Tensor<1, 3>
+    value(const std::array<Expression, 3> &load, const double t, const Point<dim> &x)
+    {
+      Tensor<1, 3> result;
+      for (unsigned int c = 0; c < 3; ++c)
+        result[c] = load[c].value(as_3d(x), t);
+      return result;
+    }
+
     const Discretization<dim> &discretization;
     const Quadrature<d>        formula;
     const UpdateFlags          flags;
     const FE_Nothing<dim>      nothing;
     Values                     plain;
     std::unique_ptr<Values>    adapted;
+    double                     total = 0; // see measure()
   };
 
   template <int dim>

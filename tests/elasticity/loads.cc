@@ -161,6 +161,8 @@ check_jumps(const unsigned int degree)
   scene.conditions           = {};
   scene.bodies[0].body_force = {{Expression("if(x + y < 1.5, 8, 0)", {}), Expression(0.), Expression(0.)}};
   check::is_close(resultant<2>(scene, degree)[0], 1, 1e-2, "body force on a triangle", 1);
+  if (degree == 2)
+    return; // in space once
   scene.bodies[0].body_force = {};
   scene.kind                 = ProblemType::three_dimensional;
   scene.conditions           = {

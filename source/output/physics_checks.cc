@@ -67,9 +67,32 @@ namespace Amontons
       return projection ? projection->normal : -p.normal;
     }
 
-    // Sine of the angle between the normals of the two sides where nodes press, in the mean by their forces.
-    // Both sides fit where they touch, but for a corner or an edge of the slave, whose faces have normals of
-    // their own.
+    // Plane scenes: whether a slave surface ends at a node, as at a corner of its body.
+    template <int dim>
+    std::vector<bool>
+    ends_of(const ContactSurface<dim> &slave)
+    {
+      std::vector<unsigned int> n_faces(slave.nodes.size(), 0);
+      for (const auto &face : slave.faces)
+        for (const unsigned int node : face.unknowns)
+          ++n_faces[node];
+      std::vector<bool> is_end(slave.nodes.size(), false);
+      for (unsigned int f = 0; dim == 2 && f < slave.faces.size(); ++f)
+        for (const unsigned int node : slave.faces[f].unknowns)
+          for (const double xi : {0., 1.})
+            {
+              Point<dim - 1> end;
+              end[0]            = xi;
+              const double away = slave.position(f, end).distance(slave.nodes[node].x);
+              if (n_faces[node] == 1 && away < 1e-8 * slave.faces[f].size)
+                is_end[node] = true;
+            }
+      return is_end;
+    }
+
+    // Sine of the angle between the normals of the two sides where nodes press at which the slave ends, by
+    // their part of the force. Both sides fit where they touch, and where a corner of the master presses on
+    // the slave, the normal is the slave's; but a corner of the slave has the normals of its own faces.
     template <int dim>
     double
     normal_mismatch(const Answer<dim> &answer, const unsigned int i)
@@ -85,14 +108,17 @@ namespace Amontons
               distance[node] = d;
               nearest[node]  = &p;
             }
-      double force = 0, off = 0;
+      const auto is_end = ends_of(slave);
+      double     force = 0, off = 0;
       for (const auto &row : interface.coupling.rows)
         if (const double f = row.area * answer.state.contact[i][row.node].pressure;
             f > 0 && nearest[row.node] != nullptr)
           {
+            force += f;
+            if (!is_end[row.node])
+              continue;
             const double cosine =
                 slave.nodes[row.node].normal * normal_of_other_side(interface.master, *nearest[row.node]);
-            force += f;
             off += f * std::sqrt(std::max(0., 1 - cosine * cosine));
           }
       return force > 0 ? off / force : 0;
@@ -226,7 +252,6 @@ namespace Amontons
     return checks;
   }
 
-  // Where surfaces that are as coarse as bodies allow touch at one node it is less.
   constexpr double largest_normal_mismatch = 0.25;
 
   std::string

@@ -13,7 +13,6 @@ import json
 import os
 import random
 import re
-import select
 import shutil
 import subprocess
 import sys
@@ -21,6 +20,7 @@ import tempfile
 import time
 
 import launch
+import readers
 import scene_text
 
 PARAMETERS = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "parameters")
@@ -180,58 +180,21 @@ class Runs:
         return verdict(done.returncode, done.stderr), done.stderr
 
 
-class Readers:
-    """All by one process, which is started again when it dies."""
+class Reads:
+    """All by one process."""
 
     def __init__(self, executable, top, memory):
-        self.executable, self.memory = executable, memory or READING_MEMORY
-        self.errors = open(os.path.join(top, "errors"), "w+b", buffering=0)
-        self.tmp = os.path.join(top, "tmp")
-        os.makedirs(self.tmp)
-        self.process = None
-
-    def start(self):
-        self.process = subprocess.Popen(["bash", "-c", f'ulimit -v {self.memory}; exec "$@"', "fuzz", self.executable], env=launch.surroundings(self.tmp),
-                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.errors)
-
-    def stop(self):
-        if self.process:
-            self.process.kill()
-            self.process.wait()
-            self.process = None
-
-    def read(self, stop):
-        """Bytes of the answer, b"" if the process has died; None after the time `stop`."""
-        ready, _, _ = select.select([self.process.stdout], [], [], max(0, stop - time.monotonic()))
-        return os.read(self.process.stdout.fileno(), 65536) if ready else None
-
-    def ask(self, mutant):
-        """Exit code as of a run, and what it said."""
-        if self.process is None:
-            self.start()
-        stop, answer = time.monotonic() + mutant.limit, b""
-        self.process.stdin.write(f"{'study' if mutant.is_study else 'scene'} {os.path.join(mutant.folder, mutant.scene)}\n".encode())
-        self.process.stdin.flush()
-        while True:
-            head, _, words = answer.partition(b"\n")
-            kind, _, size = head.partition(b" ")
-            if b"\n" in answer and len(words) >= int(size or 0):
-                return {b"answer": 0, b"refusal": 1}.get(kind, kind.decode()), words
-            part = self.read(stop)
-            if not part:
-                code = "hang" if part is None else self.process.wait()
-                self.stop()
-                return code, b""
-            answer += part
+        self.readers = readers.Readers(executable, top, memory or READING_MEMORY)
 
     def verdict(self, mutant):
-        self.errors.seek(0)
-        self.errors.truncate()
-        code, said = self.ask(mutant)
-        self.errors.seek(0)
-        noise = self.errors.read()
+        self.readers.noise()
+        code, said = self.readers.ask(f"{'study' if mutant.is_study else 'scene'} {os.path.join(mutant.folder, mutant.scene)}", mutant.limit)
+        noise = self.readers.noise()
         result = verdict(code, said)
         return (result, said + noise) if not noise or result not in ("answer", "refusal") else ("words beside the answer", noise)
+
+    def stop(self):
+        self.readers.stop()
 
 
 def run_some(arguments, numbers, started):
@@ -239,7 +202,7 @@ def run_some(arguments, numbers, started):
     found = []
     with tempfile.TemporaryDirectory(prefix="amontons-fuzz-") as top:
         folder = copy_of_parameters(top)
-        judge = (Readers if arguments.readers else Runs)(arguments.executable, top, arguments.memory)
+        judge = (Reads if arguments.readers else Runs)(arguments.executable, top, arguments.memory)
         for number in numbers:
             if time.monotonic() - started > arguments.seconds:
                 break

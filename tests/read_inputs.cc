@@ -1,5 +1,5 @@
-// All that is read before a scene is solved or a study runs, for tests/fuzz.py: reads lines "scene FILE" and
-// "study FILE", and answers each with "answer", "refusal N" and N bytes of what was said, or "error N" and
+// All that is read before a scene is solved or a study runs, for tests/readers.py: reads lines "scene FILE",
+// "study FILE" and "folder DIR" (to which the files are relative from there on), and answers each with "answer", "refusal N" and N bytes of what was said, or "error N" and
 // those. What libraries print goes to stderr.
 #include <amontons/geometry/geometry.h>
 #include <amontons/run_parameters.h>
@@ -13,6 +13,7 @@
 
 #include <unistd.h>
 
+#include <filesystem>
 #include <iostream>
 #include <sstream>
 
@@ -78,7 +79,11 @@ main(int argc, char **argv)
       {
         const auto        space = line.find(' ');
         const std::string file  = line.substr(space + 1);
-        line.substr(0, space) == "study" ? read_study_file(file) : read_scene_file(file, {});
+        const std::string kind  = line.substr(0, space);
+        if (kind == "folder")
+          std::filesystem::current_path(file);
+        else
+          kind == "study" ? read_study_file(file) : read_scene_file(file, {});
         answer("answer\n");
       }
     catch (const InputError &error)

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Wrong scenes end with exit code 1 and one readable message: wrong_input.py AMONTONS [NAME-PART]...
+"""Wrong scenes end with exit code 1 and one readable message: wrong_input.py AMONTONS READ_INPUTS [NAME-PART]...
 
 Each case is written to a folder of its own and run there. Checked: exit code, one message on stderr that has the expected words
-(a regular expression), no output folder left, no stack trace, done in time. On 2 and 3 ranks: a case for each place where ranks could differ in what they
+(a regular expression), no output folder left, no stack trace, done in time. What is refused while it is read, by one rank and without further arguments, is read
+by READ_INPUTS, which has not to be started for each case; what it does not refuse is run. On 2 and 3 ranks: a case for each place where ranks could differ in what they
 find (reader, kinds of files, meshes, surfaces, supports, expressions, output folder).
 With NAME-PARTs, only cases whose names contain one of them.
 """
@@ -14,8 +15,10 @@ import sys
 import tempfile
 
 import launch
+import readers
 
 SECONDS = 20
+MEMORY = 4_000_000  # kB, of addresses
 
 BASE = """set Kind = plane strain
 subsection Body upper
@@ -543,12 +546,34 @@ def scenes():
     case("no arguments", {}, "usage", arguments=[])
 
 
-def run(executable, folder, name, files, arguments, ranks, words, keep, leaves):
+def read(asked, folder, arguments, words):
+    """What is wrong with the refusal of a scene or study; None where it is not refused while it is read."""
+    asked.noise()
+    code, said = asked.ask(f"folder {folder}", SECONDS)
+    if code == 0:
+        code, said = asked.ask(f"{'scene' if len(arguments) == 1 else 'study'} {arguments[-1]}", SECONDS)
+    text = said.decode(errors="replace")
+    if code != 1:
+        return None
+    errors = [f"{noise[:300]} beside the message"] if (noise := asked.noise()) else []
+    if "\ufffd" in text or len(said) > 2000:
+        errors.append(f"no valid UTF-8, or too much of it: {len(said)} bytes")
+    if "\n" in text.strip():
+        errors.append("more than one line")
+    if not re.search(words, text):
+        errors.append(f"the message has no '{words}'")
+    return errors + ["message: " + text[:600]] if errors else []
+
+
+def write(folder, files):
     for file, text in files.items():
         path = os.path.join(folder, file)
         os.makedirs(os.path.dirname(path), exist_ok=True)
         with open(path, "wb") as stream:
             stream.write(text if isinstance(text, bytes) else text.encode())
+
+
+def run(executable, folder, name, files, arguments, ranks, words, keep, leaves):
     before = sorted(os.listdir(folder))
     command = [executable] + [executable if a == "EXECUTABLE" else a for a in arguments]
     try:
@@ -593,17 +618,28 @@ def run(executable, folder, name, files, arguments, ranks, words, keep, leaves):
 
 
 def main():
-    executable, parts = os.path.abspath(sys.argv[1]), sys.argv[2:]
+    executable, reader, parts = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2]), sys.argv[3:]
     scenes()
-    failed = n = 0
+    failed = n = n_read = 0
     with tempfile.TemporaryDirectory(prefix="amontons-wrong-") as top, concurrent.futures.ThreadPoolExecutor(2) as pool:
         running = []
+        asked = readers.Readers(reader, top, MEMORY)
         for i, (name, files, arguments, ranks, words, keep, leaves) in enumerate(CASES):
             if parts and not any(part in name for part in parts):
                 continue
             folder = os.path.join(top, str(i))
             os.makedirs(folder)
+            write(folder, files)
+            if ranks == 1 and words is not None and not leaves and arguments in (["scene.prm"], ["study", "study.prm"]):
+                before = sorted(os.listdir(folder))
+                if (errors := read(asked, folder, arguments, words)) is not None:
+                    if sorted(os.listdir(folder)) != before:
+                        errors.append(f"left: {sorted(os.listdir(folder))}")
+                    running.append((name, pool.submit(list, errors)))
+                    n_read += 1
+                    continue
             running.append((name, pool.submit(run, executable, folder, name, files, arguments, ranks, words, keep, leaves)))
+        asked.stop()
         for name, case in running:
             errors = case.result()
             n += 1
@@ -612,7 +648,7 @@ def main():
                 print(f"FAILED {name}" + "".join("\n       " + e for e in errors), flush=True)
             elif os.environ.get("SHOW"):
                 print(f"ok     {name}", flush=True)
-    print(f"{n - failed} of {n} cases hold")
+    print(f"{n - failed} of {n} cases hold, {n_read} of them refused while they are read")
     sys.exit(1 if failed else 0)
 
 

@@ -1,6 +1,7 @@
 // All that is read before a scene is solved or a study runs, for tests/readers.py: reads lines "scene FILE",
-// "study FILE" and "folder DIR" (to which the files are relative from there on), and answers each with "answer", "refusal N" and N bytes of what was said, or "error N" and
-// those. What libraries print goes to stderr.
+// "study FILE" and "folder DIR" (to which the files are relative from there on), and answers each with
+// "answer", "refusal N" and N bytes of what was said, or "error N" and those. What libraries print goes to
+// stderr.
 #include <amontons/geometry/geometry.h>
 #include <amontons/run_parameters.h>
 #include <amontons/scene/scene_reader.h>

@@ -18,7 +18,7 @@ import launch
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SCENE = os.path.join(HERE, "../parameters/half_plane_box_friction.prm")
-LONG = ["--set", "End time = 4", "--set", "Increments = 40", "--set", "Output/VTU = false"]
+LONG = ["--set", "End time = 2", "--set", "Increments = 20", "--set", "Refinement/Cycles = 4", "--set", "Output/VTU = false"]
 QUICK = os.path.join(HERE, "../parameters/patch_test.prm")
 failures = []
 

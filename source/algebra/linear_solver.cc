@@ -66,16 +66,16 @@ namespace Amontons
     bool
     factorise()
     {
-      const BlasThreads  threads(problem.GetOperator()->Comm().NumProc() == 1 ? BlasThreads::available() : 1);
       const SilentErrors silence; // Amesos repeats there what MUMPS returns
       constexpr int      most_workspace = 5120;
       for (;; workspace = std::max(4 * workspace, 80), symbolic = false)
         {
           if (mumps != nullptr)
             mumps->SetICNTL(14, workspace);
-          bool success = symbolic || solver->SymbolicFactorization() == 0;
-          success      = success && solver->NumericFactorization() == 0;
-          symbolic     = true;
+          bool              success = symbolic || solver->SymbolicFactorization() == 0;
+          const BlasThreads threads(success && is_large() ? BlasThreads::available() : 1);
+          success  = success && solver->NumericFactorization() == 0;
+          symbolic = true;
           if (!is_anywhere(!success))
             return true;
           const int  code  = mumps != nullptr ? mumps->GetINFOG()[0] : 0; // INFOG(1)
@@ -87,6 +87,15 @@ namespace Amontons
           if (!is_too_small || workspace >= most_workspace)
             return false;
         }
+    }
+
+    // Below, threads cost more than they give (doc/benchmarks.md).
+    bool
+    is_large() const
+    {
+      constexpr double operations = 2e9; // RINFOG(1), foreseen for the elimination
+      return mumps != nullptr && problem.GetOperator()->Comm().NumProc() == 1 &&
+             mumps->GetRINFOG()[0] > operations;
     }
 
     // Collective.

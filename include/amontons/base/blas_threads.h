@@ -1,4 +1,4 @@
-// Threads of the BLAS library: they pay in sparse factorisations and cost elsewhere.
+// Threads of the BLAS library: they pay in large sparse factorisations and cost elsewhere.
 #pragma once
 
 namespace Amontons

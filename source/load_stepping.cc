@@ -342,25 +342,44 @@ namespace Amontons
   }
 
   // After their error, which is as large as they are long, has been measured: as many as make it half of the
-  // target, but not more than by default. One alone, which has no shorter ones to compare with, takes ten
-  // times less. True: these are more, and there is no finer mesh to take them on.
+  // target, but not more than by default, and fewer than at first only if that is so where they are tried.
+  // One alone, which has no shorter ones to compare with, takes ten times less. True: these are more, and
+  // there is no finer mesh to take them on.
   template <int dim>
   bool
   LoadStepping<dim>::choose_increments()
   {
     if (!chooses_increments() || !report.error_of_increments())
       return false;
-    const auto  &errors = *report.error_of_increments();
-    const double error  = (follows_work() ? errors.dissipation : errors.largest()) *
-                         LoadProgram::increments_at_first; // of a single one
+    constexpr double at_first   = LoadProgram::increments_at_first,
+                     by_default = LoadProgram::increments_by_default;
+    const auto counted          = [&](const IncrementErrors &errors) {
+      return follows_work() ? errors.dissipation : errors.largest();
+    };
+    const auto   errors  = *report.error_of_increments();
+    const double error   = counted(errors) * at_first; // of a single one
     const double allowed = parameters.refinement.target_error / 2;
-    double       n       = std::min(std::ceil(error / allowed), LoadProgram::increments_by_default);
+    double       n       = std::min(std::ceil(error / allowed), by_default);
     if (n <= 1)
       n = 10 * error <= allowed ? 1 : 2;
-    if (n <= LoadProgram::increments_at_first && !wants_refinement())
+    if (n <= at_first && !wants_refinement())
       return false;
-    increment_length = LoadProgram::increments_by_default / n;
-    report.set_error_of_increments(errors.scaled(LoadProgram::increments_at_first / n));
+    IncrementErrors of_these = errors.scaled(at_first / n);
+    if (n < at_first)
+      {
+        const auto tried = repeat_with(by_default / n);
+        if (const auto found =
+                tried ? error_of_increments(history.record, *tried).scaled(at_first / n) : errors;
+            !tried || counted(found) > allowed)
+          {
+            n        = at_first;
+            of_these = errors;
+          }
+        else if (counted(found) > counted(of_these))
+          of_these = found;
+      }
+    increment_length = by_default / n;
+    report.set_error_of_increments(of_these);
     if (wants_refinement())
       return false;
     report.replay();
@@ -448,20 +467,30 @@ namespace Amontons
   void
   LoadStepping<dim>::measure_increments()
   {
-    TimerOutput::Scope scope(timer, "error of the increments");
-    auto               plan = load_program(increment_length);
+    auto plan = load_program(increment_length);
     while (!plan.finished())
       plan.accept(1);
     const bool few = plan.number() - 1 < 4 * plan.n_breakpoints();
 
-    auto          program = load_program(increment_length * (few ? 0.5 : 2));
-    LoadPath<dim> repeat(parameters, model->at_rest(program.next()), timer, control);
+    if (const auto record = repeat_with(increment_length * (few ? 0.5 : 2)))
+      report.set_error_of_increments(error_of_increments(history.record, *record));
+    measured = true;
+  }
+
+  // The load program on this mesh with increments of this length; nothing if it fails or they are as many.
+  template <int dim>
+  std::optional<LoadRecord>
+  LoadStepping<dim>::repeat_with(const double length)
+  {
+    TimerOutput::Scope scope(timer, "error of the increments");
+    auto               program = load_program(length);
+    LoadPath<dim>      repeat(parameters, model->at_rest(program.next()), timer, control);
     repeat.history.path.swap(history.path); // first guesses for both
     const bool success = repeat.run(program);
     repeat.history.path.swap(history.path);
-    if (success && repeat.history.record.n_increments != history.record.n_increments)
-      report.set_error_of_increments(error_of_increments(history.record, repeat.history.record));
-    measured = true;
+    if (!success || repeat.history.record.n_increments == history.record.n_increments)
+      return {};
+    return repeat.history.record;
   }
 
   template class LoadStepping<2>;

@@ -109,6 +109,8 @@ namespace Amontons
          << " in the contact";
     if (terms.stiffening > allowed_error())
       text << ", and what stress does to the stiffness of slender bodies";
+    if (neglected.came_back())
+      text << " on a way that comes back";
     if (change)
       text << "; finite strain changes the answer by " << *change;
     else if (tried)
@@ -138,7 +140,7 @@ namespace Amontons
     const bool            automatic = scene.kinematics == Kinematics::automatic;
     const double          bound     = automatic ? allowed_error() : too_much;
     rotations_are_held              = holds_all_rotations(model.discretization());
-    tried                           = converged && rotations_are_held &&
+    tried                           = converged && rotations_are_held && !neglected.came_back() &&
             (terms.largest() > bound || (automatic && terms.stiffening > bound));
     if (tried)
       change = change_by_finite_strain(model, state, timer);

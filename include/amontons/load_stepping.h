@@ -111,6 +111,8 @@ namespace Amontons
     chooses_increments() const;
     bool
     choose_increments();
+    std::optional<LoadRecord>
+    repeat_with(const double length);
     bool
     may_transfer() const;
     bool

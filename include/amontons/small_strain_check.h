@@ -18,7 +18,8 @@ namespace Amontons
 
     /// After the load program, at its last state. Finite strain is tried where small strain leaves out more
     /// than is allowed, or, if the scene insists on small strain, more than any answer may. Not after a
-    /// failure. Collective.
+    /// failure, nor where the bodies have been much farther before: what finite strain changes in the end
+    /// says nothing of the way then, and what is left out decides. Collective.
     void
     look(Model<dim> &model, const SolutionState<dim> &state, const bool converged, TimerOutput &timer);
 

@@ -397,7 +397,7 @@ namespace Amontons
     x = 0;
     if (rhs.l2_norm() == 0)
       return report;
-    if (is_direct(matrix.m()))
+    if (is_direct(matrix.m()) || multigrid_fails)
       return solve_directly(matrix, x, rhs);
     // Measured with friction in 3D: an old hierarchy needs twice as many steps once some nodes have changed
     // in all their components; a new one costs about 25 steps.
@@ -425,7 +425,8 @@ namespace Amontons
             else
               run_krylov(symmetric, control, matrix, x, rhs, *amg);
             report.iterations += control.last_step();
-            report.success = true;
+            report.success  = true;
+            multigrid_fails = fresh && !symmetric && control.last_step() > 150 && matrix.m() <= 30000;
             if (fresh)
               steps_per_decade = control.last_step() / decades;
             else if (all_values_are_new) // a new hierarchy costs about 15 steps
@@ -441,10 +442,11 @@ namespace Amontons
               break;
           }
       }
-    // Not what multigrid is made for, but small enough: factorise it after all.
+    // Not what multigrid is made for, but small enough: factorise it after all, and what follows.
     if (!report.success && matrix.m() <= 100000)
       {
         const unsigned int n = report.iterations;
+        multigrid_fails      = true;
         report               = solve_directly(matrix, x, rhs);
         report.iterations += n;
       }

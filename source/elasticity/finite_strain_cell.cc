@@ -48,11 +48,12 @@ namespace Amontons
                                 const double              *theta)
   {
     this->law             = &law;
-    shear_modulus         = std::visit([](const auto &any) { return any.mu; }, law);
+    const double mu       = std::visit([](const auto &any) { return any.mu; }, law);
     const double smallest = kinematics.reinit(values, u, theta);
     if (!(smallest > 0))
       return smallest;
     const unsigned int n_q = kinematics.n_points();
+    stabilisation.clear();
     strain.resize(n_q);
     stress.resize(n_q);
     pressure.resize(n_q);
@@ -64,12 +65,17 @@ namespace Amontons
         if (const double b_33 = 1 + strain[q][2][2]; !(b_33 > 0))
           return b_33;
         stress[q]   = kirchhoff_stress(law, strain[q]);
-        pressure[q] = trace_of(stress[q]) / 3 - (stabilised ? stabilisation(q).pressure() : 0.);
+        pressure[q] = trace_of(stress[q]) / 3;
+        if (stabilised)
+          {
+            stabilisation.emplace_back(mu, kinematics.jacobian(q), kinematics.dilatation(q), strain[q]);
+            pressure[q] -= stabilisation[q].pressure();
+          }
       }
     if (projects)
       project_pressure(pressure);
     for (unsigned int q = 0; stabilised && q < n_q; ++q)
-      pressure[q] += stabilisation(q).pressure();
+      pressure[q] += stabilisation[q].pressure();
     return smallest;
   }
 
@@ -79,8 +85,8 @@ namespace Amontons
   {
     if (!stabilised)
       return stress[q];
-    const auto stable = stabilisation(q);
-    Voigt<3>   sum    = as_voigt(stable.shear() * stable.unimodular);
+    const auto &stable = stabilisation[q];
+    Voigt<3>    sum    = as_voigt(stable.shear() * stable.unimodular);
     for (unsigned int k = 0; k < 6; ++k)
       sum[k] += stress[q][k];
     return sum;
@@ -105,7 +111,7 @@ namespace Amontons
     double sum = 0;
     for (unsigned int q = 0; q < kinematics.n_points(); ++q)
       sum += kinematics.weight(q) *
-             (Amontons::energy(*law, strain[q]) + (stabilised ? stabilisation(q).energy() : 0.));
+             (Amontons::energy(*law, strain[q]) + (stabilised ? stabilisation[q].energy() : 0.));
     return sum;
   }
 
@@ -139,7 +145,7 @@ namespace Amontons
         pressure[q] = trace_of(change[q]) / 3 - alpha * trace_of(stress[q]);
         if (stabilised)
           {
-            const auto     stable = stabilisation(q);
+            const auto    &stable = stabilisation[q];
             const double   j      = stable.ratio;
             const Voigt<3> shear  = as_voigt(-2 * stable.mu * stable.r * j * epsilon * stable.unimodular);
             for (unsigned int k = 0; k < 6; ++k)
@@ -286,7 +292,7 @@ namespace Amontons
   void
   FiniteStrainCell<dim>::add_stabilisation(const unsigned int q, Matrix &M) const
   {
-    const auto   stable = stabilisation(q);
+    const auto  &stable = stabilisation[q];
     const double j = stable.ratio, s = stable.pressure(), stiffness = stable.mu * stable.phi * j * j,
                  mixed          = 2 * stable.mu * stable.r * j;
     const Voigt<3>     d        = as_voigt(deviator(stable.unimodular));

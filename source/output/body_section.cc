@@ -163,11 +163,7 @@ namespace Amontons
           {
             values.reinit(cell);
             values.get_function_values(displacement, u);
-            stress_values.reinit(
-                DoFHandler<3>::active_cell_iterator(&recovery.dof_handler().get_triangulation(),
-                                                    cell->level(),
-                                                    cell->index(),
-                                                    &recovery.dof_handler()));
+            stress_values.reinit(recovery.cell_of(cell));
             const auto stresses = recovery.values_at(stress_values);
             Lattice    lattice;
             for (unsigned int q = 0; q < points.size(); ++q)

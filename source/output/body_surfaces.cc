@@ -66,11 +66,7 @@ namespace Amontons
       for_each_face(discretization, [&](const auto &cell, const unsigned int f) {
         values.reinit(cell, f);
         values.get_function_values(displacement, u);
-        stress_values.reinit(DoFHandler<3>::active_cell_iterator(&recovery.dof_handler().get_triangulation(),
-                                                                 cell->level(),
-                                                                 cell->index(),
-                                                                 &recovery.dof_handler()),
-                             f);
+        stress_values.reinit(recovery.cell_of(cell), f);
         const auto stresses = recovery.values_at(stress_values);
         BodyPatch  patch;
         patch.body = std::min<unsigned int>(cell->material_id(), 250);

@@ -46,11 +46,7 @@ namespace Amontons
           {
             values.reinit(cell);
             values.get_function_values(displacement, u);
-            stress_values.reinit(
-                DoFHandler<2>::active_cell_iterator(&recovery.dof_handler().get_triangulation(),
-                                                    cell->level(),
-                                                    cell->index(),
-                                                    &recovery.dof_handler()));
+            stress_values.reinit(recovery.cell_of(cell));
             CellPicture result;
             for (unsigned int q = 0; q + 1 < points.size(); ++q)
               for (unsigned int d = 0; d < 2; ++d)

@@ -102,11 +102,7 @@ namespace Amontons
 
       FEValues<dim> stress_values(
           discretization.mapping, recovery.dof_handler().get_fe(), point, update_values);
-      stress_values.reinit(
-          typename DoFHandler<dim>::active_cell_iterator(&recovery.dof_handler().get_triangulation(),
-                                                         location.cell->level(),
-                                                         location.cell->index(),
-                                                         &recovery.dof_handler()));
+      stress_values.reinit(recovery.cell_of(location.cell));
       const Voigt<dim> stress = recovery.values_at(stress_values)[0];
 
       std::vector<double> result(u[0].begin(), u[0].end());

@@ -1,4 +1,5 @@
 #include <amontons/scene/load_program.h>
+#include <amontons/scene/path_corners.h>
 #include <amontons/scene/text.h>
 
 #include <algorithm>
@@ -38,9 +39,45 @@ namespace Amontons
       return times;
     }
 
+    // Where what depends on the place may be looked at.
+    std::vector<Point<3>>
+    places_of(const Scene &scene)
+    {
+      std::vector<Point<3>> places = {Point<3>()};
+      for (const BodyData &body : scene.bodies)
+        if (body.shape == "block")
+          for (const double part : {0., 0.5, 1.})
+            places.push_back(body.lower + part * (body.upper - body.lower) + body.shift);
+        else if (body.shape != "file")
+          for (const double side : {-1., 0., 1.})
+            places.push_back(body.centre + body.shift + side * body.radius * Point<3>(1, 1, 1));
+      return places;
+    }
+
     class CornerTimes
     {
     public:
+      explicit CornerTimes(const Scene &scene) : end_time(scene.end_time), places(places_of(scene)) {}
+
+      void
+      add(const Expression &expression)
+      {
+        add(expression.corners());
+        if (!expression.depends_on_time())
+          return;
+        for (const Point<3> &place : expression.depends_on_place() ? places : std::vector<Point<3>>(1))
+          try
+            {
+              const auto more =
+                  corners_of_path([&](const double t) { return expression.value(place, t); }, end_time);
+              found.insert(found.end(), more.begin(), more.end());
+            }
+          catch (const InputError &)
+            {
+              // it has no value there, nor need it
+            }
+      }
+
       void
       add(const std::vector<double> &more)
       {
@@ -52,14 +89,14 @@ namespace Amontons
       add(const std::array<Expression, n> &expressions)
       {
         for (const Expression &expression : expressions)
-          add(expression.corners());
+          add(expression);
       }
 
       void
       add(const std::optional<Expression> &expression)
       {
         if (expression)
-          add(expression->corners());
+          add(*expression);
       }
 
       template <std::size_t n>
@@ -80,18 +117,26 @@ namespace Amontons
       }
 
       std::vector<double>
-      inside(const double end_time)
+      inside() const
       {
-        times.erase(std::remove_if(
-                        times.begin(), times.end(), [&](const double t) { return !(t > 0 && t < end_time); }),
-                    times.end());
-        std::sort(times.begin(), times.end());
-        times.erase(std::unique(times.begin(), times.end()), times.end());
-        return times;
+        std::vector<double> result;
+        const auto          add = [&](const std::vector<double> &more, const double same) {
+          for (const double t : more)
+            if (t > 0 && t < end_time && std::none_of(result.begin(), result.end(), [&](const double other) {
+                  return std::abs(t - other) <= same;
+                }))
+              result.push_back(t);
+        };
+        add(times, 0);
+        add(found, 1e-6 * end_time); // those of tables are known better
+        std::sort(result.begin(), result.end());
+        return result;
       }
 
     private:
-      std::vector<double> times;
+      const double                end_time;
+      const std::vector<Point<3>> places;
+      std::vector<double>         times, found; // of tables, and by looking
     };
   } // namespace
 
@@ -111,7 +156,7 @@ namespace Amontons
   std::vector<double>
   corner_times(const Scene &scene)
   {
-    CornerTimes corners;
+    CornerTimes corners(scene);
     for (const BodyData &body : scene.bodies)
       {
         corners.add(body.body_force);
@@ -135,6 +180,6 @@ namespace Amontons
         corners.add(pair.friction);
         corners.add(pair.tresca_bound);
       }
-    return corners.inside(scene.end_time);
+    return corners.inside();
   }
 } // namespace Amontons

@@ -28,10 +28,17 @@ namespace Amontons
         {
           auto all = notes;
           all.insert(all.end(), reduced.notes.begin(), reduced.notes.end());
-          const RunSummary summary =
-              ContactProblem<dim>(reduced.scene, parameters, run.folder, run.quiet, control).run(all);
-          if (summary.converged || control.stop.is_there())
-            return summary;
+          try
+            {
+              const RunSummary summary =
+                  ContactProblem<dim>(reduced.scene, parameters, run.folder, run.quiet, control).run(all);
+              if (summary.converged || control.stop.is_there())
+                return summary;
+            }
+          catch (const InputError &)
+            {
+              // nothing may hold a body without friction; what else is wrong the scene itself will show
+            }
         }
       return ContactProblem<dim>(scene, parameters, run.folder, run.quiet, control, make_reference<dim>)
           .run(notes);

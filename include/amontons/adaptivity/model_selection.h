@@ -58,6 +58,12 @@ namespace Amontons
     {
       return terms;
     }
+    // The last state says little of the others.
+    bool
+    came_back() const
+    {
+      return last && last->motion < 0.5 * farthest->motion;
+    }
 
   private:
     struct Place;

@@ -92,8 +92,9 @@ namespace Amontons
     std::unique_ptr<Factorisation> direct;
     bool                           factorisation_is_old = true;
     bool                           all_values_are_new   = false;
-    unsigned int                   n_changed            = 0; // nodes, since the preconditioner was built
-    double                         steps_per_decade     = 0; // of GMRES with a new hierarchy
+    unsigned int                   n_changed            = 0;     // nodes, since the preconditioner was built
+    double                         steps_per_decade     = 0;     // of GMRES with a new hierarchy
+    bool                           multigrid_fails      = false; // or takes longer than a factorisation
 
     LinearSolveReport
     solve_directly(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs);

@@ -86,11 +86,6 @@ namespace Amontons
     static constexpr unsigned int n_rows = n_voigt<dim> + 1; // e_bar and tr B
     using Matrix                         = std::array<std::array<double, n_rows>, n_rows>;
 
-    VolumeStabilisation
-    stabilisation(const unsigned int q) const
-    {
-      return {shear_modulus, kinematics.jacobian(q), kinematics.dilatation(q), strain[q]};
-    }
     // Of the law and of the stabilisation.
     Voigt<3>
     all_stress(const unsigned int q) const;
@@ -115,11 +110,11 @@ namespace Amontons
 
     FiniteKinematics<dim>              kinematics;
     const bool                         projects, stabilised;
-    const HyperelasticLaw             *law           = nullptr;
-    double                             shear_modulus = 0;
-    std::vector<SymmetricTensor<2, 3>> strain;   // e = b - I
-    std::vector<Voigt<3>>              stress;   // tau of the law
-    std::vector<double>                pressure; // J pi; plane stress: tr tau/3
+    const HyperelasticLaw             *law = nullptr;
+    std::vector<SymmetricTensor<2, 3>> strain;        // e = b - I
+    std::vector<Voigt<3>>              stress;        // tau of the law
+    std::vector<double>                pressure;      // J pi; plane stress: tr tau/3
+    std::vector<VolumeStabilisation>   stabilisation; // if stabilised
 
     // Rows by point, columns: shape functions of the cell or (scalar) nodes.
     FullMatrix<double> strains, material_stresses, divergences, dilatations, weighted_divergences,

@@ -36,6 +36,14 @@ namespace Amontons
       return components;
     } // n_voigt, readable at relevant DoFs
 
+    // Where `values` of the next function are reinited: this cell of the mesh.
+    template <typename Cell>
+    typename DoFHandler<dim>::active_cell_iterator
+    cell_of(const Cell &cell) const
+    {
+      return {&dof_handler().get_triangulation(), cell->level(), cell->index(), &dof_handler()};
+    }
+
     // sigma* at the quadrature points of `values`, which must be reinited on a cell of dof_handler() (FE is
     // that of dof_handler()).
     std::vector<Voigt<dim>>

@@ -259,7 +259,7 @@ namespace Amontons
     unsigned int                 n_increments      = 0;    // to start with, over the end time; 0: automatic
     double                       minimum_increment = 1e-4; // of the end time
     std::vector<double>          output_times;             // increasing, in (0, end_time]
-    std::vector<double>          corner_times; // in (0, end_time): where tables of loads and motions bend
+    std::vector<double>          corner_times; // in (0, end_time): where loads and motions turn, bend or jump
     std::vector<BodyData>        bodies;
     std::vector<ObstacleData>    obstacles;
     std::vector<ConditionData>   conditions;

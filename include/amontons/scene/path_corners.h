@@ -1,0 +1,14 @@
+// Where a function of the time turns, bends or jumps.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace Amontons
+{
+  // Of a load, a motion, ... with 0 < t < end_time: where it is largest or smallest, where its slope jumps
+  // (as that of min(t, 1) does), and the last time before it jumps itself. Found from 1000 values, so that
+  // what happens within a thousandth of the end time may be missed. Increasing.
+  std::vector<double>
+  corners_of_path(const std::function<double(double)> &f, const double end_time);
+} // namespace Amontons

@@ -91,7 +91,7 @@ namespace Amontons
     void
     halve(const Quadrature<d>   &formula,
           const LoadAt<d>       &load,
-          const double           scale,
+          const double           allowed, // change of a box
           std::vector<Box<d>>   &boxes,
           std::vector<Integral> &of_boxes,
           std::vector<Box<d>>   &leaves)
@@ -110,8 +110,8 @@ namespace Amontons
             change -= of_parts[k].load;
           const auto &here = of_boxes[i];
           const bool  smooth =
-              change.norm() <= 1e-5 * scale && (here.range <= 0.75 * here.range_around ||
-                                                here.range * std::pow(boxes[i].size, d) <= 1e-5 * scale);
+              change.norm() <= allowed &&
+              (here.range <= 0.75 * here.range_around || here.range * std::pow(boxes[i].size, d) <= allowed);
           for (unsigned int k = i * n; k < (i + 1) * n; ++k)
             {
               (smooth ? leaves : rough).push_back(parts[k]);
@@ -131,9 +131,9 @@ namespace Amontons
   Quadrature<d>
   adapted_quadrature(const Quadrature<d> &formula, const LoadAt<d> &load, const double negligible)
   {
-    const unsigned int  n_levels = d == 1 ? 24 : d == 2 ? 5 : 3; // a jump crosses ever more boxes
+    const unsigned int  n_levels = d == 1 ? 21 : d == 2 ? 7 : 3; // a jump crosses ever more boxes
     const Box<d>        all{Point<d>(), 1};
-    std::vector<Box<d>> boxes    = parts_of(all, d == 1 ? 8 : 4), leaves;
+    std::vector<Box<d>> boxes    = parts_of(all, d == 1 ? 64 : d == 2 ? 8 : 4), leaves;
     auto                of_boxes = integrals(boxes, formula, load);
     const Integral      of_all   = integrals<d>({all}, formula, load)[0];
     Tensor<1, 3>        change   = of_all.load;
@@ -150,10 +150,44 @@ namespace Amontons
     for (auto &integral : of_boxes)
       integral.range_around = range;
 
+    const double allowed = std::max((d == 3 ? 1e-5 : 1e-6) * scale, negligible);
     for (unsigned int level = 0; level < n_levels && !boxes.empty(); ++level)
-      halve(formula, load, scale, boxes, of_boxes, leaves);
+      halve(formula, load, allowed, boxes, of_boxes, leaves);
     leaves.insert(leaves.end(), boxes.begin(), boxes.end());
     return formula_on(leaves, formula);
+  }
+
+  template <int d>
+  GaussPolynomials<d>::GaussPolynomials(const unsigned int n)
+      : formula(QGauss<d>(n)), basis(Polynomials::generate_complete_Lagrange_basis(QGauss<1>(n).get_points()))
+  {
+  }
+
+  template <int d>
+  std::vector<std::vector<double>>
+  GaussPolynomials<d>::values(const std::vector<Point<d>> &points) const
+  {
+    std::vector<std::vector<double>> result(points.size(), std::vector<double>(basis.n()));
+    std::vector<Tensor<1, d>>        no_gradients;
+    std::vector<Tensor<2, d>>        no_second;
+    std::vector<Tensor<3, d>>        no_third;
+    std::vector<Tensor<4, d>>        no_fourth;
+    for (unsigned int i = 0; i < points.size(); ++i)
+      basis.evaluate(points[i], result[i], no_gradients, no_second, no_third, no_fourth);
+    return result;
+  }
+
+  // They are orthogonal, the integral of the square of each being its weight.
+  template <int d>
+  std::vector<Tensor<1, 3>>
+  GaussPolynomials<d>::nearest(const Quadrature<d> &quadrature, const std::vector<Tensor<1, 3>> &load) const
+  {
+    const auto                at_points = values(quadrature.get_points());
+    std::vector<Tensor<1, 3>> result(formula.size());
+    for (unsigned int i = 0; i < load.size(); ++i)
+      for (unsigned int q = 0; q < result.size(); ++q)
+        result[q] += quadrature.weight(i) * at_points[i][q] / formula.weight(q) * load[i];
+    return result;
   }
 
   template Quadrature<1>
@@ -162,4 +196,7 @@ namespace Amontons
   adapted_quadrature(const Quadrature<2> &, const LoadAt<2> &, const double);
   template Quadrature<3>
   adapted_quadrature(const Quadrature<3> &, const LoadAt<3> &, const double);
+  template class GaussPolynomials<1>;
+  template class GaussPolynomials<2>;
+  template class GaussPolynomials<3>;
 } // namespace Amontons

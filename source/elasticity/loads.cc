@@ -52,6 +52,19 @@ namespace Amontons
           }
       }
 
+      template <typename Values>
+      void
+      add_dead_load(const LoadOn<Values> &on, const double factor)
+      {
+        for (unsigned int q = 0; q < on.load.size(); ++q)
+          {
+            Tensor<1, dim> force;
+            for (unsigned int d = 0; d < dim; ++d)
+              force[d] = factor * weight(on.values, q) * on.load[q][d];
+            add_point_force(on.values, q, force);
+          }
+      }
+
       void
       add_body_forces()
       {
@@ -71,10 +84,8 @@ namespace Amontons
             };
             cell_values.measure(force, t, for_each_cell);
             for_each_cell([&](const auto &cell) {
-              const auto &values = cell_values.reinit(force, t, cell);
               cell->get_dof_indices(dofs);
-              for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-                add_point_force(values, q, vector_at(force, values.quadrature_point(q)) * weight(values, q));
+              add_dead_load(cell_values.reinit(force, t, cell), 1);
             });
           }
       }
@@ -98,16 +109,12 @@ namespace Amontons
             face_values.measure(
                 condition.value, t, [&](const auto &action) { for_each_face(discretization, id, action); });
             for_each_face(discretization, id, [&](const auto &cell, const unsigned int f) {
-              const auto &values = face_values.reinit(condition.value, t, cell, f);
+              const auto on_face = face_values.reinit(condition.value, t, cell, f);
               cell->get_dof_indices(dofs);
               if (condition.type == Type::pressure)
-                add_pressure(condition, values);
+                add_pressure(on_face);
               else
-                for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-                  add_point_force(values,
-                                  q,
-                                  vector_at(condition.value, values.quadrature_point(q)) *
-                                      (weight(values, q) / area));
+                add_dead_load(on_face, 1 / area);
             });
             if (condition.type == Type::pressure)
               remove_covered_pressure(condition, id);
@@ -116,14 +123,15 @@ namespace Amontons
 
       // -int p n da
       void
-      add_pressure(const ConditionData &condition, const FEFaceValues<dim> &values)
+      add_pressure(const LoadOn<FEFaceValues<dim>> &on_face)
       {
-        const auto face = deform(values, u);
+        const auto &values = on_face.values;
+        const auto  face   = deform(values, u);
         for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
           add_point_force(values,
                           q,
-                          -condition.value[0].value(as_3d(values.quadrature_point(q)), t) *
-                              (values.JxW(q) * measure<dim>(kind, face.positions[q])) * face.normals[q]);
+                          -on_face.load[q][0] * (values.JxW(q) * measure<dim>(kind, face.positions[q])) *
+                              face.normals[q]);
       }
 
       void
@@ -215,15 +223,6 @@ namespace Amontons
       gradients_of_u() const
       {
         return u == nullptr ? update_default : update_gradients;
-      }
-
-      Tensor<1, dim>
-      vector_at(const std::array<Expression, 3> &expressions, const Point<dim> &X) const
-      {
-        Tensor<1, dim> v;
-        for (unsigned int d = 0; d < dim; ++d)
-          v[d] = expressions[d].value(as_3d(X), t);
-        return v;
       }
 
       const Discretization<dim>            &discretization;

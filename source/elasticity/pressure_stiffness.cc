@@ -1,4 +1,3 @@
-#include <amontons/base/points.h>
 #include <amontons/elasticity/boundary_faces.h>
 #include <amontons/elasticity/kinematics.h>
 #include <amontons/elasticity/load_values.h>
@@ -36,15 +35,16 @@ namespace Amontons
              const unsigned int                                    f,
              const std::array<Expression, 3>                      &load)
       {
-        const auto        &values = this->values.reinit(load, t, cell, f);
-        const auto         face   = deform(values, &u);
-        const unsigned int n      = fe.n_dofs_per_cell();
+        const auto         on_face = this->values.reinit(load, t, cell, f);
+        const auto        &values  = on_face.values;
+        const auto         face    = deform(values, &u);
+        const unsigned int n       = fe.n_dofs_per_cell();
         LocalMatrix        result{std::vector<types::global_dof_index>(n), {}, FullMatrix<double>(n, n)};
         cell->get_dof_indices(result.rows);
         result.columns = result.rows;
         for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
           {
-            const double p = load[0].value(as_3d(values.quadrature_point(q)), t) * values.JxW(q);
+            const double p = on_face.load[q][0] * values.JxW(q);
             for (unsigned int j = 0; j < n; ++j)
               {
                 const Tensor<1, dim> change = change_of_normal(values, face, q, j);

@@ -5,7 +5,7 @@
 #include <amontons/discretization/discretization.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/base/tensor_product_polynomials.h>
 #include <deal.II/fe/fe_values.h>
 
 namespace Amontons
@@ -14,15 +14,44 @@ namespace Amontons
   template <int d>
   using LoadAt = std::function<std::vector<Tensor<1, 3>>(const std::vector<Point<d>> &)>;
 
-  /// The formula itself where it integrates the load to 1e-4 of what a lattice of 8 intervals or 4 x 4 (x 4)
-  /// boxes says, and the trapezoidal rule on none of these is off by 5e-3 of it (a jump near an end), or both
-  /// by what is negligible; else the formula on boxes that are halved where that changes the integral by 1e-5
-  /// of the load on the cell or face, or where values vary as much as in twice the box. A load may end or
-  /// jump anywhere, and no refinement of the mesh follows where nothing is loaded. What is narrower than the
-  /// points of the lattice (1/32; 1/16) may be missed.
+  /// The formula itself where it integrates the load to 1e-4 of what a lattice of boxes says (64 intervals, 8
+  /// x 8, 4 x 4 x 4), and the trapezoidal rule on none of these is off by 5e-3 of it (a jump near an end), or
+  /// both by what is negligible; else the formula on boxes that are halved where that changes the integral by
+  /// 1e-6 (in space 1e-5) of the load on the cell or face, or where values vary as much as in twice the box.
+  /// A load may end or jump anywhere, and no refinement of the mesh follows where nothing is loaded. What is
+  /// narrower than the points of the lattice (1/300; 1/32; 1/16) may be missed.
   template <int d>
   Quadrature<d>
   adapted_quadrature(const Quadrature<d> &formula, const LoadAt<d> &load, const double negligible = 0);
+
+  /// Polynomials through the points of Gauss' formula with n^d points.
+  template <int d>
+  class GaussPolynomials
+  {
+  public:
+    explicit GaussPolynomials(const unsigned int n);
+
+    const Quadrature<d> formula;
+
+    /// By point, of all polynomials.
+    std::vector<std::vector<double>>
+    values(const std::vector<Point<d>> &points) const;
+    /// At the points of the formula, the polynomial that has the moments of the load, from its values at the
+    /// points of `quadrature`: in the mean square the nearest one.
+    std::vector<Tensor<1, 3>>
+    nearest(const Quadrature<d> &quadrature, const std::vector<Tensor<1, 3>> &load) const;
+
+  private:
+    TensorProductPolynomials<d> basis;
+  };
+
+  /// A load at the points of `values`.
+  template <typename Values>
+  struct LoadOn
+  {
+    const Values             &values;
+    std::vector<Tensor<1, 3>> load;
+  };
 
   /// FEV: FEValues<dim> with d = dim, or FEFaceValues<dim> with d = dim - 1.
   template <template <int, int> class FEV, int dim, int d>
@@ -34,8 +63,10 @@ namespace Amontons
     LoadValues(const Discretization<dim> &discretization,
                const Quadrature<d>       &formula,
                const UpdateFlags          flags)
-        : discretization(discretization), formula(formula), flags(flags),
-          plain(discretization.mapping, discretization.fe, formula, flags)
+        : communicator(discretization.geometry.communicator), formula(formula),
+          polynomials(discretization.fe.degree + 3),
+          plain(discretization.mapping, discretization.fe, formula, flags),
+          fine(discretization.mapping, discretization.fe, polynomials.formula, flags)
     {
     }
 
@@ -53,39 +84,35 @@ namespace Amontons
         for (unsigned int q = 0; q < plain.n_quadrature_points; ++q)
           total += value(load, t, plain.quadrature_point(q)).norm() * plain.JxW(q);
       });
-      total = Utilities::MPI::sum(total, discretization.geometry.communicator);
+      total = Utilities::MPI::sum(total, communicator);
     }
 
-    /// On a cell, or on a face of it (its number), for integrals of the load at time t. Valid until the next
-    /// call.
+    /// On a cell, or on a face of it (its number), for integrals of the load at time t, with test functions
+    /// of the element. Where it is not smooth, a polynomial with the same moments takes its place. Valid
+    /// until the next call.
     template <typename... Face>
-    const Values &
+    LoadOn<Values>
     reinit(const std::array<Expression, 3>                      &load,
            const double                                          t,
            const typename DoFHandler<dim>::active_cell_iterator &cell,
            const Face... face)
     {
       plain.reinit(cell, face...);
-      if (!depends_on_place(load))
-        return plain;
-      const auto at = [&](const std::vector<Point<d>> &points) {
-        FEV<dim, dim> places(
-            discretization.mapping, nothing, Quadrature<d>(points), update_quadrature_points);
-        places.reinit(typename Triangulation<dim>::active_cell_iterator(cell), face...);
-        std::vector<Tensor<1, 3>> values;
-        for (const auto &x : places.get_quadrature_points())
-          values.push_back(value(load, t, x));
-        return values;
-      };
-      double size = 0; // of the cell or face
+      if (depends_on_place(load))
+        {
+          fine.reinit(cell, face...);
+          const auto at   = [&](const std::vector<Point<d>> &points) { return values_at(load, t, points); };
+          double     size = 0; // of the cell or face
+          for (unsigned int q = 0; q < plain.n_quadrature_points; ++q)
+            size += plain.JxW(q);
+          const Quadrature<d> here = adapted_quadrature<d>(formula, at, 1e-6 * total / size);
+          if (here.size() != formula.size())
+            return {fine, polynomials.nearest(here, at(here.get_points()))};
+        }
+      LoadOn<Values> result{plain, {}};
       for (unsigned int q = 0; q < plain.n_quadrature_points; ++q)
-        size += plain.JxW(q);
-      const Quadrature<d> here = adapted_quadrature<d>(formula, at, 1e-6 * total / size);
-      if (here.size() == formula.size())
-        return plain;
-      adapted = std::make_unique<Values>(discretization.mapping, discretization.fe, here, flags);
-      adapted->reinit(cell, face...);
-      return *adapted;
+        result.load.push_back(value(load, t, plain.quadrature_point(q)));
+      return result;
     }
 
     /// Where nothing is loaded, with the formula.
@@ -111,14 +138,29 @@ namespace Amontons
         result[c] = load[c].value(as_3d(x), t);
       return result;
     }
+    // Places are polynomials of the element's degree in the unit cell: those through the points of `fine`.
+    // (Values of deal.II at ten thousand points of a face are made for all faces in all orientations.)
+    std::vector<Tensor<1, 3>>
+    values_at(const std::array<Expression, 3> &load,
+              const double                     t,
+              const std::vector<Point<d>>     &points) const
+    {
+      std::vector<Tensor<1, 3>> result;
+      for (const auto &basis : polynomials.values(points))
+        {
+          Point<dim> x;
+          for (unsigned int q = 0; q < basis.size(); ++q)
+            x += basis[q] * Tensor<1, dim>(fine.quadrature_point(q));
+          result.push_back(value(load, t, x));
+        }
+      return result;
+    }
 
-    const Discretization<dim> &discretization;
-    const Quadrature<d>        formula;
-    const UpdateFlags          flags;
-    const FE_Nothing<dim>      nothing;
-    Values                     plain;
-    std::unique_ptr<Values>    adapted;
-    double                     total = 0; // see measure()
+    const MPI_Comm            communicator;
+    const Quadrature<d>       formula;
+    const GaussPolynomials<d> polynomials;
+    Values                    plain, fine;
+    double                    total = 0; // see measure()
   };
 
   template <int dim>

@@ -23,12 +23,12 @@ GROUPS = [
     ("Hertz and other closed forms", "hertz_cylinder hertz_sphere_axisymmetric half_plane_box verification/half_space_box_axisymmetric verification/two_cylinders verification/cone "
      "verification/flat_punch_line verification/flat_punch_axisymmetric verification/punch_moment verification/pin_in_hole verification/rings verification/turned_rings "
      "verification/shrink_fit verification/shrink_fit_spheres verification/growing_interference verification/cap_in_seat verification/disk_platen verification/disk_above_block "
-     "verification/disk_weight verification/quarter_cylinder verification/two_equal_disks verification/receding_layer"),
+     "verification/disk_weight verification/quarter_cylinder verification/two_equal_disks verification/receding_layer verification/three_point_bending verification/beam_on_floor"),
     ("Friction", "half_plane_box_friction cattaneo_mindlin verification/cattaneo_mindlin_disks verification/bulk_tension microslip_bar capstan greco walk/pin_in_lug small_scene "
-     "verification/klarbring verification/patch_friction verification/equal_blocks verification/tee verification/oblique_touch verification/opened_again verification/large_increment"),
+     "verification/klarbring verification/patch_friction verification/equal_blocks verification/tee verification/oblique_touch verification/opened_again verification/large_increment verification/wedge_self_lock verification/small_shear"),
     ("Held by contact and friction alone", "floating_slab incline verification/leaning_weight verification/steep_slope verification/tipping verification/tipping_tower "
      "verification/far_gap verification/floating_slab_3d verification/tipping_3d"),
-    ("Finite strain", "ironing wall_buckling snap_away nafems_roller_finite verification/rubber_indentation verification/compressed_rubber verification/o_ring verification/o_ring_half verification/thin_ring "
+    ("Finite strain", "ironing wall_buckling snap_away nafems_roller_finite verification/rubber_indentation verification/compressed_rubber verification/compressed_block_3d verification/o_ring verification/o_ring_half verification/thin_ring "
      "verification/press_finite verification/slide_off_edge verification/slide_over_edges verification/slid_block verification/corner_on_corner verification/turned_disk "
      "verification/objectivity verification/turned_rigid_body verification/turned_obstacle verification/turned_platens verification/turned_with_friction verification/patch_finite "
      "verification/patch_finite_3d verification/patch_finite_turned verification/patch_finite_turned_3d verification/uniaxial_finite verification/simple_shear_finite "
@@ -42,7 +42,7 @@ GROUPS = [
      "verification/patch_punch verification/two_punches verification/split_slave verification/cross_point verification/declared_gap verification/patch_3d_pressure "
      "verification/patch_3d_punch verification/patch_3d_hanging_nodes"),
     ("Tied bodies", "verification/tied_patch verification/tied_patch_3d verification/tied_beam verification/beam_in_one_piece"),
-    ("Unusual input", "verification/no_contact verification/just_touching verification/tension verification/stiff_punch verification/gap_closes_on_incompressible verification/piston verification/narrow_load verification/beam_on_stop verification/corner_on_plane"),
+    ("Unusual input", "verification/no_contact verification/just_touching verification/tension verification/stiff_punch verification/gap_closes_on_incompressible verification/piston verification/narrow_load verification/beam_on_stop verification/corner_on_plane verification/edge_on_plate_3d"),
 ]
 
 # Where the bodies as a whole (in space: the pressure on the first surface) are not what is to be seen: the title of the picture; entries of a run for the picture.

@@ -352,8 +352,8 @@ namespace Amontons
     if (!chooses_increments() || !report.error_of_increments())
       return false;
     constexpr double at_first   = LoadProgram::increments_at_first,
-                     by_default = LoadProgram::increments_by_default;
-    const auto counted          = [&](const IncrementErrors &errors) {
+                     by_default = LoadProgram::increments_by_default, another_way = 0.1; // of the work
+    const auto counted = [&](const IncrementErrors &errors) {
       return follows_work() ? errors.dissipation : errors.largest();
     };
     const auto   errors  = *report.error_of_increments();
@@ -370,7 +370,7 @@ namespace Amontons
         const auto tried = repeat_with(by_default / n);
         if (const auto found =
                 tried ? error_of_increments(history.record, *tried).scaled(at_first / n) : errors;
-            !tried || counted(found) > allowed)
+            !tried || counted(found) > allowed || found.dissipation > another_way)
           {
             n        = at_first;
             of_these = errors;

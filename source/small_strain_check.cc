@@ -9,52 +9,113 @@ namespace Amontons
 {
   namespace
   {
-    // By slave node: area and pressure.
+    // Of a pair, by slave node: area and pressure.
+    using NodalPressures = std::map<unsigned int, std::array<double, 2>>;
+
     template <int dim>
-    std::vector<std::map<unsigned int, std::array<double, 2>>>
-    contact_answer(const std::vector<ContactInterface<dim>> &interfaces, const SolutionState<dim> &state)
+    NodalPressures
+    pressures_of(const ContactInterface<dim> &interface, const NodalContacts<dim> &contact)
     {
-      std::vector<std::map<unsigned int, std::array<double, 2>>> answer(interfaces.size());
-      for (unsigned int i = 0; i < interfaces.size(); ++i)
-        for (const auto &row : interfaces[i].coupling.rows)
-          answer[i][row.node] = {{row.area, state.contact[i][row.node].pressure}};
-      return answer;
+      NodalPressures result;
+      for (const auto &row : interface.coupling.rows)
+        result[row.node] = {{row.area, contact[row.node].pressure}};
+      return result;
     }
 
-    // The larger one of: the largest change of a pair's force, against the largest force; and unless these
-    // alone count, the change of the pressures of all pairs in the mean square.
     double
-    change_of_contact(const std::vector<std::map<unsigned int, std::array<double, 2>>> &before,
-                      const std::vector<std::map<unsigned int, std::array<double, 2>>> &after,
-                      const bool                                                        forces_alone)
+    force_of(const NodalPressures &pressures)
     {
-      double force_change = 0, largest_force = 0, square_change = 0, square = 0;
-      for (unsigned int i = 0; i < before.size(); ++i)
+      double force = 0;
+      for (const auto &[node, value] : pressures)
+        force += value[0] * value[1];
+      return force;
+    }
+
+    template <int dim>
+    Tensor<1, dim>
+    centre_of(const NodalPressures &pressures, const ContactSurface<dim> &surface)
+    {
+      Tensor<1, dim> sum;
+      for (const auto &[node, value] : pressures)
+        sum += value[0] * value[1] * surface.nodes[node].x;
+      return sum / force_of(pressures);
+    }
+
+    // Largest first: by pressure, its area.
+    std::vector<std::pair<double, double>>
+    sorted(const NodalPressures &pressures)
+    {
+      std::vector<std::pair<double, double>> result;
+      for (const auto &[node, value] : pressures)
+        if (value[0] > 0)
+          result.emplace_back(value[1], value[0]);
+      std::sort(result.rbegin(), result.rend());
+      return result;
+    }
+
+    // Integral of (p - q)^2, where p(s) and q(s) are the pressures of both on their areas s, the largest
+    // first. At most that of the difference of both fields, and the same if a field moves along the surface.
+    double
+    distance_of_sorted(const NodalPressures &one, const NodalPressures &other)
+    {
+      const auto p = sorted(one), q = sorted(other);
+      double     sum = 0, s = 0, end_p = 0, end_q = 0;
+      for (unsigned int i = 0, j = 0; i < p.size() || j < q.size();)
         {
-          double                                        old_force = 0, new_force = 0;
-          std::map<unsigned int, std::array<double, 3>> nodes; // area, pressure before and after
-          for (const auto &[node, value] : after[i])
+          const double until_p = i < p.size() ? end_p + p[i].second : std::numeric_limits<double>::max(),
+                       until_q = j < q.size() ? end_q + q[j].second : std::numeric_limits<double>::max(),
+                       next    = std::min(until_p, until_q),
+                       change  = (i < p.size() ? p[i].first : 0.) - (j < q.size() ? q[j].first : 0.);
+          sum += change * change * (next - s);
+          s = next;
+          if (until_p <= next)
             {
-              nodes[node] = {{value[0], 0, value[1]}};
-              new_force += value[0] * value[1];
+              end_p = until_p;
+              ++i;
             }
-          for (const auto &[node, value] : before[i])
+          if (until_q <= next)
             {
-              nodes[node][0] = value[0];
-              nodes[node][1] = value[1];
-              old_force += value[0] * value[1];
+              end_q = until_q;
+              ++j;
             }
-          for (const auto &[node, value] : nodes)
-            {
-              square_change += value[0] * std::pow(value[2] - value[1], 2);
-              square += value[0] * value[1] * value[1];
-            }
+        }
+      return sum;
+    }
+
+    // The largest one of: the largest change of a pair's force, against the largest force; and unless these
+    // alone count, the change of the pressures of all pairs in the mean square, wherever they are, and how
+    // far the centre of a pair's pressure moves along the slave, against the size of its body. (A contact
+    // that is much smaller than its body may be the same a little beside.)
+    template <int dim>
+    double
+    change_of_contact(const std::vector<ContactInterface<dim>> &interfaces,
+                      const SolutionState<dim>                 &state,
+                      const std::vector<ContactInterface<dim>> &finite_interfaces,
+                      const SolutionState<dim>                 &finite_state,
+                      const double                              size,
+                      const bool                                forces_alone)
+    {
+      double force_change = 0, largest_force = 0, square_change = 0, square = 0, shift = 0;
+      for (unsigned int i = 0; i < interfaces.size(); ++i)
+        {
+          const auto before      = pressures_of(interfaces[i], state.contact[i]),
+                     after       = pressures_of(finite_interfaces[i], finite_state.contact[i]);
+          const double old_force = force_of(before), new_force = force_of(after);
           force_change  = std::max(force_change, std::abs(new_force - old_force));
           largest_force = std::max(largest_force, std::abs(old_force));
+          square_change += distance_of_sorted(before, after);
+          for (const auto &[node, value] : before)
+            square += value[0] * value[1] * value[1];
+          if (old_force > 0 && new_force > 0)
+            shift = std::max(
+                shift,
+                (centre_of(after, *interfaces[i].slave) - centre_of(before, *interfaces[i].slave)).norm() /
+                    size);
         }
       if (largest_force <= 0)
         return 0;
-      return std::max(force_change / largest_force, forces_alone ? 0. : std::sqrt(square_change / square));
+      return std::max(force_change / largest_force,
+                      forces_alone ? 0. : std::max(shift, std::sqrt(square_change / square)));
     }
 
     template <int dim>
@@ -152,9 +213,9 @@ namespace Amontons
   }
 
   // The iteration with finite strain goes on from the answer of small strain: the largest relative change of
-  // contact forces and, unless the total force is all that is asked for, of pressures and of the
-  // displacement; none if it does not converge. (With friction the path of the load counts, too: an estimate
-  // then.)
+  // contact forces and, unless the total force is all that is asked for, of pressures, of their
+  // place and of the displacement; none if it does not converge. (With friction the path of the load counts,
+  // too: an estimate then.)
   template <int dim>
   std::optional<double>
   SmallStrainCheck<dim>::change_by_finite_strain(Model<dim>               &model,
@@ -176,9 +237,14 @@ namespace Amontons
     old        = state.displacement;
     difference -= old;
     const bool   forces_alone = parameters.refinement.target_quantity == "total force";
-    const double contact      = change_of_contact(
-        contact_answer(model.interfaces, state), contact_answer(finite.interfaces, trial), forces_alone);
-    const double size = old.linfty_norm();
+    const auto  &sizes        = model.mesh->geometry.body_sizes;
+    const double contact      = change_of_contact(model.interfaces,
+                                             state,
+                                             finite.interfaces,
+                                             trial,
+                                             *std::max_element(sizes.begin(), sizes.end()),
+                                             forces_alone);
+    const double size         = old.linfty_norm();
     return size > 0 && !forces_alone ? std::max(contact, difference.linfty_norm() / size) : contact;
   }
 

@@ -1321,3 +1321,29 @@ add_comparison_test(NAME large_increment SCENE verification/large_increment.prm 
 # Bodies that move by far more than their size leave nothing but rounding of their strain: the program's own checks say so.
 add_scene_test(NAME lost_in_rounding SCENE hertz_cylinder.prm FAILS SET "Refinement/Cycles=1" "Boundary condition bottom/Value=0|1e12"
                CHECK "status has not converged" "message has equilibrium of forces" "checks.force_balance >= 1e-2")
+
+# ---- What a tester found who had not seen the program (2026-11-24)
+
+# Loads that turn without a table: 1/6 + 1/3 + 1/24 of work, and none where only zeros of the load are seen.
+set(SINE "End time=2" "Boundary condition end/Value=if(t > 1, 10*sin(2*pi*(t - 1)), 0)|0")
+add_scene_test(NAME microslip_bar_sine SCENE microslip_bar.prm SET ${SINE} "Increments=1" CHECK ${LAWS} "meshes.-1.dissipation ~ 0.541667 2e-3")
+add_scene_test(NAME microslip_bar_sine_target SCENE microslip_bar.prm
+               SET ${SINE} "Increments=automatic" "Refinement/Target error=0.05" "Contact base/Tresca bound=" "Contact base/Friction coefficient=0.01"
+               CHECK ${LAWS} "meshes.-1.dissipation ~ 0.541667 5e-3")
+# Increments that were never tried: two of them, where eight tell another story.
+add_scene_test(NAME wedge_self_lock SCENE verification/wedge_self_lock.prm SET "Refinement/Target error=0.1"
+               CHECK ${LAWS} "pairs.0.normal_force.0 ~ -18.375 1e-3" "pairs.0.tangential_force.1 ~ -3.675 1e-3")
+# Friction that does not matter, but holds.
+add_scene_test(NAME small_shear SCENE verification/small_shear.prm CHECK ${LAWS} "status is converged" "pairs.0.tangential_force.0 ~ 0.03 1e-6")
+# The way there was far beyond small strain, the end is not.
+add_scene_test(NAME auto_comes_back SCENE verification/press_finite.prm
+               SET "Kinematics=auto" "End time=2" "Contact above/Friction coefficient=0.05" "Obstacle above/Displacement=0|-0.1*table(0: 0, 1: 1, 2: 0.02)"
+               CHECK "status is converged" "notes.0 has on a way that comes back: finite strain is used")
+# A small contact may lie a little beside; it was refused for 0.85.
+add_scene_test(NAME three_point_bending SCENE verification/three_point_bending.prm
+               CHECK "status is converged" "pairs.0.normal_force.1 ~ 20 1e-9" "checks.change_of_answer <= 0.05" "probes.0.points.0.displacement.1 ~ -0.711 2e-3")
+# Stress is singular where nothing touches; it took 87,000 unknowns, and an estimate of 6.6 % stayed.
+add_scene_test(NAME beam_on_floor SCENE verification/beam_on_floor.prm CHECK "status is converged" "error_estimate.contact <= 0.01" "dofs <= 10000")
+# Volumes that the projection does not see, in space: the force was half of it.
+add_scene_test(NAME compressed_block_3d SCENE verification/compressed_block_3d.prm CHECK "status is converged" "reactions.0.force.2 ~ -4.8359 1e-3")
+add_scene_test(NAME edge_on_plate_3d SCENE verification/edge_on_plate_3d.prm FAILS CHECK "failure has broken laws" "message has a corner of the slave presses on a face")

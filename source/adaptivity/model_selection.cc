@@ -117,6 +117,7 @@ namespace Amontons
       }
     last.reset();
     (!farthest || place.motion >= farthest->motion ? farthest : last) = std::move(place);
+    has_come_back = last && last->motion < 0.5 * farthest->motion;
   }
 
   // Copies of the interfaces where u takes them, coupled where nodes are closed or near.

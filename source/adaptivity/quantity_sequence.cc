@@ -49,8 +49,17 @@ namespace Amontons
   double
   QuantitySequence::error() const
   {
-    const unsigned int n = meshes.size(), last = n - 1, half = n > 1 ? half_of(last) : n,
-                       quarter = half < n ? half_of(half) : n;
+    const unsigned int n = meshes.size();
+    if (n < 2)
+      return std::numeric_limits<double>::infinity();
+    const double before = error_on(n - 2);
+    return std::max(error_on(n - 1), std::isfinite(before) ? before / 2 : 0.);
+  }
+
+  double
+  QuantitySequence::error_on(const unsigned int last) const
+  {
+    const unsigned int n = meshes.size(), half = half_of(last), quarter = half < n ? half_of(half) : n;
     if (half == n)
       return std::numeric_limits<double>::infinity();
     double most = 0, largest = 0;

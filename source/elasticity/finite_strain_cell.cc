@@ -126,7 +126,7 @@ namespace Amontons
   }
 
   // Of the stabilisation, with epsilon = e/theta and j = J/theta:
-  //   d(mu r^2) = -2 mu r j epsilon,   ds = mu phi (j - 2 j^2) epsilon,   d(s/theta) = (ds - s
+  //   d(m r^2) = -2 m r j epsilon,   ds = m phi (j - 2 j^2) epsilon,   d(s/theta) = (ds - s
   //   epsilon)/theta.
   template <int dim>
   std::vector<double>
@@ -147,10 +147,10 @@ namespace Amontons
           {
             const auto    &stable = stabilisation[q];
             const double   j      = stable.ratio;
-            const Voigt<3> shear  = as_voigt(-2 * stable.mu * stable.r * j * epsilon * stable.unimodular);
+            const Voigt<3> shear  = as_voigt(-2 * stable.m * stable.r * j * epsilon * stable.unimodular);
             for (unsigned int k = 0; k < 6; ++k)
               change[q][k] += shear[k];
-            of_stabilisation[q] = stable.mu * stable.phi * (j - 2 * j * j) * epsilon;
+            of_stabilisation[q] = stable.m * stable.phi * (j - 2 * j * j) * epsilon;
             pressure[q] -= of_stabilisation[q] - stable.pressure() * epsilon;
           }
       }
@@ -285,16 +285,16 @@ namespace Amontons
   }
 
   // D(B) is tr e_bar(B), and d:B = d:e_bar(B):
-  //   e_bar:e_bar  (2 s + mu phi j^2) I x I - 2 mu r j (d x I + I x d)
-  //   e_bar:tr     2 mu r j d - 2/3 mu r^2 d - (s + mu phi j^2) I
-  //   tr:tr        mu phi j^2 - 2/9 mu r^2 tr (J^(-2/3) b)
+  //   e_bar:e_bar  (2 s + m phi j^2) I x I - 2 m r j (d x I + I x d)
+  //   e_bar:tr     2 m r j d - 2/3 m r^2 d - (s + m phi j^2) I
+  //   tr:tr        m phi j^2 - 2/9 m r^2 tr (J^(-2/3) b)
   template <int dim>
   void
   FiniteStrainCell<dim>::add_stabilisation(const unsigned int q, Matrix &M) const
   {
     const auto  &stable = stabilisation[q];
-    const double j = stable.ratio, s = stable.pressure(), stiffness = stable.mu * stable.phi * j * j,
-                 mixed          = 2 * stable.mu * stable.r * j;
+    const double j = stable.ratio, s = stable.pressure(), stiffness = stable.m * stable.phi * j * j,
+                 mixed          = 2 * stable.m * stable.r * j;
     const Voigt<3>     d        = as_voigt(deviator(stable.unimodular));
     const unsigned int of_trace = n_voigt<dim>;
     for (unsigned int k = 0; k < n_voigt<dim>; ++k)

@@ -1,5 +1,6 @@
 #include <amontons/algebra/eliminated_system.h>
 #include <amontons/base/points.h>
+#include <amontons/contact/surface_rim.h>
 #include <amontons/friction/shear_law.h>
 #include <amontons/output/nodal_forces.h>
 #include <amontons/output/physics_checks.h>
@@ -67,32 +68,10 @@ namespace Amontons
       return projection ? projection->normal : -p.normal;
     }
 
-    // Plane scenes: whether a slave surface ends at a node, as at a corner of its body.
-    template <int dim>
-    std::vector<bool>
-    ends_of(const ContactSurface<dim> &slave)
-    {
-      std::vector<unsigned int> n_faces(slave.nodes.size(), 0);
-      for (const auto &face : slave.faces)
-        for (const unsigned int node : face.unknowns)
-          ++n_faces[node];
-      std::vector<bool> is_end(slave.nodes.size(), false);
-      for (unsigned int f = 0; dim == 2 && f < slave.faces.size(); ++f)
-        for (const unsigned int node : slave.faces[f].unknowns)
-          for (const double xi : {0., 1.})
-            {
-              Point<dim - 1> end;
-              end[0]            = xi;
-              const double away = slave.position(f, end).distance(slave.nodes[node].x);
-              if (n_faces[node] == 1 && away < 1e-8 * slave.faces[f].size)
-                is_end[node] = true;
-            }
-      return is_end;
-    }
-
     // Sine of the angle between the normals of the two sides where nodes press at which the slave ends, by
-    // their part of the force. Both sides fit where they touch, and where a corner of the master presses on
-    // the slave, the normal is the slave's; but a corner of the slave has the normals of its own faces.
+    // their part of the force, if they bear most of it. Both sides fit where they touch, and where a corner
+    // of the master presses on the slave, the normal is the slave's; but a corner of the slave has the
+    // normals of its own faces. (The edge of a punch has a part of its force, where the other side is steep.)
     template <int dim>
     double
     normal_mismatch(const Answer<dim> &answer, const unsigned int i)
@@ -108,8 +87,8 @@ namespace Amontons
               distance[node] = d;
               nearest[node]  = &p;
             }
-      const auto is_end = ends_of(slave);
-      double     force = 0, off = 0;
+      const auto is_end = rim_nodes(slave);
+      double     force = 0, at_ends = 0, off = 0;
       for (const auto &row : interface.coupling.rows)
         if (const double f = row.area * answer.state.contact[i][row.node].pressure;
             f > 0 && nearest[row.node] != nullptr)
@@ -119,9 +98,10 @@ namespace Amontons
               continue;
             const double cosine =
                 slave.nodes[row.node].normal * normal_of_other_side(interface.master, *nearest[row.node]);
+            at_ends += f;
             off += f * std::sqrt(std::max(0., 1 - cosine * cosine));
           }
-      return force > 0 ? off / force : 0;
+      return at_ends > 0.6 * force ? off / force : 0;
     }
 
     using Checks = std::map<std::string, double>;

@@ -62,7 +62,7 @@ namespace Amontons
     bool
     came_back() const
     {
-      return last && last->motion < 0.5 * farthest->motion;
+      return has_come_back;
     }
 
   private:
@@ -94,6 +94,7 @@ namespace Amontons
 
     NeglectedTerms       terms;
     double               largest_energy = 0; // twice the stored one
+    bool                 has_come_back  = false;
     std::optional<Place> farthest, last;     // last: unless it is the farthest
   };
 } // namespace Amontons

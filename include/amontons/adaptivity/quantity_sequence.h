@@ -16,8 +16,9 @@ namespace Amontons
     /// Relative to the largest value, of the worst. Between three meshes, each of twice as many DoFs as the
     /// one before or more, the changes D fall by rho, so that D rho/(1 - rho) is left. rho is believed
     /// between 0.4 and 0.8, and a change that happens to be small counts as no smaller than 0.4 of the one
-    /// before. Of two such meshes: their change. (A change is the largest from any mesh between.) Infinite as
-    /// long as there are none.
+    /// before. Of two such meshes: their change. (A change is the largest from any mesh between.) At least
+    /// half of the error on the mesh before, which one mesh more does not take away. Infinite as long as
+    /// there are no two meshes.
     double
     error() const;
 
@@ -31,6 +32,8 @@ namespace Amontons
       double              n_dofs;
       std::vector<double> values;
     };
+    double
+    error_on(const unsigned int last) const;
     unsigned int
                       half_of(const unsigned int k) const;
     std::vector<Mesh> meshes;

@@ -17,7 +17,7 @@ namespace Amontons
   //   a(B) = (P(J tr B)/theta - tr B)/3,  e_bar(B) = sym B + a(B) I,  pi = P(tr tau/(3 theta)),
   // pi being the pressure that the projection admits. Plane stress: a = 0, and the law's tangent with the
   // thickness condensed. Degree 2 adds W_s of volume_stabilisation.h, with s its pressure and
-  // d = dev(J^(-2/3) b): to tau the shear stress mu r^2 d, to J pi the pressure s - J P(s/theta).
+  // d = dev(J^(-2/3) b): to tau the shear stress m r^2 d, to J pi the pressure s - J P(s/theta).
   //
   // Pi is what the three-field functional of Simo, Taylor and Pister (1985),
   //   int W((theta/J)^(1/3) F) + p (J - theta) dV0,
@@ -74,7 +74,7 @@ namespace Amontons
     // int [ e_bar(B):c:e_bar(A) + tr(B tau A^T) + 2 a(A) tau:B + 2 a(B) tau:A + 2 a(B) a(A) tr tau
     //       + tr tau/3 (tr(B A) - D(B) D(A)) + J pi (tr A tr B - tr(B A)) ] dV0,  D(B) = P(J tr B)/theta,
     // and of W_s (its shear stress in tau, its pressure in J pi), with R(B) = tr B - D(B) and j = J/theta,
-    //   mu [ 2 r j (d:A R(B) + d:B R(A)) + phi j^2 R(A) R(B) ] + s [ 2 D(A) D(B) - tr A D(B) - tr B D(A) ]
+    //   m [ 2 r j (d:A R(B) + d:B R(A)) + phi j^2 R(A) R(B) ] + s [ 2 D(A) D(B) - tr A D(B) - tr B D(A) ]
     void
     make_tangent(FullMatrix<double> &K);
 

@@ -11,9 +11,9 @@ namespace Amontons
   /// complementarity: max |p g| relative to p_max times the mean face size; penetration: max(-g) relative to
   /// the face size; tension: max(-p) relative to p_max; coulomb_cone: how far shears exceed their bound,
   /// relative to the largest bound; slip_direction: the largest angle between shear and slip of a node (that
-  /// of the multiplier, not of the projected traction); normal_mismatch (plane scenes): the sine of the
-  /// angle between the normals of both sides where the slave ends, times the part of a pair's force there.
-  /// Collective.
+  /// of the multiplier, not of the projected traction); normal_mismatch: the sine of the angle between
+  /// the normals of both sides where the slave ends, times the part of a pair's force there if that is most
+  /// of it. Collective.
   template <int dim>
   std::map<std::string, double>
   check_physics(const Answer<dim> &answer);

@@ -57,13 +57,16 @@ namespace Amontons
     class CornerTimes
     {
     public:
-      explicit CornerTimes(const Scene &scene) : end_time(scene.end_time), places(places_of(scene)) {}
+      explicit CornerTimes(const Scene &scene)
+          : looks(scene.n_increments == 0), end_time(scene.end_time), places(places_of(scene))
+      {
+      }
 
       void
       add(const Expression &expression)
       {
         add(expression.corners());
-        if (!expression.depends_on_time())
+        if (!looks || !expression.depends_on_time())
           return;
         for (const Point<3> &place : expression.depends_on_place() ? places : std::vector<Point<3>>(1))
           try
@@ -128,12 +131,13 @@ namespace Amontons
               result.push_back(t);
         };
         add(times, 0);
-        add(found, 1e-6 * end_time); // those of tables are known better
+        add(found, 1.5e-3 * end_time); // those of tables are known better; no nearer than values looked at
         std::sort(result.begin(), result.end());
         return result;
       }
 
     private:
+      const bool                  looks; // beyond tables: who says how many increments there are, says where
       const double                end_time;
       const std::vector<Point<3>> places;
       std::vector<double>         times, found; // of tables, and by looking

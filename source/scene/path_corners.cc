@@ -92,7 +92,8 @@ namespace Amontons
         return std::abs(f(nearest) - v_before) <= std::abs(f(nearest) - v_after) ? nearest : before;
       }
 
-      // The slope changes by far more than beside it: where the lines through two values on either side meet.
+      // The slope changes by far more than beside it: where the lines on either side meet, looked at from
+      // ever nearer.
       std::optional<double>
       kink(const unsigned int i) const
       {
@@ -101,10 +102,21 @@ namespace Amontons
         if (i < 3 || i + 3 >= n || here < 8 * beside || here < 1e-5 * range ||
             here < std::max(std::abs(bend(i - 1)), std::abs(bend(i + 1))) * (1 - 1e-6))
           return {};
-        const double left = slope(i - 2), right = slope(i + 1);
-        const double place =
-            (values[i - 1] - left * (i - 1.) - values[i + 1] + right * (i + 1.)) / (right - left);
-        return rounded(time(std::clamp(place, i - 1., i + 1.)));
+        double t = time(i);
+        for (double h = 1; h > 1e-5; h /= 8)
+          t = meeting_of_lines(t, time(h));
+        return rounded(t);
+      }
+
+      // Of those through two values each before t - h and after t + h; not beyond these.
+      double
+      meeting_of_lines(const double t, const double h) const
+      {
+        const double before = f(t - h), after = f(t + h), left = before - f(t - 2 * h),
+                     right = f(t + 2 * h) - after;
+        if (left == right)
+          return t;
+        return t + h * std::clamp((before - after + left + right) / (right - left), -1., 1.);
       }
 
       std::optional<double>

@@ -49,6 +49,16 @@ main()
                 [&](double t) { return t > 1 ? std::sin(2 * pi * (t - 1)) : 0.; },
                 {1, 1.25, 1.75});
   check_corners(
+      "sine of a bend",
+      [](double t) { return std::sin(1.3 + 2 * std::min(t, 1.)); },
+      {0.135398163397, 1},
+      1e-8);
+  check_corners(
+      "bend of a curve",
+      [](double t) { return t * t * (1 + 0.3 * std::max(0., t - 0.7771)); },
+      {0.7771},
+      1e-7);
+  check_corners(
       "pulse", [](double t) { return std::exp(-std::pow((t - 1.37) / 0.03, 2)); }, {1.37}, 1e-8);
   check_corners(
       "jump", [](double t) { return t > 0.7 ? 1. : 0.; }, {0.7}, 1e-9);

@@ -95,6 +95,6 @@ namespace Amontons
     NeglectedTerms       terms;
     double               largest_energy = 0; // twice the stored one
     bool                 has_come_back  = false;
-    std::optional<Place> farthest, last;     // last: unless it is the farthest
+    std::optional<Place> farthest, last; // last: unless it is the farthest
   };
 } // namespace Amontons

@@ -8,7 +8,9 @@ namespace Amontons
 {
   namespace
   {
-    // The centre of a symmetric contact is where the slave surface meets the symmetry planes (or the axis).
+    // The centre of a symmetric contact is where the slave surface meets the symmetry planes (or the axis,
+    // but for a ring: its mean radius is 2.6 times the spread about it under Hertz's pressure, 3.5 times
+    // under a flat punch).
     template <int dim>
     void
     find_centre(const Discretization<dim>   &discretization,
@@ -48,9 +50,23 @@ namespace Amontons
                 centre -= (normal * (centre - interface.slave->nodes[i].x)) * normal;
                 fields.symmetry_factor *= 2;
               }
-      if (axisymmetric)
+      if (axisymmetric && centre[0] < 6 * spread)
         centre[0] = 0;
       fields.centre = centre;
+    }
+
+    template <int dim>
+    bool
+    is_around_axis(const Discretization<dim> &discretization, const SurfaceFields<dim> &fields)
+    {
+      return discretization.scene.kind == ProblemType::axisymmetric && fields.centre[0] == 0;
+    }
+
+    template <int dim>
+    bool
+    is_of_a_point(const Discretization<dim> &discretization, const SurfaceFields<dim> &fields)
+    {
+      return dim == 3 || is_around_axis(discretization, fields);
     }
 
     // Where the stick zone is: the centroid of what the shear leaves of its bound, on the symmetry planes
@@ -75,7 +91,7 @@ namespace Amontons
       centre /= total;
       for (const auto &normal : fields.symmetry_planes)
         centre -= (normal * (centre - fields.centre)) * normal;
-      if (discretization.scene.kind == ProblemType::axisymmetric)
+      if (is_around_axis(discretization, fields))
         centre[0] = 0;
       return centre;
     }
@@ -84,8 +100,8 @@ namespace Amontons
     // sqrt(4 int f x^2 / int f), for points 2.5 instead of 4.
     template <int dim>
     double
-    size_of(const Discretization<dim>   &discretization,
-            const ContactInterface<dim> &interface,
+    size_of(const ContactInterface<dim> &interface,
+            const bool                   of_a_point,
             const Point<dim>            &centre,
             const std::vector<double>   &field)
     {
@@ -97,7 +113,7 @@ namespace Amontons
           force += f;
           second_moment += f * (r * r - (r * p.normal) * (r * p.normal));
         }
-      const double factor = dim == 2 && discretization.scene.kind != ProblemType::axisymmetric ? 4 : 2.5;
+      const double factor = of_a_point ? 2.5 : 4;
       return force > 0 ? std::sqrt(std::max(0., factor * second_moment / force)) : 0;
     }
 
@@ -119,7 +135,8 @@ namespace Amontons
         }
       if (force > 0)
         fields.covariance /= force;
-      fields.contact_size = size_of(discretization, interface, fields.centre, fields.pressure);
+      fields.contact_size =
+          size_of(interface, is_of_a_point(discretization, fields), fields.centre, fields.pressure);
     }
 
     // Over the overlap: at its points and at the nodes of faces that are covered whole. Nodal values beyond
@@ -379,7 +396,8 @@ namespace Amontons
       {
         const auto unused   = control_to_nodal(slave, project(interface, unused_shears));
         fields.stick_centre = stick_centre(discretization, interface, fields, unused);
-        fields.stick_size   = size_of(discretization, interface, fields.stick_centre, unused);
+        fields.stick_size =
+            size_of(interface, is_of_a_point(discretization, fields), fields.stick_centre, unused);
       }
     fields.is_covered = covered_nodes(interface, discretization.scene.kind == ProblemType::axisymmetric);
     if (interface.pair->has_friction())

@@ -88,6 +88,8 @@ namespace Amontons
     {
       const std::string force     = units.force_of(is_plane(kind));
       const std::string full_turn = kind == ProblemType::axisymmetric ? ", full turn" : "";
+      const bool        is_round  = kind == ProblemType::three_dimensional ||
+                            (kind == ProblemType::axisymmetric && pair.centre[0] == 0);
       lines.emplace_back("pair " + pair.name, "");
       if (!pair.touched)
         lines.emplace_back("  contact", "NONE in the whole run: " + without_contact(pair));
@@ -100,14 +102,10 @@ namespace Amontons
                                full_turn);
       lines.emplace_back("  peak pressure", measured(pair.peak_pressure, units.pressure()));
       if (pair.n_open > 0)
-        lines.emplace_back(kind == ProblemType::three_dimensional || kind == ProblemType::axisymmetric
-                               ? "  contact radius"
-                               : "  contact half-width",
+        lines.emplace_back(is_round ? "  contact radius" : "  contact half-width",
                            measured(pair.contact_size, units.length) + "   (Hertz-equivalent)");
       if (pair.stick_size && pair.n_open > 0 && pair.n_slip > 0 && pair.n_stick > 0)
-        lines.emplace_back(kind == ProblemType::three_dimensional || kind == ProblemType::axisymmetric
-                               ? "  stick radius"
-                               : "  stick half-width",
+        lines.emplace_back(is_round ? "  stick radius" : "  stick half-width",
                            measured(*pair.stick_size, units.length) +
                                "   (Hertz-equivalent, of bound less shear)");
       lines.emplace_back("  nodes",

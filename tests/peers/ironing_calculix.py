@@ -36,11 +36,11 @@ def deck(cells, press, slide, reach, stiffness):
     return "\n".join(text) + "\n"
 
 
-def forces(path):
-    """Times (1 to 2: the slide) with vertical and horizontal force."""
+def forces(path, up=1):
+    """Times (1 to 2: the slide) with vertical and horizontal force; `up` is the vertical axis."""
     with open(path, encoding="utf-8") as file:
-        found = re.findall(r"and time\s+(\S+)\s+(\S+)\s+(\S+)\s+\S+", file.read())
-    return [(float(t), abs(float(y)), abs(float(x))) for t, x, y in found]
+        found = re.findall(r"and time\s+(\S+)\s+(\S+)\s+(\S+)\s+(\S+)", file.read())
+    return [(float(t), abs(float(part[up])), abs(float(part[0]))) for t, *part in found]
 
 
 def run(folder, given, measured):

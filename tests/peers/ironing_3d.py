@@ -77,7 +77,8 @@ def solve(given):
     slid = [(SLIDE * given.until * (t - 1), v, h) for t, v, h in found]
     middle = [row for row in slid if LOW < row[0] < HIGH + 1e-9]
     mean = [sum(row[k] for row in middle) / max(1, len(middle)) for k in (1, 2)]
-    end = f"V {mean[0]:.2f} H {mean[1]:.2f} over {LOW}..{min(HIGH, slid[-1][0]):.3g}" if middle else f"not finished: slide {slid[-1][0]:.2f}" if slid else "not finished"
+    end = f"V {mean[0]:.2f} H {mean[1]:.2f} over {LOW}..{min(HIGH, slid[-1][0]):.3g}" if middle else f"slide {slid[-1][0] if slid else 0:.2f}"
+    end = ("" if slid and slid[-1][0] > SLIDE * given.until - 1e-6 else f"not finished: {row['wall']:.0f} s; ") + end
     return {**dict.fromkeys(COLUMNS, ""), "program": "ccx2.20", "formulation": f"f2f {given.element} K={given.stiffness:g}E", "case": "IR3", "N": f"10+{round(50 * given.until)}",
             "threads": "1", "wall": f"{row['wall']:.1f}", "cpu": f"{row['cpu']:.1f}", "memory_MB": f"{row['memory_MB']:.0f}", "iterations": counted, "note": end}
 

@@ -2,7 +2,7 @@
 import itertools
 import math
 
-from cases import grid, lifted
+from cases import CLEARANCE, grid, lifted
 
 
 class Mesh:
@@ -25,9 +25,8 @@ class Mesh:
             if degree == 2 and sum(k % 2 for k in index) > 1:
                 continue  # serendipity: no node in the middle
             point = tuple(x[k] for x, k in zip(lines, index))
-            if not lower:
-                bent = lifted(case, (point[0], point[2]) if layer else point)
-                point = (bent[0], point[1], bent[1]) if layer else bent
+            bent = lifted(case, (point[0], point[2]) if layer else point, lower, CLEARANCE)
+            point = (bent[0], point[1], bent[1]) if layer else bent
             number = first["node"] + len(self.nodes)
             self.nodes[number], self.number[index] = point, number
         self.cells = {}

@@ -14,7 +14,8 @@ class GetFEM:
     name = "GetFEM5.4.2"
     forms = {"ALM-Q1/Q1": (1, "contact", "linear/Q1"), "ALM-Q2/Q2": (2, "contact", "linear/Q2"), "linear/Q1": (1, "linear", ""), "linear/Q2": (2, "linear", "")}
     lot = {"H2": {"ALM-Q1/Q1": (20, 40, 80), "ALM-Q2/Q2": (10, 20, 40)}, "CM": {"ALM-Q1/Q1": (20, 40, 80), "ALM-Q2/Q2": (20,)},
-           "HA": {"ALM-Q1/Q1": (20, 40, 80, 160), "ALM-Q2/Q2": (20, 80)}, "H3": {"ALM-Q1/Q1": (8, 16)}}
+           "HA": {"ALM-Q1/Q1": (20, 40, 80, 160), "ALM-Q2/Q2": (20, 80)}, "H3": {"ALM-Q1/Q1": (8, 16)},
+           "PI": {"ALM-Q1/Q1": (20, 40, 80), "ALM-Q2/Q2": (10, 20, 40)}}
 
     def __init__(self):
         self.python = ""

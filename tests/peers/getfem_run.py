@@ -7,7 +7,7 @@ import sys
 
 import getfem as gf
 import numpy as np
-from cases import CASES, E, NU, grid, lifted
+from cases import CASES, CLEARANCE, E, NU, grid, lifted, place
 
 GAMMA = E  # of the augmented Lagrangian, N/mm^3: of the order of E over a length of the contact. It changes the iterations, not the answer
 HELD = 1e4 * E  # stiffness of supports, N/mm^3: a block gives E / 48
@@ -21,13 +21,13 @@ class Body:
         lines = grid(case, N, lower)
         self.dim = len(lines)
         cells = [len(x) - 1 for x in lines]
-        self.mesh = gf.Mesh("import", "structured", f'GT="GT_QK({self.dim},1)";SIZES={cells};NOISED=0;NSUBDIV={cells}')
-        points = np.array([[lines[k][round(i)] for i in row] for k, row in enumerate(self.mesh.pts())])
+        curve = degree if case.kind == "pin" else 1  # of the cells
+        self.mesh = gf.Mesh("import", "structured", f'GT="GT_QK({self.dim},{curve})";SIZES={cells};NOISED=0;NSUBDIV={cells}')
+        points = np.array([np.interp(row, range(len(lines[k])), lines[k]) for k, row in enumerate(self.mesh.pts())])
         self.mesh.set_pts(points)
         self.top, self.bottom = (max(lines[-1]), min(lines[-1]))
         marks = self.regions(points, case, lower)
-        if not lower:
-            self.mesh.set_pts(np.array([lifted(case, point) for point in points.T]).T)
+        self.mesh.set_pts(np.array([lifted(case, point, lower) for point in points.T]).T)
         for number, faces in marks.items():
             self.mesh.set_region(number, faces)
         self.u = gf.MeshFem(self.mesh, self.dim)
@@ -57,7 +57,7 @@ class Body:
             CONTACT: where(lambda c: (abs(c[-1] - touching) < tiny).all() and radius(c) < 1.38 * case.a),
             GLUED: where(lambda c: (abs(c[-1] - touching) < tiny).all() and radius(c) < case.a + tiny)}
         if not case.whole:
-            marks[AXIS] = where(lambda c: (abs(c[0]) < tiny).all())
+            marks[AXIS] = where(lambda c: (abs(c[0]) < tiny).all() or case.kind == "pin" and (c[0] > case.lengths(lower)[0] - tiny).all())
             marks[OTHER_AXIS] = where(lambda c: self.dim == 3 and (abs(c[1]) < tiny).all())
         return marks
 
@@ -89,21 +89,26 @@ def model(case, N, degree, kind):
         md.add_linear_term(body.mim, elasticity(case, name), -1, True, True)
         up = body.dim
         hold(md, body, name, TOP if name == "u" else BOTTOM, up, "+drive" if name == "u" else "")
-        if case.whole:
+        if case.clamped:
             hold(md, body, name, TOP if name == "u" else BOTTOM, 1, "-step" if name == "u" else "")
-        else:
+        if not case.whole:
             hold(md, body, name, AXIS, 1)
             if up == 3:
                 hold(md, body, name, OTHER_AXIS, 2)
     upper = bodies["u"]
     weight = "X(1)*" if case.kind == "axisymmetric" else ""
     up = upper.dim
-    if not case.rigid:  # opposite of a point is the one below it: small strain
-        md.add_interpolate_transformation_from_expression("below", upper.mesh, bodies["w"].mesh, "[X(1); 0]")
+    if not case.rigid:  # opposite of a point is the one below it, or the same one of the round surface, moved by a hair into the body: small strain
+        opposite = "(1+1e-7)/Norm(X)*X" if case.kind == "pin" else "[X(1); 0]"
+        md.add_interpolate_transformation_from_expression("below", upper.mesh, bodies["w"].mesh, opposite)
 
     def relative(k, prefix="", suffix=""):
-        """Component k of the motion away from the other side."""
+        """Component k of the motion against the other side."""
         return f"({prefix}u{suffix}({k})" + ("" if case.rigid else f"-Interpolate({prefix}w{suffix},below)({k})") + ")"
+
+    def away(prefix=""):
+        """The motion away from the other side, along its normal."""
+        return f"(-({prefix}u-Interpolate({prefix}w,below)).X/Norm(X))" if case.kind == "pin" else relative(up, prefix)
 
     if kind == "linear":  # glued to the other side where contact will be
         for k in range(1, up + 1) if not case.rigid else [up]:
@@ -111,10 +116,11 @@ def model(case, N, degree, kind):
         return md, bodies
     # Without friction: the saddle point of half of 1/gamma ([p - gamma g]_+^2 - p^2), g the gap.
     md.add_filtered_fem_variable("p", upper.p, CONTACT)
-    gap = "50-sqrt(2500-sqr(X(1))" + ("-sqr(X(2)))" if up == 3 else ")")  # of the curve: with that of the facets Q2 is no better than Q1
-    trial = f"pos_part(p-gamma*({relative(up)}+{gap}))"
+    curve = "50-sqrt(2500-sqr(X(1))" + ("-sqr(X(2)))" if up == 3 else ")")  # of the curve: with that of the facets Q2 is no better than Q1
+    gap = f"{CLEARANCE}" if case.kind == "pin" else curve
+    trial = f"pos_part(p-gamma*({away()}+{gap}))"
     md.add_initialized_data("gamma", [GAMMA])
-    md.add_nonlinear_term(upper.fine, f"-{weight}{trial}*{relative(up, 'Test_')}+{weight}1/gamma*({trial}-p)*Test_p", CONTACT, case.friction == 0)
+    md.add_nonlinear_term(upper.fine, f"-{weight}{trial}*{away('Test_')}+{weight}1/gamma*({trial}-p)*Test_p", CONTACT, case.friction == 0)
     if case.friction:  # q: traction along x on the curved body; what it would be if it stuck, cut at the cone
         md.add_filtered_fem_variable("q", upper.p, CONTACT)
         md.add_fem_data("u0", upper.u)
@@ -127,18 +133,20 @@ def model(case, N, degree, kind):
     return md, bodies
 
 
-def samples(md, body):
-    """Distance from the axis, weight and pressure at the points of integration. GetFEM's weights are of the unit face."""
+def samples(md, case, body):
+    """Distance from the axis (of the pin: angle), weight and pressure at the points of integration. GetFEM's weights are of the unit face."""
     faces = body.mesh.region(CONTACT)
     nodes = body.fine.im_nodes(faces)
     sizes = []
     for k in range(faces.shape[1]):
-        corners = body.mesh.pts()[:-1, body.mesh.pid_in_faces(faces[:, k:k + 1])]
+        corners = body.mesh.pts()[:, body.mesh.pid_in_faces(faces[:, k:k + 1])]
+        corners = corners[:-1] if case.kind != "pin" else np.array([[place(case, point) for point in corners.T]])
         sizes.append(np.prod(corners.max(axis=1) - corners.min(axis=1)))
     each = nodes.shape[1] // len(sizes)
     weights = nodes[-1] / nodes[-1, :each].sum() * np.repeat(sizes, each)
     pressure = md.interpolation("p", nodes[:-1], body.mesh, -1, 1)
-    return np.array([np.sqrt((nodes[:-2] ** 2).sum(axis=0)), weights, pressure]).T.tolist()
+    places = np.array([place(case, point) for point in nodes[:-1].T]) if case.kind == "pin" else np.sqrt((nodes[:-2] ** 2).sum(axis=0))
+    return np.array([places, weights, pressure]).T.tolist()
 
 
 def main():
@@ -156,7 +164,7 @@ def main():
             md.set_variable("w0", md.variable("w"))
     result = {"iterations": "+".join(str(k) for k in iterations), "dofs": md.nbdof()}
     if kind == "contact":
-        result["samples"] = samples(md, bodies["u"])
+        result["samples"] = samples(md, case, bodies["u"])
     with open(path, "w", encoding="utf-8") as file:
         json.dump(result, file)
 

@@ -98,24 +98,28 @@ namespace Amontons
       double force_change = 0, largest_force = 0, square_change = 0, square = 0, shift = 0;
       for (unsigned int i = 0; i < interfaces.size(); ++i)
         {
-          const auto before      = pressures_of(interfaces[i], state.contact[i]),
-                     after       = pressures_of(finite_interfaces[i], finite_state.contact[i]);
+          const auto before = pressures_of(interfaces[i], state.contact[i]);
+          auto       after  = pressures_of(finite_interfaces[i], finite_state.contact[i]);
+          for (auto &[node, value] : after) // on the same surface
+            if (const auto same = before.find(node); same != before.end())
+              value[0] = same->second[0];
           const double old_force = force_of(before), new_force = force_of(after);
           force_change  = std::max(force_change, std::abs(new_force - old_force));
           largest_force = std::max(largest_force, std::abs(old_force));
           square_change += distance_of_sorted(before, after);
           for (const auto &[node, value] : before)
             square += value[0] * value[1] * value[1];
-          if (old_force > 0 && new_force > 0)
+          if (old_force > 0 && new_force > 0) // how far that force moves
             shift = std::max(
                 shift,
-                (centre_of(after, *interfaces[i].slave) - centre_of(before, *interfaces[i].slave)).norm() /
-                    size);
+                old_force * (centre_of(after, *interfaces[i].slave) - centre_of(before, *interfaces[i].slave))
+                                .norm());
         }
       if (largest_force <= 0)
         return 0;
-      return std::max(force_change / largest_force,
-                      forces_alone ? 0. : std::max(shift, std::sqrt(square_change / square)));
+      return std::max(
+          force_change / largest_force,
+          forces_alone ? 0. : std::max(shift / (largest_force * size), std::sqrt(square_change / square)));
     }
 
     template <int dim>

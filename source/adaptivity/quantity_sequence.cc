@@ -53,7 +53,7 @@ namespace Amontons
     if (n < 2)
       return std::numeric_limits<double>::infinity();
     const double before = error_on(n - 2);
-    return std::max(error_on(n - 1), std::isfinite(before) ? before / 2 : 0.);
+    return std::max(error_on(n - 1), std::isfinite(before) ? before / 4 : 0.);
   }
 
   double

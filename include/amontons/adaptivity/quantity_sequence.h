@@ -17,7 +17,7 @@ namespace Amontons
     /// one before or more, the changes D fall by rho, so that D rho/(1 - rho) is left. rho is believed
     /// between 0.4 and 0.8, and a change that happens to be small counts as no smaller than 0.4 of the one
     /// before. Of two such meshes: their change. (A change is the largest from any mesh between.) At least
-    /// half of the error on the mesh before, which one mesh more does not take away. Infinite as long as
+    /// a quarter of the error on the mesh before: one mesh more does not take away more. Infinite as long as
     /// there are no two meshes.
     double
     error() const;

@@ -58,7 +58,8 @@ namespace Amontons
     {
     public:
       explicit CornerTimes(const Scene &scene)
-          : looks(scene.n_increments == 0), end_time(scene.end_time), places(places_of(scene))
+          : looks(scene.n_increments == 0 && scene.has_friction()), end_time(scene.end_time),
+            places(places_of(scene))
       {
       }
 
@@ -137,8 +138,8 @@ namespace Amontons
       }
 
     private:
-      const bool                  looks; // beyond tables: who says how many increments there are, says where
-      const double                end_time;
+      const bool   looks; // beyond tables: for friction; who says how many increments there are, says where
+      const double end_time;
       const std::vector<Point<3>> places;
       std::vector<double>         times, found; // of tables, and by looking
     };

@@ -10,8 +10,8 @@ namespace Amontons
   read_load_program(const SectionInput &top, Scene &scene);
 
   // Times in (0, end_time) at which an expression of a load, a motion, a boundary value or a friction bound
-  // has a corner: those of tables, and, where increments are automatic, where it turns, bends or jumps (see
-  // path_corners.h). Increasing.
+  // has a corner: those of tables, and, with friction and automatic increments, where it turns, bends or
+  // jumps (see path_corners.h). Increasing.
   std::vector<double>
   corner_times(const Scene &scene);
 } // namespace Amontons

@@ -88,8 +88,9 @@ namespace Amontons
     {
       const std::string force     = units.force_of(is_plane(kind));
       const std::string full_turn = kind == ProblemType::axisymmetric ? ", full turn" : "";
-      const bool        is_round  = kind == ProblemType::three_dimensional ||
-                            (kind == ProblemType::axisymmetric && pair.centre[0] == 0);
+      const bool        is_round =
+          kind == ProblemType::three_dimensional ||
+          (kind == ProblemType::axisymmetric && (pair.centre.empty() || pair.centre[0] == 0));
       lines.emplace_back("pair " + pair.name, "");
       if (!pair.touched)
         lines.emplace_back("  contact", "NONE in the whole run: " + without_contact(pair));

@@ -945,7 +945,8 @@ add_scene_test(NAME model_rigid_punch SCENE verification/stiff_punch.prm SET "Bo
                CHECK "notes.0 has 'punch', 75 % of the unknowns, is taken for rigid" "notes.-1 has mirror image at x = 0" "dofs <= 5000" "pairs.0.normal_force.1 ~ -1.3346 1e-2")
 add_scene_test(NAME model_elastic_punch SCENE verification/stiff_punch.prm SET "Body punch/Young modulus=1e4" CHECK "dofs >= 10000" "pairs.0.normal_force.1 ~ -1.3271 1e-2")
 add_scene_test(NAME model_full SCENE verification/stiff_punch.prm SET "Model=full" CHECK "dofs >= 10000" "pairs.0.normal_force.1 ~ -1.3354 1e-2")
-add_scene_test(NAME model_without_friction SCENE verification/equal_blocks.prm CHECK "notes.0 has friction, and with it the increments, is left out" "pairs.0.normal_force.1 ~ 2.25296 1e-4")
+# (The limit of uniform meshes is 2.25198.)
+add_scene_test(NAME model_without_friction SCENE verification/equal_blocks.prm CHECK "notes.0 has friction, and with it the increments, is left out" "pairs.0.normal_force.1 ~ 2.25198 2e-4")
 add_scene_test(NAME model_with_friction SCENE verification/equal_blocks.prm SET "Body upper/Young modulus=1100" CHECK "error_estimate.shear <= 0.011" "dofs >= 1000")
 # In the end nothing touches, which coarse meshes get right. What does not exist, or is 0, is no target.
 add_scene_test(NAME target_of_a_history_that_opens SCENE verification/opened_again.prm CHECK "dofs >= 1500" "error_estimate.contact >= 1e-3" "error_estimate.shear >= 1e-2" "error_estimate.shear <= 0.1")

@@ -84,7 +84,7 @@ namespace Amontons
 
     // The largest one of: the largest change of a pair's force, against the largest force; and unless these
     // alone count, the change of the pressures of all pairs in the mean square, wherever they are, and how
-    // far the centre of a pair's pressure moves along the slave, against the size of its body. (A contact
+    // far a pair's force moves along the slave, by its part of the largest force, against `size`. (A contact
     // that is much smaller than its body may be the same a little beside.)
     template <int dim>
     double

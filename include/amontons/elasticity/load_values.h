@@ -63,10 +63,9 @@ namespace Amontons
     LoadValues(const Discretization<dim> &discretization,
                const Quadrature<d>       &formula,
                const UpdateFlags          flags)
-        : communicator(discretization.geometry.communicator), formula(formula),
+        : discretization(discretization), formula(formula), flags(flags),
           polynomials(discretization.fe.degree + 3),
-          plain(discretization.mapping, discretization.fe, formula, flags),
-          fine(discretization.mapping, discretization.fe, polynomials.formula, flags)
+          plain(discretization.mapping, discretization.fe, formula, flags)
     {
     }
 
@@ -84,7 +83,7 @@ namespace Amontons
         for (unsigned int q = 0; q < plain.n_quadrature_points; ++q)
           total += value(load, t, plain.quadrature_point(q)).norm() * plain.JxW(q);
       });
-      total = Utilities::MPI::sum(total, communicator);
+      total = Utilities::MPI::sum(total, discretization.geometry.communicator);
     }
 
     /// On a cell, or on a face of it (its number), for integrals of the load at time t, with test functions
@@ -100,14 +99,17 @@ namespace Amontons
       plain.reinit(cell, face...);
       if (depends_on_place(load))
         {
-          fine.reinit(cell, face...);
+          if (!fine)
+            fine = std::make_unique<Values>(
+                discretization.mapping, discretization.fe, polynomials.formula, flags);
+          fine->reinit(cell, face...);
           const auto at   = [&](const std::vector<Point<d>> &points) { return values_at(load, t, points); };
           double     size = 0; // of the cell or face
           for (unsigned int q = 0; q < plain.n_quadrature_points; ++q)
             size += plain.JxW(q);
           const Quadrature<d> here = adapted_quadrature<d>(formula, at, 1e-6 * total / size);
           if (here.size() != formula.size())
-            return {fine, polynomials.nearest(here, at(here.get_points()))};
+            return {*fine, polynomials.nearest(here, at(here.get_points()))};
         }
       LoadOn<Values> result{plain, {}};
       for (unsigned int q = 0; q < plain.n_quadrature_points; ++q)
@@ -150,17 +152,19 @@ namespace Amontons
         {
           Point<dim> x;
           for (unsigned int q = 0; q < basis.size(); ++q)
-            x += basis[q] * Tensor<1, dim>(fine.quadrature_point(q));
+            x += basis[q] * Tensor<1, dim>(fine->quadrature_point(q));
           result.push_back(value(load, t, x));
         }
       return result;
     }
 
-    const MPI_Comm            communicator;
-    const Quadrature<d>       formula;
-    const GaussPolynomials<d> polynomials;
-    Values                    plain, fine;
-    double                    total = 0; // see measure()
+    const Discretization<dim> &discretization;
+    const Quadrature<d>        formula;
+    const UpdateFlags          flags;
+    const GaussPolynomials<d>  polynomials;
+    Values                     plain;
+    std::unique_ptr<Values>    fine;      // once a load depends on the place
+    double                     total = 0; // see measure()
   };
 
   template <int dim>

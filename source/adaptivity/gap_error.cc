@@ -6,24 +6,31 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/tensor_product_polynomials.h>
 
+#include <numeric>
+
 namespace Amontons
 {
   namespace
   {
-    // Gauss points, whose distances differ, so that no wave fits all of them.
+    // Gauss points, whose distances differ, so that no wave fits all of them; on surfaces of few faces the
+    // more.
     template <int dim>
     class GapSampler
     {
     public:
-      GapSampler()
-          : nodes(QGaussLobatto<1>(5)), line(dim == 2 ? 24 : 8), points(line),
+      explicit GapSampler(const unsigned int n_faces)
+          : nodes(QGaussLobatto<1>(5)),
+            line(dim == 2 ? std::clamp(4000 / n_faces, 24u, 400u)
+                          : std::clamp(static_cast<unsigned int>(std::sqrt(4e4 / n_faces)), 8u, 40u)),
+            points(line),
             polynomials(Polynomials::generate_complete_Lagrange_basis(QGaussLobatto<1>(5).get_points()))
       {
       }
 
       struct Unseen
       {
-        double slope_square = 0, lowest = 0; // integral over the face; value
+        double slope_square = 0; // integral over the face
+        double dip          = 0; // how far the gap lies below its mean on the face
       };
 
       Unseen
@@ -38,17 +45,19 @@ namespace Amontons
         std::vector<double> nodal;
         for (const auto &xi : nodes.get_points())
           nodal.push_back(gap(xi));
-        std::vector<double>     unseen;
+        std::vector<double>     all, unseen;
         std::vector<Point<dim>> X;
         for (const auto &xi : points.get_points())
           {
-            unseen.push_back(gap(xi));
+            all.push_back(gap(xi));
+            unseen.push_back(all.back());
             for (unsigned int k = 0; k < nodal.size(); ++k)
               unseen.back() -= nodal[k] * polynomials.compute_value(k, xi);
             X.push_back(slave.position(face, xi));
           }
         Unseen result;
-        result.lowest = *std::min_element(unseen.begin(), unseen.end());
+        result.dip = std::inner_product(all.begin(), all.end(), points.get_weights().begin(), 0.) -
+                     *std::min_element(all.begin(), all.end());
         for (unsigned int q = 0; q < X.size(); ++q)
           for (unsigned int d = 0, stride = 1; d < dim - 1; ++d, stride *= line.size())
             if (q / stride % line.size() + 1 < line.size())
@@ -86,14 +95,14 @@ namespace Amontons
     if (interface.pair->tied || !interface.pair->initial_gap ||
         !interface.pair->initial_gap->depends_on_place())
       return result;
-    const GapSampler<dim> sampler;
+    const GapSampler<dim> sampler(std::max<unsigned int>(1, slave.faces.size()));
     for (unsigned int f = 0; f < result.size(); ++f)
       {
-        const auto unseen   = sampler(interface, f, kind);
-        double     smallest = std::numeric_limits<double>::max(); // nan: nothing is opposite
+        const auto unseen = sampler(interface, f, kind);
+        double     mean   = 0;
         for (const unsigned int i : slave.faces[f].nodes)
-          smallest = std::min(smallest, std::isnan(fields.gap[i]) ? smallest : fields.gap[i]);
-        if (near[f] || smallest + unseen.lowest < 0)
+          mean += fields.gap[i] / slave.faces[f].nodes.size(); // nan: nothing is opposite
+        if (near[f] || mean < unseen.dip)
           result[f] = modulus * modulus / 4 * unseen.slope_square;
       }
     return result;

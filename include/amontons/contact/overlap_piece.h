@@ -65,6 +65,11 @@ namespace Amontons
   template <int dim, typename Number>
   class Clipper;
 
+  // Cosine of 66 degrees: faces whose normals are less opposed than that do not face each other. The flank of
+  // a punch comes into the sight of the faces beside it as these lean towards it, and the gap along a normal
+  // that grazes it changes with the lean as much as with the distance.
+  constexpr double least_opposed = 0.4;
+
   // overlap_faces in both dimensions.
   template <int dim>
   void
@@ -86,7 +91,7 @@ namespace Amontons
         if constexpr (dim == 3)
           if (clipper.misses(master.faces[m]))
             continue;
-        if (clipper.normal * master.face_normal(m, middle) > -0.1)
+        if (clipper.normal * master.face_normal(m, middle) > -least_opposed)
           continue;
         const auto opposite = [&](OverlapPoint<dim> &p) { // may miss by rounding at the ends of a sliver
           const auto eta = project_to_master(master, m, p.x_slave, p.normal);

@@ -52,6 +52,10 @@ namespace Amontons
     commit(const LoadProgram &program);
     void
     begin_next(const LoadProgram &program);
+    /// What the load program leaves on this mesh with increments of this length; nothing if it fails or they
+    /// are as many.
+    std::optional<LoadRecord>
+    repeat_with(const double length);
     void
     store_contact();
     void

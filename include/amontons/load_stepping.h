@@ -3,6 +3,7 @@
 
 #include <amontons/adaptivity/model_selection.h>
 #include <amontons/failed_increment.h>
+#include <amontons/adaptivity/increment_choice.h>
 #include <amontons/load_path.h>
 
 namespace Amontons
@@ -53,6 +54,7 @@ namespace Amontons
     using LoadPath<dim>::must_stop;
     using LoadPath<dim>::commit;
     using LoadPath<dim>::begin_next;
+    using LoadPath<dim>::repeat_with;
     using LoadPath<dim>::store_contact;
     using LoadPath<dim>::restore_contact;
 
@@ -108,11 +110,7 @@ namespace Amontons
     bool
     replay_refined();
     bool
-    chooses_increments() const;
-    bool
     choose_increments();
-    std::optional<LoadRecord>
-    repeat_with(const double length);
     bool
     may_transfer() const;
     bool
@@ -133,7 +131,7 @@ namespace Amontons
     RunReport<dim>               &report;
     NeglectedTermsOfHistory<dim> *neglected;
     const Refinement              refinement;
-    bool                          measured         = false; // the increments, once
-    double                        increment_length = 1;     // times what the scene says
+    IncrementChoice               increments;
+    bool                          measured = false; // their error, once
   };
 } // namespace Amontons

@@ -25,24 +25,35 @@ namespace Amontons
 
   template <int dim>
   bool
-  LoadStepping<dim>::run(const bool until_measured)
+  LoadStepping<dim>::run()
   {
     bool again;
     do
       {
         if (!run_load_program())
           return false;
-        again                = false;
-        const bool sees_slip = resolves_friction(model->interfaces, history.state);
+        again = false;
         if (refinement == Refinement::between_replays && !measured &&
-            (sees_slip || (increments.by_target() && !wants_refinement())))
+            (sees_slip() || (increments.by_target() && !wants_refinement())))
           {
             measure_increments();
             again = choose_increments();
           }
       }
-    while (again || (!(until_measured && measured) && replay_refined()));
+    while (again || replay_refined());
     return !control.stop.is_there();
+  }
+
+  template <int dim>
+  void
+  LoadStepping<dim>::run_to_measure_increments()
+  {
+    do
+      if (!run_load_program())
+        return;
+    while (!sees_slip() && replay_refined());
+    if (!control.stop.is_there())
+      measure_increments();
   }
 
   template <int dim>
@@ -430,6 +441,13 @@ namespace Amontons
     set_time(t);
     restore_contact();
     return true;
+  }
+
+  template <int dim>
+  bool
+  LoadStepping<dim>::sees_slip() const
+  {
+    return resolves_friction(model->interfaces, history.state);
   }
 
   // The load program, which has converged on this mesh, once more with half as many increments; where they

@@ -28,10 +28,13 @@ namespace Amontons
                  NeglectedTermsOfHistory<dim> *neglected);
 
     /// False: not to the end. Why not is in the report, or in the request to stop; the state is the last one
-    /// that converged, where there is one. until_measured: no more than it takes to know the error of the
-    /// increments.
+    /// that converged, where there is one.
     bool
-    run(const bool until_measured = false);
+    run();
+
+    /// Friction: no more of that than it takes to know the error of the increments.
+    void
+    run_to_measure_increments();
 
     /// Friction, after run(): what the increments do to the answer, for the report.
     void
@@ -117,6 +120,8 @@ namespace Amontons
     refine();
     bool
     rebalance(const LoadProgram &program);
+    bool
+    sees_slip() const;
     void
     remember_path();
 

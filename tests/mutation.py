@@ -111,7 +111,7 @@ CHANGES = [
     ("origin of sticking nodes", "../include/amontons/solver/fixed_contact.h", "result[k] = all[k].jump(start.committed);", "result[k] = all[k].jump(start.displacement);", FRICTION),
     ("stored states", "solver/node_states.cc", "contact.state          = states[k];", "contact.state          = answers[k].state;", FRICTION),
     ("states of nodes that had a row", "solver/node_states.cc", "auto &contact = result[nodes[k].interface][nodes[k].node];", "auto &contact = result[nodes[k].interface][nodes[k].row];", "^solver/node_states$"),
-    ("shift along the surface that slip does not see", "solver/moving_contact.cc", "weights[c][dofs[c]] -= gamma * jump;", ";", "^solver/slip$"),
+    ("shift along the surface that slip does not see", "solver/increment_slip.cc", "weights[c][dofs[c]] -= gamma * jump;", ";", "^solver/slip$"),
     ("motion that is lost goes on", "solver/pseudo_transient.cc", "!newton.put(start) || !steps->reject()", "!newton.put(start)", "scenes/(wall_buckling|snap_away).*"),
     # ---- adaptivity
     ("hoop strain that is left out", "elasticity/elasticity_operator.cc", "out = 0.5 * hoop * hoop;", "out = hoop * hoop;", "^elasticity/elasticity$"),

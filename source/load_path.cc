@@ -153,7 +153,7 @@ namespace Amontons
   LoadPath<dim>::commit(const LoadProgram &program)
   {
     check_bounds();
-    if (is_incremental())
+    if (program.is_incremental())
       history.work.add(answer());
     ++history.record.n_increments;
     history.record.largest_work = history.work.largest_work;

@@ -6,6 +6,17 @@
 
 namespace Amontons
 {
+  namespace
+  {
+    bool
+    surfaces_cross(const std::optional<Failure> &failure)
+    {
+      using Kind = Failure::Kind;
+      return failure && (failure->kind == Kind::passed_through || failure->kind == Kind::entered ||
+                         failure->kind == Kind::beyond_symmetry);
+    }
+  } // namespace
+
   template <int dim>
   LoadStepping<dim>::LoadStepping(const Parameters             &parameters,
                                   std::unique_ptr<Model<dim>>   start,
@@ -172,7 +183,8 @@ namespace Amontons
   void
   LoadStepping<dim>::commit_increment(LoadProgram &program)
   {
-    note_snap(program.next() - program.time());
+    if (history.snapped(program.next() - program.time(), model->discretization().make_owned_vector()))
+      report.add_snap(history.snaps);
     program.accept(history.last_report.moved ? 0 : history.last_report.iterations_per_solve());
     history.follow_motion = false;
     evaluation.keep();
@@ -201,45 +213,21 @@ namespace Amontons
     history.path.push_back({state.t, state.displacement, state.traction, state.peaks});
   }
 
-  template <int dim>
-  void
-  LoadStepping<dim>::note_snap(const double duration)
-  {
-    LA::Vector moved = model->discretization().make_owned_vector(), before = moved;
-    moved = history.state.displacement;
-    if (history.state.committed.size() == history.state.displacement.size())
-      before = history.state.committed;
-    moved -= before;
-    const double distance = moved.linfty_norm(), expected = history.last_speed * duration;
-    if (!history.last_report.moved)
-      {
-        history.last_speed = distance / duration;
-        return;
-      }
-    history.snaps.push_back(
-        {history.state.t, distance, distance > 3 * expected, history.last_report.unstable});
-    report.add_snap(history.snaps);
-  }
-
-  // An increment that fails is cut; where that does not help, the bodies may snap: damped motion is tried.
+  // An increment that fails is cut; where that does not help, damped motion is tried.
   template <int dim>
   bool
   LoadStepping<dim>::try_again(LoadProgram &program, Failures &failures)
   {
-    const unsigned int patience = has_history() ? 5 : 3; // friction: mostly states that are hard to find
-    const auto        &failure  = history.last_report.failure;
-    const bool         crosses  = failure && (failure->kind == Failure::Kind::passed_through ||
-                                     failure->kind == Failure::Kind::entered ||
-                                     failure->kind == Failure::Kind::beyond_symmetry);
-    const bool lacks_memory     = failure && failure->kind == Failure::Kind::no_memory; // shorter ones, too
-    if (model->finite_strain() && !history.follow_motion && !crosses && !lacks_memory &&
-        (++failures.in_a_row == patience || program.is_smallest()))
+    if (const auto &failure = history.last_report.failure;
+        failure && failure->kind == Failure::Kind::no_memory) // shorter ones lack it, too
+      return false;
+    if (may_snap(program, failures))
       {
         history.follow_motion = true;
         roll_back();
         return true;
       }
-    if (history.n_cut_backs >= history.most_cut_backs || lacks_memory)
+    if (history.n_cut_backs >= history.most_cut_backs)
       return false;
     FailedIncrement<dim> failed(*model, history.last_report);
     const bool           from_rest = history.last_converged.displacement.size() == 0;
@@ -249,6 +237,18 @@ namespace Amontons
     history.follow_motion = false;
     roll_back();
     return true;
+  }
+
+  // Bodies that deform may, where several increments in a row find no equilibrium: with friction mostly
+  // states that are hard to find. Surfaces that cross tell of increments that are too long.
+  template <int dim>
+  bool
+  LoadStepping<dim>::may_snap(const LoadProgram &program, Failures &failures) const
+  {
+    const unsigned int patience = has_history() ? 5 : 3;
+    if (!model->finite_strain() || history.follow_motion || surfaces_cross(history.last_report.failure))
+      return false;
+    return ++failures.in_a_row == patience || program.is_smallest();
   }
 
   template <int dim>

@@ -87,8 +87,6 @@ namespace Amontons
     }
     void
     commit_increment(LoadProgram &program);
-    void
-    note_snap(const double duration);
 
     struct Failures
     {
@@ -97,6 +95,8 @@ namespace Amontons
     };
     bool
     try_again(LoadProgram &program, Failures &failures);
+    bool
+    may_snap(const LoadProgram &program, Failures &failures) const;
     void
     roll_back();
     void

@@ -1,6 +1,7 @@
 #include <amontons/base/points.h>
 #include <amontons/adaptivity/edge_error.h>
 #include <amontons/adaptivity/error_estimator.h>
+#include <amontons/adaptivity/gap_error.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/elasticity/linear_elastic.h>
 
@@ -102,6 +103,7 @@ namespace Amontons
         const unsigned int  n    = slave.faces.size();
         const auto          near = faces_near_contact(interface, fields);
         const auto          edge = edge_errors(interface, fields, kind, on_face);
+        const auto          gap  = gap_errors(interface, fields, combined_modulus(interface), kind, near);
         std::vector<double> face_squares(3 * n, 0.);
         for (unsigned int f = 0; f < slave.faces.size(); ++f)
           if (slave.faces[f].rank == my_rank() &&
@@ -109,7 +111,7 @@ namespace Amontons
                           slave.faces[f].nodes.end(),
                           [&](const unsigned int i) { return has_row[i]; }))
             std::tie(face_squares[f], face_squares[n + f], face_squares[2 * n + f]) =
-                add_slave_face(interface, fields, f, near[f], edge[f]);
+                add_slave_face(interface, fields, f, near[f], edge[f], gap[f]);
         Utilities::MPI::sum(make_array_view(std::as_const(face_squares)),
                             discretization.geometry.communicator,
                             make_array_view(face_squares));
@@ -139,26 +141,31 @@ namespace Amontons
         return near;
       }
 
+      // E* of both bodies.
+      double
+      combined_modulus(const ContactInterface<dim> &interface) const
+      {
+        const auto &bodies     = discretization.scene.bodies;
+        double      compliance = 1 / contact_modulus(bodies[interface.slave->body].material);
+        if (interface.master_surface && !bodies[interface.master_surface->body].rigid)
+          compliance += 1 / contact_modulus(bodies[interface.master_surface->body].material);
+        return 1 / compliance;
+      }
+
       // doc/introduction.md, (32). All ranks know all nodes.
       void
       add_facets(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
       {
-        FacetError        &error  = facets_of.emplace_back();
-        const auto        &bodies = discretization.scene.bodies;
+        FacetError        &error = facets_of.emplace_back();
         const NearestFacet of_slave(interface.slave->facets);
         const NearestFacet of_master(interface.master_surface ? interface.master_surface->facets
                                                               : std::vector<Facet<dim>>());
         if ((of_slave.empty() && of_master.empty()) || interface.pair->tied)
           return;
-        double compliance = 1 / contact_modulus(bodies[interface.slave->body].material);
         std::map<types::global_dof_index, Point<dim>> X_master;
         if (interface.master_surface)
-          {
-            if (!bodies[interface.master_surface->body].rigid)
-              compliance += 1 / contact_modulus(bodies[interface.master_surface->body].material);
-            for (const auto &node : interface.master_surface->nodes)
-              X_master[node.dofs[0]] = node.X;
-          }
+          for (const auto &node : interface.master_surface->nodes)
+            X_master[node.dofs[0]] = node.X;
         double square = 0, pressure = 0, area = 0;
         for (const auto &row : interface.coupling.rows)
           {
@@ -171,18 +178,21 @@ namespace Amontons
             for (const auto &[dofs, weight] : row.master)
               if (interface.master_surface)
                 opposite += weight * X_master.at(dofs[0]);
-            const Facet<dim> *const        slave  = of_slave.at(interface.slave->nodes[row.node].X),
-                                    *const master = of_master.at(opposite);
+            const auto open = [&](const Facet<dim> *facet) { // not closed by `Adjust`
+              return facet != nullptr && gap_of(*facet) > interface.pair->adjust ? facet : nullptr;
+            };
+            const Facet<dim> *const        slave  = open(of_slave.at(interface.slave->nodes[row.node].X)),
+                                    *const master = open(of_master.at(opposite));
             square += row.area * kinks_squared(slave, master);
             for (const auto *facet : {slave, master})
               if (facet != nullptr && std::abs(facet->angle) > error.angle)
                 {
                   error.angle = std::abs(facet->angle);
                   error.size  = facet->size;
+                  error.gap   = gap_of(*facet);
                 }
           }
-        const double modulus = 1 / compliance;
-        error.gap            = error.size * error.angle / 8;
+        const double modulus = combined_modulus(interface);
         error.pressure       = modulus * modulus / 48 * square; // squared, not yet relative
         // a^2 / (2 R) of a Hertz contact: p0 = E* a / (2 R), and the mean square of p is 2/3 p0^2
         if (area > 0)
@@ -263,6 +273,13 @@ namespace Amontons
             tree;
       };
 
+      // How far it lies off the curve.
+      static double
+      gap_of(const Facet<dim> &facet)
+      {
+        return facet.size * std::abs(facet.angle) / 8;
+      }
+
       // Those of both sides; polygons that fit into each other leave no gap.
       static double
       kinks_squared(const Facet<dim> *slave, const Facet<dim> *master)
@@ -329,7 +346,8 @@ namespace Amontons
                      const SurfaceFields<dim>    &fields,
                      const unsigned int           face,
                      const bool                   near_contact,
-                     const double                 edge_square)
+                     const double                 edge_square,
+                     const double                 gap_square)
       {
         const ContactSurface<dim> &slave = *interface.slave;
         const auto &[cell, f]            = slave.owned[slave.faces[face].owned_index];
@@ -374,7 +392,7 @@ namespace Amontons
             pressure_square += weight * p * p;
           }
         square *= slave.faces[face].size / discretization.scene.bodies[cell->material_id()].material.young;
-        pressure_part = std::max(pressure_part, edge_square);
+        pressure_part = std::max(pressure_part, edge_square) + gap_square;
         shear_error += shear_part;
         squares[cell->active_cell_index()] += square;
         contact_squares[cell->active_cell_index()] += pressure_part;

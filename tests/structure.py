@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-BOUNDS = {"largest file": 480, "functions over 80 code lines": 1, "functions over 40 code lines": 38, "data members of the largest class": 22}
+BOUNDS = {"largest file": 500, "functions over 80 code lines": 1, "functions over 40 code lines": 38, "data members of the largest class": 22}
 MODES = re.compile(r"\b(finite_strain|has_history|is_incremental|follow_motion|automatic|until_measured|measured)\b")
 
 # Each calls the next one.

@@ -276,7 +276,7 @@ def loops():
         f.text(x + w - 12, y + 21, name, BLUE, "end", 12)
         f.text(x + 12, y + 42, note, GREY, "start", 12)
     steps = [("linearise", "K, surfaces, states to constraints C, C̃"), ("solve", "C̃ᵀ K C δu = C̃ᵀ (f − K u)"), ("advance", "u + δu, halved if a cell turns inside out"),
-             ("recover_contact", "p, q from the rows that the test functions left"), ("update_states", "open, slip or stick, from p − c g and q + c v")]
+             ("recover_contact", "p, q from the rows that the test functions left"), ("StatusUpdate", "open, slip or stick, from p − c g and q + c v")]
     for k, (name, what) in enumerate(steps):
         y = 226 + 30 * k
         f.text(112, y, f"{k + 1}", GREY, "start", 13)

@@ -312,8 +312,7 @@ namespace Amontons
   ContactProblem<dim>::run_to_measure_increments(const bool finite_strain)
   {
     start_on_first_mesh(finite_strain);
-    if (steps->run(true) && !steps->has_measured_increments())
-      steps->measure_increments();
+    steps->run_to_measure_increments();
     return report.error_of_increments();
   }
 

@@ -18,6 +18,23 @@ namespace Amontons
   }
 
   template <int dim>
+  bool
+  LoadHistory<dim>::snapped(const double duration, LA::Vector owned)
+  {
+    LA::Vector moved(owned);
+    moved = state.displacement;
+    if (state.committed.size() == state.displacement.size())
+      owned = state.committed;
+    moved -= owned;
+    const double distance = moved.linfty_norm(), expected = last_speed * duration;
+    if (last_report.moved)
+      snaps.push_back({state.t, distance, distance > 3 * expected, last_report.unstable});
+    else
+      last_speed = distance / duration;
+    return last_report.moved;
+  }
+
+  template <int dim>
   void
   LoadHistory<dim>::restart()
   {

@@ -153,7 +153,7 @@ namespace Amontons
   LoadPath<dim>::commit(const LoadProgram &program)
   {
     check_bounds();
-    if (is_incremental())
+    if (program.is_incremental())
       history.work.add(answer());
     ++history.record.n_increments;
     history.record.largest_work = history.work.largest_work;
@@ -175,6 +175,21 @@ namespace Amontons
       for (auto &node : history.state.contact[i])
         if (model->interfaces[i].pair->has_friction() && node.state == ContactStatus::slip)
           node.state = ContactStatus::stick;
+  }
+
+  template <int dim>
+  std::optional<LoadRecord>
+  LoadPath<dim>::repeat_with(const double length)
+  {
+    TimerOutput::Scope scope(timer, "error of the increments");
+    auto               program = load_program(length);
+    LoadPath<dim>      repeat(parameters, model->at_rest(program.next()), timer, control);
+    repeat.history.path.swap(history.path); // first guesses for both
+    const bool success = repeat.run(program);
+    repeat.history.path.swap(history.path);
+    if (!success || repeat.history.record.n_increments == history.record.n_increments)
+      return {};
+    return repeat.history.record;
   }
 
   // As a field, which outlives the mesh; and the states that it tells on the present one.

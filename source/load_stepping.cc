@@ -6,6 +6,17 @@
 
 namespace Amontons
 {
+  namespace
+  {
+    bool
+    surfaces_cross(const std::optional<Failure> &failure)
+    {
+      using Kind = Failure::Kind;
+      return failure && (failure->kind == Kind::passed_through || failure->kind == Kind::entered ||
+                         failure->kind == Kind::beyond_symmetry);
+    }
+  } // namespace
+
   template <int dim>
   LoadStepping<dim>::LoadStepping(const Parameters             &parameters,
                                   std::unique_ptr<Model<dim>>   start,
@@ -15,39 +26,52 @@ namespace Amontons
         neglected(neglected),
         refinement(!has_history()                              ? Refinement::in_last_increment
                    : parameters.refinement.history == "replay" ? Refinement::between_replays
-                                                               : Refinement::on_the_way)
+                                                               : Refinement::on_the_way),
+        increments(parameters.refinement,
+                   // of scenes that do not say how many, and where their error is known before the last mesh
+                   scene.n_increments == 0 && parameters.refinement.target_error > 0 &&
+                       refinement == Refinement::between_replays)
   {
-    if (chooses_increments())
-      increment_length = LoadProgram::increments_by_default / LoadProgram::increments_at_first;
   }
 
   template <int dim>
   bool
-  LoadStepping<dim>::run(const bool until_measured)
+  LoadStepping<dim>::run()
   {
     bool again;
     do
       {
         if (!run_load_program())
           return false;
-        again                = false;
-        const bool sees_slip = resolves_friction(model->interfaces, history.state);
+        again = false;
         if (refinement == Refinement::between_replays && !measured &&
-            (sees_slip || (chooses_increments() && !wants_refinement())))
+            (sees_slip() || (increments.by_target() && !wants_refinement())))
           {
             measure_increments();
             again = choose_increments();
           }
       }
-    while (again || (!(until_measured && measured) && replay_refined()));
+    while (again || replay_refined());
     return !control.stop.is_there();
+  }
+
+  template <int dim>
+  void
+  LoadStepping<dim>::run_to_measure_increments()
+  {
+    do
+      if (!run_load_program())
+        return;
+    while (!sees_slip() && replay_refined());
+    if (!control.stop.is_there())
+      measure_increments();
   }
 
   template <int dim>
   bool
   LoadStepping<dim>::run_load_program()
   {
-    auto       program = load_program(increment_length);
+    auto       program = load_program(increments.length());
     Failures   failures;
     const auto n_known = history.path.size(); // on the mesh before
     history.restart();
@@ -159,7 +183,8 @@ namespace Amontons
   void
   LoadStepping<dim>::commit_increment(LoadProgram &program)
   {
-    note_snap(program.next() - program.time());
+    if (history.snapped(program.next() - program.time(), model->discretization().make_owned_vector()))
+      report.add_snap(history.snaps);
     program.accept(history.last_report.moved ? 0 : history.last_report.iterations_per_solve());
     history.follow_motion = false;
     evaluation.keep();
@@ -188,45 +213,21 @@ namespace Amontons
     history.path.push_back({state.t, state.displacement, state.traction, state.peaks});
   }
 
-  template <int dim>
-  void
-  LoadStepping<dim>::note_snap(const double duration)
-  {
-    LA::Vector moved = model->discretization().make_owned_vector(), before = moved;
-    moved = history.state.displacement;
-    if (history.state.committed.size() == history.state.displacement.size())
-      before = history.state.committed;
-    moved -= before;
-    const double distance = moved.linfty_norm(), expected = history.last_speed * duration;
-    if (!history.last_report.moved)
-      {
-        history.last_speed = distance / duration;
-        return;
-      }
-    history.snaps.push_back(
-        {history.state.t, distance, distance > 3 * expected, history.last_report.unstable});
-    report.add_snap(history.snaps);
-  }
-
-  // An increment that fails is cut; where that does not help, the bodies may snap: damped motion is tried.
+  // An increment that fails is cut; where that does not help, damped motion is tried.
   template <int dim>
   bool
   LoadStepping<dim>::try_again(LoadProgram &program, Failures &failures)
   {
-    const unsigned int patience = has_history() ? 5 : 3; // friction: mostly states that are hard to find
-    const auto        &failure  = history.last_report.failure;
-    const bool         crosses  = failure && (failure->kind == Failure::Kind::passed_through ||
-                                     failure->kind == Failure::Kind::entered ||
-                                     failure->kind == Failure::Kind::beyond_symmetry);
-    const bool lacks_memory     = failure && failure->kind == Failure::Kind::no_memory; // shorter ones, too
-    if (model->finite_strain() && !history.follow_motion && !crosses && !lacks_memory &&
-        (++failures.in_a_row == patience || program.is_smallest()))
+    if (const auto &failure = history.last_report.failure;
+        failure && failure->kind == Failure::Kind::no_memory) // shorter ones lack it, too
+      return false;
+    if (may_snap(program, failures))
       {
         history.follow_motion = true;
         roll_back();
         return true;
       }
-    if (history.n_cut_backs >= history.most_cut_backs || lacks_memory)
+    if (history.n_cut_backs >= history.most_cut_backs)
       return false;
     FailedIncrement<dim> failed(*model, history.last_report);
     const bool           from_rest = history.last_converged.displacement.size() == 0;
@@ -236,6 +237,18 @@ namespace Amontons
     history.follow_motion = false;
     roll_back();
     return true;
+  }
+
+  // Bodies that deform may, where several increments in a row find no equilibrium: with friction mostly
+  // states that are hard to find. Surfaces that cross tell of increments that are too long.
+  template <int dim>
+  bool
+  LoadStepping<dim>::may_snap(const LoadProgram &program, Failures &failures) const
+  {
+    const unsigned int patience = has_history() ? 5 : 3;
+    if (!model->finite_strain() || history.follow_motion || surfaces_cross(history.last_report.failure))
+      return false;
+    return ++failures.in_a_row == patience || program.is_smallest();
   }
 
   template <int dim>
@@ -334,58 +347,25 @@ namespace Amontons
     return true;
   }
 
-  // Of scenes that do not say how many, and where their error is known before the last mesh.
-  template <int dim>
-  bool
-  LoadStepping<dim>::chooses_increments() const
-  {
-    return scene.n_increments == 0 && parameters.refinement.target_error > 0 &&
-           refinement == Refinement::between_replays;
-  }
-
-  // After their error, which is as large as they are long, has been measured: as many as make it half of the
-  // target, but not more than by default, and fewer than at first only if that is so where they are tried.
-  // One alone, which has no shorter ones to compare with, takes ten times less. True: these are more, and
-  // there is no finer mesh to take them on.
+  // Others for the target, after their error has been measured. True: they are more, and there is no finer
+  // mesh to take them on.
   template <int dim>
   bool
   LoadStepping<dim>::choose_increments()
   {
-    if (!chooses_increments() || !report.error_of_increments())
+    if (!increments.by_target() || !report.error_of_increments())
       return false;
-    constexpr double at_first   = LoadProgram::increments_at_first,
-                     by_default = LoadProgram::increments_by_default, another_way = 0.1; // of the work
-    const auto counted = [&](const IncrementErrors &errors) {
-      return follows_work() ? errors.dissipation : errors.largest();
-    };
-    const auto   errors  = *report.error_of_increments();
-    const double error   = counted(errors) * at_first; // of a single one
-    const double allowed = parameters.refinement.target_error / 2;
-    double       n       = std::min(std::ceil(error / allowed), by_default);
-    if (n <= 1)
-      n = 10 * error <= allowed ? 1 : 2;
-    if (n <= at_first && !wants_refinement())
+    const bool mesh_is_last = !wants_refinement();
+    const auto errors       = increments.choose(*report.error_of_increments(),
+                                          history.record,
+                                          mesh_is_last,
+                                          [&](const double length) { return repeat_with(length); });
+    if (!errors)
       return false;
-    IncrementErrors of_these = errors.scaled(at_first / n);
-    if (n < at_first)
-      {
-        const auto tried = repeat_with(by_default / n);
-        if (const auto found =
-                tried ? error_of_increments(history.record, *tried).scaled(at_first / n) : errors;
-            !tried || counted(found) > allowed || found.dissipation > another_way)
-          {
-            n        = at_first;
-            of_these = errors;
-          }
-        else if (counted(found) > counted(of_these))
-          of_these = found;
-      }
-    increment_length = by_default / n;
-    report.set_error_of_increments(of_these);
-    if (wants_refinement())
-      return false;
-    report.replay();
-    return true;
+    report.set_error_of_increments(*errors);
+    if (mesh_is_last)
+      report.replay();
+    return mesh_is_last;
   }
 
   // The last converged state goes along to the refined mesh: the next increment starts from it there.
@@ -463,36 +443,27 @@ namespace Amontons
     return true;
   }
 
+  template <int dim>
+  bool
+  LoadStepping<dim>::sees_slip() const
+  {
+    return resolves_friction(model->interfaces, history.state);
+  }
+
   // The load program, which has converged on this mesh, once more with half as many increments; where they
   // are few, with twice as many.
   template <int dim>
   void
   LoadStepping<dim>::measure_increments()
   {
-    auto plan = load_program(increment_length);
+    auto plan = load_program(increments.length());
     while (!plan.finished())
       plan.accept(1);
     const bool few = plan.number() - 1 < 4 * plan.n_breakpoints();
 
-    if (const auto record = repeat_with(increment_length * (few ? 0.5 : 2)))
+    if (const auto record = repeat_with(increments.length() * (few ? 0.5 : 2)))
       report.set_error_of_increments(error_of_increments(history.record, *record));
     measured = true;
-  }
-
-  // The load program on this mesh with increments of this length; nothing if it fails or they are as many.
-  template <int dim>
-  std::optional<LoadRecord>
-  LoadStepping<dim>::repeat_with(const double length)
-  {
-    TimerOutput::Scope scope(timer, "error of the increments");
-    auto               program = load_program(length);
-    LoadPath<dim>      repeat(parameters, model->at_rest(program.next()), timer, control);
-    repeat.history.path.swap(history.path); // first guesses for both
-    const bool success = repeat.run(program);
-    repeat.history.path.swap(history.path);
-    if (!success || repeat.history.record.n_increments == history.record.n_increments)
-      return {};
-    return repeat.history.record;
   }
 
   template class LoadStepping<2>;

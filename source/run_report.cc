@@ -175,8 +175,7 @@ namespace Amontons
           answer.discretization, *solve.evaluation.recovery, answer.state.displacement, summary.notes);
     if (reference && !answer.interfaces.empty() && solve.program.is_last())
       mesh.reference = reference->compare(answer);
-    // Where the load is applied in increments; known when this one is committed.
-    if (scene.has_friction() || answer.elasticity.finite_strain())
+    if (solve.program.is_incremental()) // known when this one is committed
       mesh.external_work = mesh.contact_work = mesh.dissipation = unknown;
     summary.meshes.push_back(mesh);
     summary.cost.one_linear_solve_seconds = solve.newton.one_linear_solve_seconds;

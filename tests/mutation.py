@@ -111,7 +111,7 @@ CHANGES = [
     ("origin of sticking nodes", "../include/amontons/solver/fixed_contact.h", "result[k] = all[k].jump(start.committed);", "result[k] = all[k].jump(start.displacement);", FRICTION),
     ("stored states", "solver/node_states.cc", "contact.state          = states[k];", "contact.state          = answers[k].state;", FRICTION),
     ("states of nodes that had a row", "solver/node_states.cc", "auto &contact = result[nodes[k].interface][nodes[k].node];", "auto &contact = result[nodes[k].interface][nodes[k].row];", "^solver/node_states$"),
-    ("shift along the surface that slip does not see", "solver/moving_contact.cc", "weights[c][dofs[c]] -= gamma * jump;", ";", "^solver/slip$"),
+    ("shift along the surface that slip does not see", "solver/increment_slip.cc", "weights[c][dofs[c]] -= gamma * jump;", ";", "^solver/slip$"),
     ("motion that is lost goes on", "solver/pseudo_transient.cc", "!newton.put(start) || !steps->reject()", "!newton.put(start)", "scenes/(wall_buckling|snap_away).*"),
     # ---- adaptivity
     ("hoop strain that is left out", "elasticity/elasticity_operator.cc", "out = 0.5 * hoop * hoop;", "out = hoop * hoop;", "^elasticity/elasticity$"),
@@ -122,10 +122,10 @@ CHANGES = [
     ("levels for a target", "adaptivity/mesh_refinement.cc", "left > share; left /= per_level", "left > share && false; left /= per_level", "^adaptivity/error_estimator$"),
     ("stress for a target", "adaptivity/error_estimator.cc", "std::min(1., 2 * target)", "1", "^adaptivity/error_estimator$"),
     ("factors that grow", "adaptivity/mesh_difference.cc", "of_coarser * std::max(1., of_coarser / factors.of_coarser)", "of_coarser", "^adaptivity/mesh_difference$"),
-    ("increments on the same mesh", "load_stepping.cc", "if (n <= increments_at_first && !wants_refinement())", "if (!wants_refinement())", "scenes/target_of_more_increments$"),
-    ("increments for a target", "load_stepping.cc", "std::min(std::ceil(error / allowed), LoadProgram::increments_by_default)", "LoadProgram::increments_by_default", "scenes/target_of_increments$"),
+    ("increments on the same mesh", "adaptivity/increment_choice.cc", "if (n <= at_first && mesh_is_last)", "if (mesh_is_last)", "^adaptivity/increment_choice$"),
+    ("increments for a target", "adaptivity/increment_choice.cc", "std::min(std::ceil(error / allowed()), most)", "most", "^adaptivity/increment_choice$"),
     ("worst of the increments", "evaluation.cc", "keep_largest(before.contact_indicators, error.contact_indicators);", ";", "scenes/unloaded_two_cylinders$"),
-    ("target error", "load_stepping.cc", "(mendable <= target ||", "(mendable >= target ||", "scenes/.*target.*"),
+    ("target error", "load_stepping.cc", "(mendable <= believed ||", "(mendable >= believed ||", "scenes/.*target.*"),
     # ---- output
     ("moments in space", "../include/amontons/output/nodal_forces.h", "m[(c + 2) % 3] -= X[(c + 1) % 3] * force;", "m[(c + 2) % 3] += X[(c + 1) % 3] * force;", "scenes/patch_friction_3d_q1_first_slips"),
     ("reactions of one rank", "output/quantities.cc", "            Utilities::MPI::sum(sums, discretization.geometry.communicator, sums);\n            ReactionSummary", "            ReactionSummary", "scenes/tied_patch$|" + RANKS),

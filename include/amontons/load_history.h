@@ -46,6 +46,11 @@ namespace Amontons
     std::vector<LA::Vector *>
     fields();
 
+    /// After an increment that converged, before it is committed: whether its bodies moved on from where they
+    /// had no equilibrium, which the snaps say from now on. owned: to work in. Collective.
+    bool
+    snapped(const double duration, LA::Vector owned);
+
     /// The load program starts; the state is where it starts from.
     void
     restart();

@@ -29,7 +29,7 @@ namespace Amontons
     LoadProgram
     load_program(const double length) const
     {
-      return LoadProgram(scene, is_incremental(), length);
+      return LoadProgram(scene, has_history() || model->finite_strain(), length);
     }
 
     Answer<dim>
@@ -52,21 +52,20 @@ namespace Amontons
     commit(const LoadProgram &program);
     void
     begin_next(const LoadProgram &program);
+    /// What the load program leaves on this mesh with increments of this length; nothing if it fails or they
+    /// are as many.
+    std::optional<LoadRecord>
+    repeat_with(const double length);
     void
     store_contact();
     void
     restore_contact();
 
-    // The answer depends on the path of the load; the load is applied in increments.
+    // The answer depends on the path of the load.
     bool
     has_history() const
     {
       return scene.has_friction();
-    }
-    bool
-    is_incremental() const
-    {
-      return has_history() || model->finite_strain();
     }
 
     const Scene      &scene;

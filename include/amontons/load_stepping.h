@@ -3,6 +3,7 @@
 
 #include <amontons/adaptivity/model_selection.h>
 #include <amontons/failed_increment.h>
+#include <amontons/adaptivity/increment_choice.h>
 #include <amontons/load_path.h>
 
 namespace Amontons
@@ -27,10 +28,13 @@ namespace Amontons
                  NeglectedTermsOfHistory<dim> *neglected);
 
     /// False: not to the end. Why not is in the report, or in the request to stop; the state is the last one
-    /// that converged, where there is one. until_measured: no more than it takes to know the error of the
-    /// increments.
+    /// that converged, where there is one.
     bool
-    run(const bool until_measured = false);
+    run();
+
+    /// Friction: no more of that than it takes to know the error of the increments.
+    void
+    run_to_measure_increments();
 
     /// Friction, after run(): what the increments do to the answer, for the report.
     void
@@ -53,6 +57,7 @@ namespace Amontons
     using LoadPath<dim>::must_stop;
     using LoadPath<dim>::commit;
     using LoadPath<dim>::begin_next;
+    using LoadPath<dim>::repeat_with;
     using LoadPath<dim>::store_contact;
     using LoadPath<dim>::restore_contact;
 
@@ -82,8 +87,6 @@ namespace Amontons
     }
     void
     commit_increment(LoadProgram &program);
-    void
-    note_snap(const double duration);
 
     struct Failures
     {
@@ -92,6 +95,8 @@ namespace Amontons
     };
     bool
     try_again(LoadProgram &program, Failures &failures);
+    bool
+    may_snap(const LoadProgram &program, Failures &failures) const;
     void
     roll_back();
     void
@@ -108,17 +113,15 @@ namespace Amontons
     bool
     replay_refined();
     bool
-    chooses_increments() const;
-    bool
     choose_increments();
-    std::optional<LoadRecord>
-    repeat_with(const double length);
     bool
     may_transfer() const;
     bool
     refine();
     bool
     rebalance(const LoadProgram &program);
+    bool
+    sees_slip() const;
     void
     remember_path();
 
@@ -133,7 +136,7 @@ namespace Amontons
     RunReport<dim>               &report;
     NeglectedTermsOfHistory<dim> *neglected;
     const Refinement              refinement;
-    bool                          measured         = false; // the increments, once
-    double                        increment_length = 1;     // times what the scene says
+    IncrementChoice               increments;
+    bool                          measured = false; // their error, once
   };
 } // namespace Amontons

@@ -1,5 +1,7 @@
 #include <amontons/friction/linear_complementarity.h>
 
+#include <deal.II/base/table.h>
+
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -17,7 +19,7 @@ namespace Amontons
     {
     public:
       Tableau(const dealii::FullMatrix<double> &M, const dealii::Vector<double> &q)
-          : n(q.size()), entries(n * (2 * n + 2)), basis(n)
+          : n(q.size()), entry(n, 2 * n + 2), basis(n)
       {
         for (unsigned int i = 0; i < n; ++i)
           {
@@ -87,16 +89,6 @@ namespace Amontons
       {
         return 2 * n + 1;
       }
-      Number &
-      entry(const unsigned int i, const unsigned int j)
-      {
-        return entries[i * (2 * n + 2) + j];
-      }
-      const Number &
-      entry(const unsigned int i, const unsigned int j) const
-      {
-        return entries[i * (2 * n + 2) + j];
-      }
 
       bool
       is_before(const unsigned int i, const unsigned int k, const unsigned int column) const
@@ -119,7 +111,7 @@ namespace Amontons
       }
 
       const unsigned int        n;
-      std::vector<Number>       entries;
+      dealii::Table<2, Number>  entry;
       std::vector<unsigned int> basis;
     };
   } // namespace

@@ -1,46 +1,27 @@
 #include <amontons/algebra/eliminated_system.h>
 #include <amontons/output/nodal_forces.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
 namespace Amontons
 {
   template <int dim>
-  std::vector<Place<dim>>
+  std::vector<DofPlace<dim>>
   locate_dofs(const Answer<dim> &answer)
   {
-    const auto                          &discretization = answer.discretization;
-    const bool                           moved          = answer.elasticity.finite_strain();
-    const auto                          &fe             = discretization.fe;
-    const auto                          &base           = fe.base_element(0);
-    const IndexSet                      &owned          = discretization.locally_owned;
-    std::vector<Place<dim>>              places(owned.n_elements());
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    FEValues<dim>                        values(discretization.mapping,
-                         fe,
-                         Quadrature<dim>(base.get_unit_support_points()),
-                         update_quadrature_points);
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      if (!cell->is_artificial() && discretization.is_deformable(cell->material_id()))
-        {
-          values.reinit(cell);
-          cell->get_dof_indices(dofs);
-          for (unsigned int i = 0; i < dofs.size(); ++i)
-            if (owned.is_element(dofs[i]))
-              {
-                const auto [c, node] = fe.system_to_component_index(i);
-                Point<dim> X         = values.quadrature_point(node);
-                for (unsigned int d = 0; moved && d < dim; ++d)
-                  X[d] += answer.state.displacement(dofs[fe.component_to_system_index(d, node)]);
-                places[owned.index_within_set(dofs[i])] = {cell->material_id(), c, X};
-              }
-        }
+    const auto                &discretization = answer.discretization;
+    const auto                 all            = places_of_dofs(discretization,
+                                    answer.elasticity.finite_strain() ? &answer.state.displacement : nullptr);
+    std::vector<DofPlace<dim>> places;
+    for (const auto dof : discretization.locally_owned)
+      {
+        const auto &place = all[discretization.relevant.index_within_set(dof)];
+        places.push_back(discretization.is_deformable(place.body) ? place : DofPlace<dim>());
+      }
     return places;
   }
 
   template <int dim>
   std::vector<double>
-  support_forces(const Answer<dim> &answer, const std::vector<Place<dim>> &places)
+  support_forces(const Answer<dim> &answer, const std::vector<DofPlace<dim>> &places)
   {
     const IndexSet &owned = answer.discretization.locally_owned;
     LA::Vector      raw   = answer.elasticity.internal_forces(answer.state.displacement);
@@ -83,16 +64,16 @@ namespace Amontons
     return forces;
   }
 
-  template std::vector<Place<2>>
+  template std::vector<DofPlace<2>>
   locate_dofs(const Answer<2> &);
   template std::vector<double>
-  support_forces(const Answer<2> &, const std::vector<Place<2>> &);
+  support_forces(const Answer<2> &, const std::vector<DofPlace<2>> &);
   template std::map<types::global_dof_index, double>
   contact_forces(const Answer<2> &);
-  template std::vector<Place<3>>
+  template std::vector<DofPlace<3>>
   locate_dofs(const Answer<3> &);
   template std::vector<double>
-  support_forces(const Answer<3> &, const std::vector<Place<3>> &);
+  support_forces(const Answer<3> &, const std::vector<DofPlace<3>> &);
   template std::map<types::global_dof_index, double>
   contact_forces(const Answer<3> &);
 } // namespace Amontons

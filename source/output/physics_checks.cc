@@ -188,8 +188,8 @@ namespace Amontons
       i                          = 0;
       for (const auto dof : owned)
         {
-          const Place<dim> &place = places[i];
-          const double      force = forces[i++], value = condensed(dof);
+          const DofPlace<dim> &place = places[i];
+          const double         force = forces[i++], value = condensed(dof);
           if (place.body == no_body)
             continue;
           add(place.body, answer.loads(dof));

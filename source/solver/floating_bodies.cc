@@ -1,6 +1,5 @@
 #include <amontons/solver/floating_bodies.h>
 
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <sstream>
@@ -12,7 +11,7 @@ namespace Amontons
                                       const Constraints                        &supports,
                                       const std::vector<ContactInterface<dim>> &interfaces,
                                       const LA::Vector                         *displacement)
-      : discretization(discretization), places(discretization.relevant.n_elements())
+      : discretization(discretization)
   {
     const Scene       &scene    = discretization.scene;
     const unsigned int n_bodies = scene.bodies.size(),
@@ -44,28 +43,8 @@ namespace Amontons
   FloatingBodies<dim>::place_dofs(const std::vector<ContactInterface<dim>> &interfaces,
                                   const LA::Vector                         *displacement)
   {
-    const unsigned int                   n_bodies = discretization.scene.bodies.size();
-    const auto                          &fe       = discretization.fe;
-    const auto                          &base     = fe.base_element(0);
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    FEValues<dim>                        values(discretization.mapping,
-                         fe,
-                         Quadrature<dim>(base.get_unit_support_points()),
-                         update_quadrature_points);
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      if (!cell->is_artificial())
-        {
-          values.reinit(cell);
-          cell->get_dof_indices(dofs);
-          for (unsigned int i = 0; i < dofs.size(); ++i)
-            {
-              const auto [component, node] = fe.system_to_component_index(i);
-              Point<dim> X                 = values.quadrature_point(node);
-              for (unsigned int d = 0; displacement != nullptr && d < dim; ++d)
-                X[d] += (*displacement)(dofs[fe.component_to_system_index(d, node)]);
-              place(dofs[i]) = {cell->material_id(), component, X};
-            }
-        }
+    const unsigned int n_bodies = discretization.scene.bodies.size();
+    places                      = places_of_dofs(discretization, displacement);
     for (const auto &interface : interfaces)
       for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
         if (surface != nullptr)
@@ -154,8 +133,8 @@ namespace Amontons
   {
     if (!discretization.relevant.is_element(dof))
       return;
-    const DofPlace &place = places[discretization.relevant.index_within_set(dof)];
-    if (place.body == numbers::invalid_unsigned_int)
+    const DofPlace<dim> &place = places[discretization.relevant.index_within_set(dof)];
+    if (place.body == no_body)
       return;
     for (unsigned int mode = 0; mode < modes_per_body; ++mode)
       e[place.body * modes_per_body + mode] +=

@@ -4,21 +4,14 @@ namespace Amontons
 {
   namespace
   {
+    // Readable.
     template <int dim>
-    std::array<Gradient, dim>
-    weights_of(const SlaveNode<dim> &node)
+    LA::Vector
+    committed_of(const SolutionState<dim> &state, const Discretization<dim> &discretization)
     {
-      std::array<Gradient, dim> weights;
-      for (unsigned int c = 0; c < dim; ++c)
-        weights[c] = node.components[c].equation.coefficients;
-      return weights;
-    }
-
-    void
-    add(Gradient &sum, const double factor, const Gradient &term)
-    {
-      for (const auto &[dof, value] : term)
-        sum[dof] += factor * value;
+      return state.committed.size() == discretization.dof_handler.n_dofs()
+                 ? state.committed
+                 : discretization.make_relevant_vector();
     }
 
     template <int dim>
@@ -51,33 +44,11 @@ namespace Amontons
                                     const SolutionState<dim>           &start,
                                     const double                        scaling)
       : discretization(discretization), supports(supports), interfaces(interfaces), scaling(scaling),
-        committed(start.committed.size() == discretization.dof_handler.n_dofs()
-                      ? start.committed
-                      : discretization.make_relevant_vector()),
-        t(start.committed_t), derivatives(interfaces.size())
+        t(start.committed_t), slips(discretization, interfaces, committed_of(start, discretization)),
+        derivatives(interfaces.size())
   {
-    const auto add_coordinates = [&](const auto &dofs, const Point<dim> &X) {
-      for (unsigned int c = 0; c < dim; ++c)
-        reference_coordinate[dofs[c]] = X[c];
-    };
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
-        for (const auto *surface : {interfaces[i].slave.get(), interfaces[i].master_surface.get()})
-          if (surface != nullptr)
-            for (const auto &node : surface->nodes)
-              add_coordinates(node.dofs, node.X);
-        if (interfaces[i].master.obstacle != nullptr)
-          {
-            const unsigned int m       = interfaces[i].master.carrier;
-            const auto        &carrier = discretization.geometry.carriers[m];
-            for (unsigned int k = 0; k <= dim; ++k)
-              {
-                Point<dim> X;
-                for (unsigned int d = 0; d < dim; ++d)
-                  X[d] = carrier.motion.reference[d] + (k == d + 1 ? carrier.size : 0.);
-                add_coordinates(discretization.carrier_dofs[m][k], X);
-              }
-          }
         node_of.emplace_back();
         for (unsigned int n = 0; n < interfaces[i].slave->nodes.size(); ++n)
           {
@@ -95,12 +66,11 @@ namespace Amontons
           }
       }
     old_gap.assign(all.size(), 0.);
-    old.resize(all.size());
-    places.resize(all.size());
-    move(committed);
+    move(slips.start());
     old_partners = OldPartners<dim>(interfaces);
+    slips.remember_partners(all);
     if (this->any_friction())
-      remember_old_rows(closed_nodes(start));
+      remember_old_gaps(closed_nodes(start));
     t = start.t;
   }
 
@@ -140,7 +110,7 @@ namespace Amontons
   // A closed node has no gap to close, whatever a transfer to another mesh has changed about it.
   template <int dim>
   void
-  MovingContact<dim>::remember_old_rows(const std::vector<bool> &closed)
+  MovingContact<dim>::remember_old_gaps(const std::vector<bool> &closed)
   {
     for (unsigned int k = 0; k < all.size(); ++k)
       {
@@ -148,101 +118,13 @@ namespace Amontons
                      none = closed[k] ? 1e-2 * h : 1e-6 * h;
         old_gap[k]        = !is_opposite(k) ? 1e-3 * h : all[k].gap > none ? all[k].gap : 0.;
       }
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      {
-        const auto                         &slave = *interfaces[i].slave;
-        std::vector<std::set<unsigned int>> beside(slave.nodes.size());
-        for (const auto &face : slave.faces)
-          for (const unsigned int node : face.unknowns)
-            beside[node].insert(face.nodes.begin(), face.nodes.end());
-        for (unsigned int n = 0; n < node_of[i].size(); ++n)
-          if (const unsigned int k = node_of[i][n]; all[k].frictional && !beside[n].empty())
-            {
-              const Tensor<1, dim> normal = is_opposite(k) ? all[k].normal : slave.nodes[n].normal;
-              places[k]                   = old_place(slave, beside[n], normal / normal.norm());
-              if (is_opposite(k))
-                old[k] = aligned(places[k], weights_of(all[k]));
-            }
-      }
-  }
-
-  // With m the normal, y_j = (1 - m m^T)(x_j - mean of all x_j) and B = sum_j y_j y_j^T + (trace) m m^T:
-  //   gamma_j = B^-1 y_j,   so that   (1 - m m^T) sum_j (gamma_j . a) x_j = a   for any a normal to m.
-  template <int dim>
-  typename MovingContact<dim>::OldPlace
-  MovingContact<dim>::old_place(const ContactSurface<dim>    &slave,
-                                const std::set<unsigned int> &beside,
-                                const Tensor<1, dim>         &normal) const
-  {
-    OldPlace       place{normal, {}};
-    Tensor<1, dim> mean;
-    for (const unsigned int j : beside)
-      mean += Tensor<1, dim>(slave.nodes[j].x) / double(beside.size());
-    Tensor<2, dim> B;
-    for (const unsigned int j : beside)
-      {
-        const Tensor<1, dim> way = slave.nodes[j].x - mean, y = way - (way * normal) * normal;
-        place.gamma.emplace_back(slave.nodes[j].dofs, y);
-        B += outer_product(y, y);
-      }
-    B += trace(B) * outer_product(normal, normal);
-    const Tensor<2, dim> inverse = invert(B);
-    for (auto &entry : place.gamma)
-      entry.second = inverse * entry.second;
-    return place;
-  }
-
-  // w - beta
-  template <int dim>
-  typename MovingContact<dim>::Rows
-  MovingContact<dim>::aligned(const OldPlace &place, Rows weights) const
-  {
-    const Tensor<1, dim> jump = position_jump(weights, committed);
-    for (const auto &[dofs, gamma] : place.gamma)
-      for (unsigned int c = 0; c < dim; ++c)
-        weights[c][dofs[c]] -= gamma * jump;
-    return weights;
-  }
-
-  // sum weight (X + u)
-  template <int dim>
-  Tensor<1, dim>
-  MovingContact<dim>::position_jump(const Rows &weights, const LA::Vector &u) const
-  {
-    Tensor<1, dim> result;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (const auto &[dof, weight] : weights[c])
-        result[c] += weight * (reference_coordinate.at(dof) + u(dof));
-    return result;
-  }
-
-  // Nodes that nothing was opposite of in the last converged state have partners only now.
-  template <int dim>
-  typename MovingContact<dim>::Rows
-  MovingContact<dim>::slip_weights(const unsigned int k) const
-  {
-    return old[k] ? *old[k] : aligned(places[k], weights_of(all[k]));
-  }
-
-  // z; without old partners less z_old, which has turned with the slave's normal.
-  template <int dim>
-  Tensor<1, dim>
-  MovingContact<dim>::jump_since(const unsigned int k, const LA::Vector &u) const
-  {
-    if (old[k])
-      return position_jump(*old[k], u);
-    const auto weights = slip_weights(k);
-    return position_jump(weights, u) -
-           (position_jump(weights, committed) * places[k].normal) * slave_node(k).normal;
   }
 
   template <int dim>
   Tensor<1, dim>
   MovingContact<dim>::slip(const unsigned int k, const LA::Vector &u) const
   {
-    if (all[k].tied)
-      return Tensor<1, dim>();
-    return all[k].tangential(jump_since(k, u));
+    return all[k].tied ? Tensor<1, dim>() : slips.value(k, all[k], u);
   }
 
   template <int dim>
@@ -343,29 +225,11 @@ namespace Amontons
     return result;
   }
 
-  // dv = (1 - n n^T) dz - (n . z) dn - n (dn . z), exact for fixed weights.
   template <int dim>
   std::array<Coefficients, dim>
   MovingContact<dim>::slip_gradient(const unsigned int k, const LA::Vector &u) const
   {
-    const Tensor<1, dim> n = all[k].normal / all[k].normal.norm(), z = jump_since(k, u);
-    const Rows           weights = slip_weights(k), dn = unit_normal_gradient(k);
-    Rows                 result;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          add(result[c], double(c == d) - n[c] * n[d], weights[d]);
-          add(result[c], -(n * z) * double(c == d) - n[c] * z[d], dn[d]);
-        }
-    for (const auto &plane : all[k].planes)
-      {
-        Gradient across;
-        for (unsigned int c = 0; c < dim; ++c)
-          add(across, plane[c], result[c]);
-        for (unsigned int c = 0; c < dim; ++c)
-          add(result[c], -plane[c], across);
-      }
-    return result;
+    return slips.gradient(k, all[k], unit_normal_gradient(k), u);
   }
 
   template <int dim>

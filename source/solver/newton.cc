@@ -1,6 +1,7 @@
 #include <amontons/solver/contact_compliance.h>
 #include <amontons/solver/diagnosis.h>
 #include <amontons/solver/newton.h>
+#include <amontons/solver/newton_residual.h>
 
 #include <sstream>
 
@@ -12,6 +13,7 @@ namespace Amontons
                       const double                   smallest_cell,
                       const Observer                &observer)
       : problem(problem), step(step), smallest_cell(smallest_cell), observer(observer),
+        statuses(problem, step, smallest_cell),
         floating(problem.discretization,
                  problem.supports,
                  problem.interfaces,
@@ -148,8 +150,10 @@ namespace Amontons
     line.krylov = solved->linear.iterations;
     recover_contact();
     count_states(problem, at.states, line);
-    line.residual = relative_residual();
-    update_states(line);
+    line.residual = residual();
+    statuses.update(at, line, drag != nullptr);
+    if (at.states.exhausted() && settle())
+      line.n_changes = std::max(1u, line.n_changes);
     at.report.iterations.push_back(line);
     observer(line);
     return true;
@@ -294,109 +298,23 @@ namespace Amontons
                             &multipliers[e]);
   }
 
-  // Of equilibrium, relative to the forces, and of the closed nodes' equations, relative to the faces. Forces
-  // of the excess that balance each other, as under uniform stress, are seen by none of the free rows; but
-  // supports and closed nodes carry them.
+  // Of equilibrium, relative to the forces, and of the closed nodes' equations, relative to the faces.
   template <int dim>
   double
-  Newton<dim>::relative_residual()
+  Newton<dim>::residual()
   {
     at.force_scale =
         problem.mechanics.force_scale(what_rounding_sees(problem, at), problem.parameters.tolerance);
-    const auto *excess = problem.mechanics.forces_of_excess();
-    return std::max({relative_residual_of(balance),
-                     largest_violation(),
-                     excess == nullptr || at.force_scale == 0 ? 0. : excess->l2_norm() / at.force_scale});
+    return std::max({relative_residual(problem, at, balance),
+                     largest_violation(problem, at),
+                     relative_excess(problem, at)});
   }
 
   template <int dim>
   double
   Newton<dim>::error_with_drag() const
   {
-    return relative_residual_of(balance_with_drag());
-  }
-
-  // With the excess it is that of the displacement alone, but for the square of the excess.
-  template <int dim>
-  double
-  Newton<dim>::relative_residual_of(const LA::Vector &forces) const
-  {
-    const double plain = relative_force(forces);
-    if (problem.mechanics.forces_of_excess() == nullptr)
-      return plain;
-    LA::Vector with_excess(forces);
-    with_excess += *problem.mechanics.forces_of_excess();
-    return std::max(plain, relative_force(with_excess));
-  }
-
-  template <int dim>
-  double
-  Newton<dim>::relative_force(const LA::Vector &forces) const
-  {
-    LA::Vector free = condense(forces, at.constraints->test(), forces);
-    zero_constrained(at.constraints->test(), problem.discretization.locally_owned, free);
-    return at.force_scale == 0 ? 0
-                               : std::hypot(free.l2_norm(), at.states.law_error(at.answers)) / at.force_scale;
-  }
-
-  template <int dim>
-  double
-  Newton<dim>::largest_violation() const
-  {
-    double distance = 0;
-    for (unsigned int k = 0; k < at.answers.size(); ++k)
-      if (problem.by_equations(k))
-        distance = std::max(distance,
-                            problem.contact.violation(k, at.states[k], problem.state.displacement) /
-                                problem.interfaces[problem.contact.nodes()[k].interface].slave->mean_size);
-    return distance;
-  }
-
-  // Far from equilibrium, what would only take back the last change is not believed: near the edge of the
-  // contact a node may pull when closed and penetrate when open, until the others have followed.
-  template <int dim>
-  bool
-  Newton<dim>::waits_for_equilibrium(const double residual, const double rounding)
-  {
-    if (drag != nullptr || problem.mechanics.is_linear() || residual <= 1e-3 || n_waits == 6 ||
-        previous_set.empty())
-      {
-        n_waits = 0;
-        return false;
-      }
-    NodeStates<dim> next(at.states);
-    const bool      takes_back = next.update(at.answers, rounding) > 0 && next.all() == previous_set;
-    n_waits                    = takes_back ? n_waits + 1 : 0;
-    return takes_back;
-  }
-
-  template <int dim>
-  void
-  Newton<dim>::update_states(NewtonReport::Iteration &line)
-  {
-    const double rounding = rounding_of_pressures(problem.contact.nodes(), at.u.linfty_norm());
-    if (rule)
-      line.n_changes = rule(at.states, at.answers, rounding);
-    if (rule || waits_for_equilibrium(line.residual, rounding))
-      return;
-    previous_set = at.states.all();
-    Neutral neutral;
-    if (const double tolerance = problem.parameters.tolerance; line.residual <= tolerance)
-      neutral = {tolerance * at.force_scale, tolerance * std::min(at.u.linfty_norm(), smallest_cell)};
-    line.n_changes = at.states.update(at.answers, rounding, neutral);
-    if (line.n_changes > 0)
-      if (const unsigned int n = step.look_ahead(at, previous_set, rounding); n > 0)
-        {
-          unsigned int n_changes = 0;
-          for (unsigned int k = 0; k < previous_set.size(); ++k)
-            n_changes += at.states[k] != previous_set[k];
-          line.krylov += n;
-          line.n_changes = std::max(1u, n_changes);
-        }
-    at.report.safeguarded = at.report.safeguarded || at.states.safeguarded();
-    at.report.frozen      = at.report.frozen || at.states.frozen();
-    if (at.states.exhausted() && settle())
-      line.n_changes = std::max(1u, line.n_changes);
+    return relative_residual(problem, at, balance_with_drag());
   }
 
   template <int dim>

@@ -61,10 +61,6 @@ namespace Amontons
     const auto  dg   = contact.gap_gradient(k);
     // By component; frictionless: the pressure alone.
     std::vector<Coefficients> dt(node.frictional ? dim : 1);
-    const auto                add = [](Coefficients &sum, const double factor, const Coefficients &term) {
-      for (const auto &[dof, value] : term)
-        sum[dof] += factor * value;
-    };
     if (!node.frictional)
       add(dt[0], -eps(k), dg);
     else

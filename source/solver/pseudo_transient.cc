@@ -1,4 +1,5 @@
 #include <amontons/solver/diagnosis.h>
+#include <amontons/solver/newton_residual.h>
 #include <amontons/solver/pseudo_transient.h>
 
 namespace Amontons
@@ -104,7 +105,7 @@ namespace Amontons
           return false;
         if (last.n_changes == 0 &&
             newton.error_with_drag() <= std::max(0.1 * last.residual, problem.parameters.tolerance) &&
-            newton.largest_violation() <= 1e-4)
+            largest_violation(problem, newton.now()) <= 1e-4)
           return true;
       }
     return false;

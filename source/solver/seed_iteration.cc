@@ -9,7 +9,7 @@ namespace Amontons
     if (!newton.prepare())
       return newton.report();
     start();
-    newton.set_rule([this](auto &states, const auto &answers, const double rounding) {
+    newton.status_update().set_rule([this](auto &states, const auto &answers, const double rounding) {
       return update(states, answers, rounding);
     });
     auto &report = newton.report();

@@ -21,4 +21,11 @@ namespace Amontons
 
   // By degree of freedom, sorted: of equations, gradients and forces that know few of them.
   using Coefficients = boost::container::flat_map<types::global_dof_index, double>;
+
+  inline void
+  add(Coefficients &sum, const double factor, const Coefficients &term)
+  {
+    for (const auto &[dof, value] : term)
+      sum[dof] += factor * value;
+  }
 } // namespace Amontons

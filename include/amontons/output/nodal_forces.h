@@ -1,23 +1,15 @@
 /// What acts on the nodes of the bodies.
 #pragma once
 
+#include <amontons/discretization/dof_places.h>
 #include <amontons/output/quantities.h>
 
 namespace Amontons
 {
-  constexpr unsigned int no_body = numbers::invalid_unsigned_int;
-
-  template <int dim>
-  struct Place
-  {
-    unsigned int body = no_body, component;
-    Point<dim>   X;
-  };
-
   /// Of the owned DoFs, in their order; those of rigid bodies and carriers have no body. Finite strain: where
   /// they are now.
   template <int dim>
-  std::vector<Place<dim>>
+  std::vector<DofPlace<dim>>
   locate_dofs(const Answer<dim> &answer);
 
   /// X x F of a force along component c: one number in 2D, three in 3D.
@@ -37,7 +29,7 @@ namespace Amontons
   /// their parents; 0 where no body is.
   template <int dim>
   std::vector<double>
-  support_forces(const Answer<dim> &answer, const std::vector<Place<dim>> &places);
+  support_forces(const Answer<dim> &answer, const std::vector<DofPlace<dim>> &places);
 
   /// On every DoF of slave and master: -+ weight area Lambda with Lambda = p normal + shear.
   template <int dim>

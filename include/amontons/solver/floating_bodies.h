@@ -3,6 +3,7 @@
 #pragma once
 
 #include <amontons/contact/contact_interface.h>
+#include <amontons/discretization/dof_places.h>
 #include <amontons/discretization/discretization.h>
 #include <amontons/discretization/elimination.h>
 
@@ -100,19 +101,14 @@ namespace Amontons
     SourceLocation
     place_of(const std::vector<double> &q) const; // of the body or motion that moves most
 
-    struct DofPlace
-    {
-      unsigned int body = numbers::invalid_unsigned_int, component;
-      Point<dim>   X;
-    };
-    DofPlace &
+    DofPlace<dim> &
     place(const types::global_dof_index dof)
     {
       return places[discretization.relevant.index_within_set(dof)];
     }
 
     const Discretization<dim>           &discretization;
-    std::vector<DofPlace>                places;       // of the relevant DoFs
+    std::vector<DofPlace<dim>>           places;       // of the relevant DoFs
     std::vector<types::global_dof_index> surface_dofs; // of all interfaces, the same on every rank
     std::vector<Point<dim>>              centres;      // by body, then carrier
     std::vector<double>                  sizes;

@@ -20,6 +20,11 @@ namespace Amontons
     // may be than the scene says.
     LoadProgram(const Scene &scene, const bool incremental, const double coarser = 1);
 
+    bool
+    is_incremental() const
+    {
+      return incremental;
+    }
     double
     time() const // that is reached
     {

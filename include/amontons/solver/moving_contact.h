@@ -5,25 +5,15 @@
 #include <amontons/algebra/row_system.h>
 #include <amontons/contact/coupling_derivatives.h>
 #include <amontons/solver/contact_kinematics.h>
+#include <amontons/solver/increment_slip.h>
 #include <amontons/solver/node_states.h>
 #include <amontons/solver/old_partners.h>
-
-#include <set>
 
 namespace Amontons
 {
   // Surfaces move with the bodies, and the coupling of each pair is integrated where they are; the nodes are
   // those of the slave surfaces, whether anything is opposite of them at present or not, so that their
   // numbers stay. Tied pairs keep the coupling of the start: material points stay together.
-  //
-  // Slip of a node since the last converged state: its partners then, as material points, with the weights w
-  // of that state. What the jump sum w x had along the surface then (on curved faces) is taken off by a shift
-  // along the slave surface, sum_j beta_j x_j with sum_j beta_j = 0: the material points that lay opposite of
-  // each other have the jump
-  //   z = sum (w - beta) x,   z_old normal to the surface,   and   v = (1 - n n^T) z   (doc/introduction.md,
-  //   (25)).
-  // A rigid motion of the whole scene by any Q takes z to Q z_old and n to Q n_old, and makes none; the
-  // derivative needs none of weights (Puso and Laursen 2004; Gitterle et al. 2010).
   template <int dim>
   class MovingContact : public ContactKinematics<dim>
   {
@@ -71,7 +61,7 @@ namespace Amontons
                  : all[k].gap;
     }
     Tensor<1, dim>
-    slip(const unsigned int k, const LA::Vector &u) const override; // v
+    slip(const unsigned int k, const LA::Vector &u) const override; // see IncrementSlip
     double
     violation(const unsigned int k, const ContactStatus state, const LA::Vector &u) const override;
     // Without values: those that displacements obey are the written rows.
@@ -125,35 +115,10 @@ namespace Amontons
 
   private:
     using Rows = std::array<Gradient, dim>; // by component
-    // A slave node in the last converged state: beta_j = gamma_j . jump, by node of its faces.
-    struct OldPlace
-    {
-      Tensor<1, dim>                                        normal;
-      std::vector<std::pair<NodeDofs<dim>, Tensor<1, dim>>> gamma;
-    };
-
     std::vector<bool>
     closed_nodes(const SolutionState<dim> &state) const;
     void
-    remember_old_rows(const std::vector<bool> &closed);
-    OldPlace
-    old_place(const ContactSurface<dim>    &slave,
-              const std::set<unsigned int> &beside,
-              const Tensor<1, dim>         &normal) const;
-    Rows
-    aligned(const OldPlace &place, Rows weights) const;
-    Rows
-    slip_weights(const unsigned int k) const;
-    Tensor<1, dim>
-    position_jump(const Rows &weights, const LA::Vector &u) const;
-    Tensor<1, dim>
-    jump_since(const unsigned int k, const LA::Vector &u) const;
-    const SurfaceNode<dim> &
-    slave_node(const unsigned int k) const
-    {
-      const auto &interface = interfaces[all[k].interface];
-      return interface.slave->nodes[interface.coupling.rows[all[k].row].node];
-    }
+    remember_old_gaps(const std::vector<bool> &closed);
     Rows
     unit_normal_gradient(const unsigned int k) const;
     const RowGradient<dim> &
@@ -175,12 +140,9 @@ namespace Amontons
     const double                                           scaling;
     std::vector<std::vector<unsigned int>>                 node_of; // by interface and slave node
     std::vector<double>                                    old_gap;
-    std::vector<std::optional<Rows>>                       old;    // w - beta, where something was opposite,
-    std::vector<OldPlace>                                  places; // and what else gives it
     OldPartners<dim>                                       old_partners;
-    LA::Vector                                             committed;
     double                                                 t; // of declared gaps
-    std::map<types::global_dof_index, double>              reference_coordinate;
+    IncrementSlip<dim>                                     slips;
     std::vector<std::unique_ptr<CouplingDerivatives<dim>>> derivatives; // by interface
     std::vector<unsigned int> differentiated;                           // by node: its row there, or invalid
   };

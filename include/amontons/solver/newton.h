@@ -2,8 +2,8 @@
 /// change them.
 #pragma once
 
-#include <amontons/solver/newton_step.h>
 #include <amontons/solver/rigid_mode_stabilisation.h>
+#include <amontons/solver/status_update.h>
 
 namespace Amontons
 {
@@ -82,19 +82,15 @@ namespace Amontons
     {
       return at.states;
     }
-    /// What changes the states after each solve, instead of NodeStates::update; returns how many changed.
-    using StateRule = std::function<unsigned int(
-        NodeStates<dim> &, const NodalContacts<dim> &answers, const double rounding)>;
-    void
-    set_rule(const StateRule &new_rule)
+    /// What may change the states after each solve.
+    StatusUpdate<dim> &
+    status_update()
     {
-      rule = new_rule;
+      return statuses;
     }
     /// Of internal forces, loads and drag, relative.
     double
     error_with_drag() const;
-    double
-    largest_violation() const;
     /// Condensed residual before the first step.
     const LA::Vector &
     first_push() const
@@ -123,15 +119,7 @@ namespace Amontons
     LA::Vector
     balance_with_drag() const;
     double
-    relative_residual();
-    double
-    relative_residual_of(const LA::Vector &forces) const;
-    double
-    relative_force(const LA::Vector &forces) const;
-    bool
-    waits_for_equilibrium(const double residual, const double rounding);
-    void
-    update_states(NewtonReport::Iteration &step);
+    residual();
     bool
     settle();
     bool
@@ -143,18 +131,16 @@ namespace Amontons
     NewtonStep<dim>               &step;
     const double                   smallest_cell;
     const Observer                &observer;
+    StatusUpdate<dim>              statuses;
     Timer                          clock;
     FloatingBodies<dim>            floating;
     Iterate<dim>                   at;
     RigidModeStabilisation         stabilisation;
     const Drag                    *drag = nullptr;
-    StateRule                      rule;         // see set_rule()
-    LA::Vector                     push;         // see first_push()
-    LA::Vector                     last_change;  // of u
-    LA::Vector                     balance;      // internal - contact forces - loads
-    std::optional<Failure>         inversion;    // the last one
-    std::vector<ContactStatus>     previous_set; // before the last change of states
-    unsigned int                   n_waits    = 0;
+    LA::Vector                     push;        // see first_push()
+    LA::Vector                     last_change; // of u
+    LA::Vector                     balance;     // internal - contact forces - loads
+    std::optional<Failure>         inversion;   // the last one
     bool                           may_settle = true;
   };
 } // namespace Amontons

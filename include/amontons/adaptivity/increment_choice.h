@@ -1,0 +1,60 @@
+/// How long the increments of a load program with friction are, where a target chooses them.
+#pragma once
+
+#include <amontons/adaptivity/increment_error.h>
+#include <amontons/adaptivity/mesh_refinement.h>
+
+#include <functional>
+#include <optional>
+
+namespace Amontons
+{
+  /// The error of the increments is as large as they are long: measured once, on a mesh that sees slip, it
+  /// says how many make it half of the target.
+  class IncrementChoice
+  {
+  public:
+    /// The load program with increments of this length; nothing: it failed.
+    using Repeat = std::function<std::optional<LoadRecord>(const double length)>;
+
+    /// by_target: else increments stay as long as the scene says.
+    IncrementChoice(const RefinementParameters &parameters, const bool by_target);
+
+    bool
+    by_target() const
+    {
+      return chooses;
+    }
+    /// Over what the scene says.
+    double
+    length() const
+    {
+      return times;
+    }
+
+    /// errors: of the increments at first, whose load program left the record. Returns what the errors will
+    /// be of the increments that are taken from now on; nothing: on the last mesh the first ones do.
+    std::optional<IncrementErrors>
+    choose(const IncrementErrors &errors,
+           const LoadRecord      &record,
+           const bool             mesh_is_last,
+           const Repeat          &repeat);
+
+  private:
+    double
+    wanted(const IncrementErrors &errors) const;
+    std::optional<IncrementErrors>
+    try_fewer(const double           n,
+              const IncrementErrors &errors,
+              const LoadRecord      &record,
+              const Repeat          &repeat) const;
+    double
+    allowed() const;
+    double
+    counted(const IncrementErrors &errors) const;
+
+    const RefinementParameters &parameters;
+    const bool                  chooses;
+    double                      times = 1;
+  };
+} // namespace Amontons

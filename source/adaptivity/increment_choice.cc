@@ -1,0 +1,77 @@
+#include <amontons/adaptivity/increment_choice.h>
+#include <amontons/solver/load_program.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // In each piece of the load path.
+    constexpr double at_first = LoadProgram::increments_at_first, most = LoadProgram::increments_by_default;
+  } // namespace
+
+  IncrementChoice::IncrementChoice(const RefinementParameters &parameters, const bool by_target)
+      : parameters(parameters), chooses(by_target), times(by_target ? most / at_first : 1)
+  {
+  }
+
+  std::optional<IncrementErrors>
+  IncrementChoice::choose(const IncrementErrors &errors,
+                          const LoadRecord      &record,
+                          const bool             mesh_is_last,
+                          const Repeat          &repeat)
+  {
+    double n = wanted(errors);
+    if (n <= at_first && mesh_is_last)
+      return {};
+    std::optional<IncrementErrors> of_these = errors.scaled(at_first / n);
+    if (n < at_first)
+      of_these = try_fewer(n, errors, record, repeat);
+    if (!of_these)
+      {
+        n        = at_first;
+        of_these = errors;
+      }
+    times = most / n;
+    return of_these;
+  }
+
+  // As many as make the error half of the target, but not more than by default. One alone, which has no
+  // shorter ones to compare with, takes ten times less.
+  double
+  IncrementChoice::wanted(const IncrementErrors &errors) const
+  {
+    const double error = counted(errors) * at_first; // of a single one
+    const double n     = std::min(std::ceil(error / allowed()), most);
+    return n > 1 ? n : 10 * error <= allowed() ? 1 : 2;
+  }
+
+  // Fewer than at first only if they do where they are tried.
+  std::optional<IncrementErrors>
+  IncrementChoice::try_fewer(const double           n,
+                             const IncrementErrors &errors,
+                             const LoadRecord      &record,
+                             const Repeat          &repeat) const
+  {
+    constexpr double another_way = 0.1; // of the work
+    const auto       tried       = repeat(most / n);
+    if (!tried)
+      return {};
+    const auto found = error_of_increments(record, *tried).scaled(at_first / n);
+    if (counted(found) > allowed() || found.dissipation > another_way)
+      return {};
+    const auto expected = errors.scaled(at_first / n);
+    return counted(found) > counted(expected) ? found : expected;
+  }
+
+  double
+  IncrementChoice::allowed() const
+  {
+    return parameters.target_error / 2;
+  }
+
+  double
+  IncrementChoice::counted(const IncrementErrors &errors) const
+  {
+    return parameters.target_quantity == "dissipation" ? errors.dissipation : errors.largest();
+  }
+} // namespace Amontons

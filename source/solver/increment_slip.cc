@@ -1,0 +1,173 @@
+#include <amontons/solver/increment_slip.h>
+
+namespace Amontons
+{
+  template <int dim>
+  IncrementSlip<dim>::IncrementSlip(const Discretization<dim>                &discretization,
+                                    const std::vector<ContactInterface<dim>> &interfaces,
+                                    const LA::Vector                         &committed)
+      : interfaces(interfaces), committed(committed)
+  {
+    for (const auto &interface : interfaces)
+      {
+        for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
+          if (surface != nullptr)
+            for (const auto &node : surface->nodes)
+              add_coordinates(node.dofs, node.X);
+        if (interface.master.obstacle != nullptr)
+          {
+            const unsigned int m       = interface.master.carrier;
+            const auto        &carrier = discretization.geometry.carriers[m];
+            for (unsigned int k = 0; k <= dim; ++k)
+              {
+                Point<dim> X;
+                for (unsigned int d = 0; d < dim; ++d)
+                  X[d] = carrier.motion.reference[d] + (k == d + 1 ? carrier.size : 0.);
+                add_coordinates(discretization.carrier_dofs[m][k], X);
+              }
+          }
+      }
+  }
+
+  template <int dim>
+  void
+  IncrementSlip<dim>::add_coordinates(const NodeDofs<dim> &dofs, const Point<dim> &X)
+  {
+    for (unsigned int c = 0; c < dim; ++c)
+      reference_coordinate[dofs[c]] = X[c];
+  }
+
+  template <int dim>
+  void
+  IncrementSlip<dim>::remember_partners(const std::vector<SlaveNode<dim>> &nodes)
+  {
+    old.assign(nodes.size(), Partners());
+    std::vector<std::vector<std::set<unsigned int>>> beside; // by interface and slave node, of its faces
+    for (const auto &interface : interfaces)
+      {
+        beside.emplace_back(interface.slave->nodes.size());
+        if (!interface.pair->has_friction())
+          continue;
+        for (const auto &face : interface.slave->faces)
+          for (const unsigned int node : face.unknowns)
+            beside.back()[node].insert(face.nodes.begin(), face.nodes.end());
+      }
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        const auto &node   = nodes[k];
+        const auto &slave  = *interfaces[node.interface].slave;
+        const auto &around = beside[node.interface][node.node];
+        if (!node.frictional || around.empty())
+          continue;
+        const bool           is_opposite = node.row != numbers::invalid_unsigned_int;
+        const Tensor<1, dim> normal      = is_opposite ? node.normal : slave.nodes[node.node].normal;
+        old[k].place                     = make_place(slave, around, normal / normal.norm());
+        if (is_opposite)
+          old[k].weights = aligned(old[k].place, node);
+      }
+  }
+
+  // With m the normal, y_j = (1 - m m^T)(x_j - mean of all x_j) and B = sum_j y_j y_j^T + (trace) m m^T:
+  //   gamma_j = B^-1 y_j,   so that   (1 - m m^T) sum_j (gamma_j . a) x_j = a   for any a normal to m.
+  template <int dim>
+  typename IncrementSlip<dim>::Place
+  IncrementSlip<dim>::make_place(const ContactSurface<dim>    &slave,
+                                 const std::set<unsigned int> &beside,
+                                 const Tensor<1, dim>         &normal)
+  {
+    Place          place{normal, {}};
+    Tensor<1, dim> mean;
+    for (const unsigned int j : beside)
+      mean += Tensor<1, dim>(slave.nodes[j].x) / double(beside.size());
+    Tensor<2, dim> B;
+    for (const unsigned int j : beside)
+      {
+        const Tensor<1, dim> way = slave.nodes[j].x - mean, y = way - (way * normal) * normal;
+        place.gamma.emplace_back(slave.nodes[j].dofs, y);
+        B += outer_product(y, y);
+      }
+    B += trace(B) * outer_product(normal, normal);
+    const Tensor<2, dim> inverse = invert(B);
+    for (auto &entry : place.gamma)
+      entry.second = inverse * entry.second;
+    return place;
+  }
+
+  // w - beta
+  template <int dim>
+  typename IncrementSlip<dim>::Rows
+  IncrementSlip<dim>::aligned(const Place &place, const SlaveNode<dim> &node) const
+  {
+    Rows weights;
+    for (unsigned int c = 0; c < dim; ++c)
+      weights[c] = node.components[c].equation.coefficients;
+    const Tensor<1, dim> jump = position_jump(weights, committed);
+    for (const auto &[dofs, gamma] : place.gamma)
+      for (unsigned int c = 0; c < dim; ++c)
+        weights[c][dofs[c]] -= gamma * jump;
+    return weights;
+  }
+
+  // sum weight (X + u)
+  template <int dim>
+  Tensor<1, dim>
+  IncrementSlip<dim>::position_jump(const Rows &weights, const LA::Vector &u) const
+  {
+    Tensor<1, dim> result;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (const auto &[dof, weight] : weights[c])
+        result[c] += weight * (reference_coordinate.at(dof) + u(dof));
+    return result;
+  }
+
+  // Nodes that nothing was opposite of in the last converged state have partners only now.
+  template <int dim>
+  typename IncrementSlip<dim>::Rows
+  IncrementSlip<dim>::weights(const unsigned int k, const SlaveNode<dim> &node) const
+  {
+    return old[k].weights ? *old[k].weights : aligned(old[k].place, node);
+  }
+
+  // z; without old partners less z_old, which has turned with the slave's normal.
+  template <int dim>
+  Tensor<1, dim>
+  IncrementSlip<dim>::jump(const unsigned int k, const SlaveNode<dim> &node, const LA::Vector &u) const
+  {
+    if (old[k].weights)
+      return position_jump(*old[k].weights, u);
+    const auto now = weights(k, node);
+    return position_jump(now, u) - (position_jump(now, committed) * old[k].place.normal) *
+                                       interfaces[node.interface].slave->nodes[node.node].normal;
+  }
+
+  // dv = (1 - n n^T) dz - (n . z) dn - n (dn . z), less its parts across the planes that the node stays in.
+  template <int dim>
+  typename IncrementSlip<dim>::Rows
+  IncrementSlip<dim>::gradient(const unsigned int    k,
+                               const SlaveNode<dim> &node,
+                               const Rows           &dn,
+                               const LA::Vector     &u) const
+  {
+    const Tensor<1, dim> n = node.normal / node.normal.norm(), z = jump(k, node, u);
+    const Rows           dz = weights(k, node);
+    Rows                 result;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          add(result[c], double(c == d) - n[c] * n[d], dz[d]);
+          add(result[c], -(n * z) * double(c == d) - n[c] * z[d], dn[d]);
+        }
+    for (const auto &plane : node.planes)
+      {
+        Coefficients across;
+        for (unsigned int c = 0; c < dim; ++c)
+          add(across, plane[c], result[c]);
+        for (unsigned int c = 0; c < dim; ++c)
+          add(result[c], -plane[c], across);
+      }
+    return result;
+  }
+
+  template class IncrementSlip<2>;
+  template class IncrementSlip<3>;
+} // namespace Amontons

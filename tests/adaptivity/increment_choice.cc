@@ -1,0 +1,90 @@
+// As many increments as make their error half of the target; fewer than at first only where that is so.
+#include "check.h"
+
+#include <amontons/adaptivity/increment_choice.h>
+#include <amontons/solver/load_program.h>
+
+using namespace Amontons;
+
+constexpr double at_first = LoadProgram::increments_at_first, most = LoadProgram::increments_by_default;
+
+// Of n increments, with a shear that is off by as much.
+LoadRecord
+record(const unsigned int n, const double shear_error)
+{
+  LoadRecord::Pair pair;
+  pair.force             = 1;
+  pair.nodes[0]          = {1, 1, 1, {}};
+  pair.nodes[0].shear[0] = shear_error;
+  LoadRecord result;
+  result.breakpoints.push_back({{pair}, 0});
+  result.n_increments = n;
+  result.largest_work = 1;
+  return result;
+}
+
+IncrementErrors
+error_of_shear(const double error)
+{
+  IncrementErrors result;
+  result.shear        = error;
+  result.n_increments = static_cast<unsigned int>(at_first);
+  return result;
+}
+
+int
+main()
+{
+  RefinementParameters parameters;
+  parameters.target_error  = 0.02;
+  const LoadRecord run     = record(4, 0.);
+  unsigned int     n_tries = 0;
+  const auto       fails   = [&](const double) -> std::optional<LoadRecord> {
+    ++n_tries;
+    return {};
+  };
+
+  check::is_close(IncrementChoice(parameters, false).length(), 1, 0, "as the scene says");
+  IncrementChoice choice(parameters, true);
+  check::is_close(choice.length(), most / at_first, 1e-15, "at first");
+
+  // An error of 0.017 with 4 takes 7 for 0.01.
+  auto errors = choice.choose(error_of_shear(0.017), run, true, fails);
+  check::is_true(errors.has_value() && n_tries == 0, "more of them need no trial");
+  check::is_close(choice.length(), most / 7, 1e-15, "more");
+  check::is_close(errors->shear, 0.017 * 4 / 7, 1e-12, "their error");
+  check::is_close(errors->n_increments, 7, 0, "their number");
+  choice.choose(error_of_shear(1), run, true, fails);
+  check::is_close(choice.length(), 1, 1e-15, "no more than by default");
+
+  // Few errors: on the last mesh nothing is to be gained; before, fewer are tried.
+  IncrementChoice fewer(parameters, true);
+  check::is_true(!fewer.choose(error_of_shear(0.004), run, true, fails) && n_tries == 0, "they stay");
+  errors = fewer.choose(error_of_shear(0.004), run, false, fails);
+  check::is_true(n_tries == 1 && errors->shear == 0.004, "fewer fail");
+  check::is_close(fewer.length(), most / at_first, 1e-15, "and are not taken");
+
+  double     length  = 0;
+  const auto repeats = [&](const double shear_error) {
+    return [&, shear_error](const double tried) -> std::optional<LoadRecord> {
+      length = tried;
+      return record(2, shear_error);
+    };
+  };
+  errors = fewer.choose(error_of_shear(0.004), run, false, repeats(0.0045));
+  check::is_close(length, most / 2, 1e-15, "two are tried");
+  check::is_close(fewer.length(), most / 2, 1e-15, "and taken");
+  check::is_close(errors->shear, 0.009, 1e-12, "the larger of what is expected and found");
+  fewer.choose(error_of_shear(0.004), run, false, repeats(0.02));
+  check::is_close(fewer.length(), most / at_first, 1e-15, "unless their error is larger than allowed");
+
+  fewer.choose(error_of_shear(0.0002), run, false, repeats(0.));
+  check::is_close(fewer.length(), most, 1e-15, "one where ten times its error would do");
+  fewer.choose(error_of_shear(0.0004), run, false, repeats(0.));
+  check::is_close(fewer.length(), most / 2, 1e-15, "else two");
+
+  parameters.target_quantity = "dissipation";
+  check::is_true(!IncrementChoice(parameters, true).choose(error_of_shear(0.017), run, true, fails),
+                 "dissipation: shears do not count");
+  return check::result();
+}

@@ -251,6 +251,32 @@ def parts_of_another_run(place):
     check(rows == whole, "parts of another run are used")
 
 
+def other_files(place):
+    """A resumed run with fewer files than it had: none stays of before."""
+    scene, out = os.path.join(place, "files.prm"), os.path.join(place, "files")
+    with open(SCENE) as file:
+        text = file.read()
+
+    def entries(wanted):
+        with open(scene, "w") as file:
+            file.write(text + f"\nsubsection Output\n set VTU = {wanted}\n set Report = {wanted}\n set Contact tables = {wanted}\nend\n")
+
+    entries("true")
+    process = start([scene, "--output", out] + LONG[:-2], place)
+    wait_for(os.path.join(out, "contact_0003.csv"))
+    process.send_signal(signal.SIGTERM)
+    process.communicate(timeout=300)
+    before = os.listdir(out)
+    check({"bodies.pvd", "contact_0000.vtu", "report.html", "checkpoint"} <= set(before), f"other files: {before}")
+    entries("false")
+    stopped = run(["--resume", out, "--time-limit", "0.001s"])
+    aside = os.path.join(out, "earlier_run")
+    check(stopped.returncode == 2 and {"bodies.pvd", "report.html"} <= set(os.listdir(aside)) and "checkpoint" in os.listdir(out), f"other files, resumed: {os.listdir(out)} {stopped.stderr}")
+    done = run(["--resume", out])
+    left = sorted(os.listdir(out))
+    check(done.returncode == 0 and left == ["amontons.log", "contact.csv", "history.csv", "progress.json", "summary.json"], f"other files: left are {left} {done.stderr}")
+
+
 def other_mesh_file(place):
     """With the same vertices: only the name of a boundary is another one."""
     for name in ("patch_3d_irregular.prm", "patch_3d_upper.msh", "patch_3d_lower.msh"):
@@ -350,7 +376,7 @@ with tempfile.TemporaryDirectory(prefix="amontons-stopped-") as folder:
     whole = [(mesh["t"], mesh["dofs"], mesh["iterations"], mesh["energy"]) for mesh in summary_of(os.path.join(folder, "whole"))["meshes"]]
     stopped_by(signal.SIGTERM, folder)
     stopped_by(signal.SIGINT, folder)
-    for part in (in_a_long_solve, in_the_first_solve, time_limit, other_entries, damaged_part, missing_part, refused_while_it_runs, killed_again, parts_of_another_run, other_mesh_file, full_disk, two_at_once, earlier_run, links, tables, inputs):
+    for part in (in_a_long_solve, in_the_first_solve, time_limit, other_entries, damaged_part, missing_part, refused_while_it_runs, killed_again, parts_of_another_run, other_files, other_mesh_file, full_disk, two_at_once, earlier_run, links, tables, inputs):
         part(folder)
 print("\n".join(failures) or "all right")
 sys.exit(1 if failures else 0)

@@ -1,4 +1,5 @@
 #include <amontons/base/points.h>
+#include <amontons/adaptivity/edge_error.h>
 #include <amontons/adaptivity/error_estimator.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/elasticity/linear_elastic.h>
@@ -100,6 +101,7 @@ namespace Amontons
         // By slave face: eta_F^2, then the squared errors of pressure and shear.
         const unsigned int  n    = slave.faces.size();
         const auto          near = faces_near_contact(interface, fields);
+        const auto          edge = edge_errors(interface, fields, kind, on_face);
         std::vector<double> face_squares(3 * n, 0.);
         for (unsigned int f = 0; f < slave.faces.size(); ++f)
           if (slave.faces[f].rank == my_rank() &&
@@ -107,7 +109,7 @@ namespace Amontons
                           slave.faces[f].nodes.end(),
                           [&](const unsigned int i) { return has_row[i]; }))
             std::tie(face_squares[f], face_squares[n + f], face_squares[2 * n + f]) =
-                add_slave_face(interface, fields, f, near[f]);
+                add_slave_face(interface, fields, f, near[f], edge[f]);
         Utilities::MPI::sum(make_array_view(std::as_const(face_squares)),
                             discretization.geometry.communicator,
                             make_array_view(face_squares));
@@ -326,7 +328,8 @@ namespace Amontons
       add_slave_face(const ContactInterface<dim> &interface,
                      const SurfaceFields<dim>    &fields,
                      const unsigned int           face,
-                     const bool                   near_contact)
+                     const bool                   near_contact,
+                     const double                 edge_square)
       {
         const ContactSurface<dim> &slave = *interface.slave;
         const auto &[cell, f]            = slave.owned[slave.faces[face].owned_index];
@@ -371,6 +374,7 @@ namespace Amontons
             pressure_square += weight * p * p;
           }
         square *= slave.faces[face].size / discretization.scene.bodies[cell->material_id()].material.young;
+        pressure_part = std::max(pressure_part, edge_square);
         shear_error += shear_part;
         squares[cell->active_cell_index()] += square;
         contact_squares[cell->active_cell_index()] += pressure_part;

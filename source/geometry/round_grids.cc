@@ -121,8 +121,21 @@ namespace Amontons
       return mesh;
     }
 
-    // A piece of a ring that begins at `first_quarter` right angles from the x axis, without names. One cell
-    // across; around, cells about as long as the ring is thick.
+    // From r to R, each by the same factor larger than the one before, so that cells that take `angle` are
+    // about as long as they are thick, at either end of a thick ring.
+    std::vector<double>
+    radii(const double r, const double R, const double angle)
+    {
+      const unsigned int  n = std::max(1l, std::lround(std::log(R / r) / angle));
+      std::vector<double> result;
+      for (unsigned int k = 0; k < n; ++k)
+        result.push_back(r * std::pow(R / r, double(k) / n));
+      result.push_back(R);
+      return result;
+    }
+
+    // A piece of a ring that begins at `first_quarter` right angles from the x axis, without names. Cells are
+    // about as long as they are thick; a ring is one cell thick up to R = 3.2 r.
     CoarseMesh<2>
     ring(const BodyData &body, const int first_quarter)
     {
@@ -131,7 +144,9 @@ namespace Amontons
       const bool         closed            = n_quarters == 4;
       const double       cells_per_quarter = numbers::PI / 4 * (R + r) / (R - r);
       check_cell_count<2>(body, n_quarters * cells_per_quarter);
-      const unsigned int n = std::max(2l, std::lround(cells_per_quarter));
+      const unsigned int        n       = std::max(2l, std::lround(cells_per_quarter));
+      const std::vector<double> circles = radii(r, R, numbers::PI_2 / n);
+      const unsigned int        m       = circles.size(); // vertices on a ray
 
       CoarseMesh<2> mesh;
       for (unsigned int i = 0; i < n_quarters * n + (closed ? 0 : 1); ++i)
@@ -140,16 +155,17 @@ namespace Amontons
           Tensor<1, 2> direction({std::cos(angle), std::sin(angle)});
           for (int turn = (first_quarter + int(i / n) + 4) % 4; turn > 0; --turn)
             direction = Tensor<1, 2>({-direction[1], direction[0]});
-          mesh.vertices.push_back(Point<2>(r * direction));
-          mesh.vertices.push_back(Point<2>(R * direction));
+          for (const double radius : circles)
+            mesh.vertices.push_back(Point<2>(radius * direction));
         }
       for (unsigned int i = 0; i < n_quarters * n; ++i)
-        {
-          const unsigned int next = (i + 1) % (mesh.vertices.size() / 2);
-          CellData<2>        cell;
-          cell.vertices = {2 * i, 2 * i + 1, 2 * next, 2 * next + 1};
-          mesh.cells.push_back(cell);
-        }
+        for (unsigned int k = 0; k + 1 < m; ++k)
+          {
+            const unsigned int here = i * m + k, next = (i + 1) * m % mesh.vertices.size() + k;
+            CellData<2>        cell;
+            cell.vertices = {here, here + 1, next, next + 1};
+            mesh.cells.push_back(cell);
+          }
       orient_cells(mesh);
       return mesh;
     }
@@ -198,8 +214,8 @@ namespace Amontons
       return mesh;
     }
 
-    // One cell across. The rays through a lattice on the surface of the cube [-n, n]^3 at equal angles make
-    // cells about as long as the shell is thick.
+    // The rays through a lattice on the surface of the cube [-n, n]^3 at equal angles make cells about as
+    // long as they are thick.
     CoarseMesh<3>
     make_hollow_sphere(const BodyData &body)
     {
@@ -207,11 +223,12 @@ namespace Amontons
       const double cells_per_half_edge = numbers::PI / 8 * (R + r) / (R - r);
       const auto   pieces              = orthants<3>(n_cuts(body.shape));
       check_cell_count<3>(body, 3 * pieces.size() * std::pow(cells_per_half_edge, 2));
-      const int n = std::max(1l, std::lround(cells_per_half_edge));
+      const int                 n       = std::max(1l, std::lround(cells_per_half_edge));
+      const std::vector<double> spheres = radii(r, R, numbers::PI_4 / n);
 
       CoarseMesh<3> mesh;
       std::map<std::array<int, 3>, unsigned int>
-                 rays; // by the lattice point: the vertex inside, the next is outside
+                 rays; // by the lattice point: the vertex inside, the next ones are further out
       const auto ray = [&](const std::array<int, 3> &lattice_point) {
         const auto [entry, is_new] = rays.emplace(lattice_point, mesh.vertices.size());
         if (is_new)
@@ -219,8 +236,8 @@ namespace Amontons
             Point<3> p;
             for (unsigned int d = 0; d < 3; ++d)
               p[d] = std::tan(numbers::PI_4 * lattice_point[d] / n);
-            mesh.vertices.push_back(r / p.norm() * p);
-            mesh.vertices.push_back(R / p.norm() * p);
+            for (const double radius : spheres)
+              mesh.vertices.push_back(radius / p.norm() * p);
           }
         return entry->second;
       };
@@ -228,18 +245,19 @@ namespace Amontons
         for (unsigned int d = 0; d < 3; ++d)
           for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j)
-              {
-                CellData<3> cell;
-                for (unsigned int v = 0; v < 8; ++v)
-                  {
-                    std::array<int, 3> p;
-                    p[d]             = int(signs[d]) * n;
-                    p[(d + 1) % 3]   = int(signs[(d + 1) % 3]) * (i + int(v) % 2);
-                    p[(d + 2) % 3]   = int(signs[(d + 2) % 3]) * (j + int(v) / 2 % 2);
-                    cell.vertices[v] = ray(p) + v / 4;
-                  }
-                mesh.cells.push_back(cell);
-              }
+              for (unsigned int k = 0; k + 1 < spheres.size(); ++k)
+                {
+                  CellData<3> cell;
+                  for (unsigned int v = 0; v < 8; ++v)
+                    {
+                      std::array<int, 3> p;
+                      p[d]             = int(signs[d]) * n;
+                      p[(d + 1) % 3]   = int(signs[(d + 1) % 3]) * (i + int(v) % 2);
+                      p[(d + 2) % 3]   = int(signs[(d + 2) % 3]) * (j + int(v) / 2 % 2);
+                      cell.vertices[v] = ray(p) + k + v / 4;
+                    }
+                  mesh.cells.push_back(cell);
+                }
       orient_cells(mesh);
 
       const TrueGeometry sphere{TrueGeometry::Type::circle, body.centre, {}};

@@ -231,6 +231,27 @@ check_orientation(const std::string &shape, const std::array<int, 3> &signs)
                    shape + " is on the right side");
 }
 
+// Cells of thick rings and shells are as long as they are thick, from the hole to far away.
+template <int dim>
+void
+check_thick(const std::string &shape)
+{
+  BodyData body    = make_body(shape);
+  body.radius      = 30;
+  body.refinements = 0;
+  Scene scene;
+  scene.kind   = dim == 3 ? ProblemType::three_dimensional : ProblemType::plane_strain;
+  scene.bodies = {body};
+  Geometry<dim> geometry(MPI_COMM_WORLD);
+  make_geometry(scene, geometry);
+  double worst = 1;
+  for (const auto &cell : geometry.triangulation.active_cell_iterators())
+    for (const unsigned int l : cell->line_indices())
+      worst = std::max(worst, cell->diameter() / cell->line(l)->diameter());
+  check::is_true(worst < 4,
+                 "thick " + shape + ": a cell is " + std::to_string(worst) + " times as long as an edge");
+}
+
 void
 check_orientations()
 {
@@ -404,6 +425,9 @@ main(int argc, char **argv)
   check_round_shapes();
   check_round_shapes_3d();
   check_orientations();
+  check_thick<2>("ring");
+  check_thick<2>("quarter ring");
+  check_thick<3>("half hollow sphere");
   check_crossed_cylinders();
   check_two_blocks<2>();
   check_two_blocks<3>();

@@ -1,4 +1,5 @@
-// Where the contact ends between the nodes: what a finer mesh starts with.
+// Where the contact ends between the nodes: what a finer mesh starts with, and what the mesh there cannot
+// tell.
 #pragma once
 
 #include <amontons/contact/surface_fields.h>

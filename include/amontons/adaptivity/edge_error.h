@@ -1,0 +1,20 @@
+/// The error of the pressure that the place of the end of contact in its face decides.
+#pragma once
+
+#include <amontons/contact/surface_fields.h>
+
+#include <deal.II/base/quadrature.h>
+
+namespace Amontons
+{
+  /// By slave face: the integral of (sqrt(max(0, s)) - p)^2, with the nodal values of
+  /// signed_pressure_square() for s and the discrete pressure p, over faces of which only some nodes carry
+  /// pressure and those that share nodes with them; 0 elsewhere, and on pairs that are tied. All ranks get
+  /// all faces. Source: doc/introduction.md, (36).
+  template <int dim>
+  std::vector<double>
+  edge_errors(const ContactInterface<dim> &interface,
+              const SurfaceFields<dim>    &fields,
+              const ProblemType            kind,
+              const Quadrature<dim - 1>   &quadrature);
+} // namespace Amontons

@@ -1,0 +1,62 @@
+#include <amontons/adaptivity/edge_error.h>
+#include <amontons/contact/contact_edge.h>
+#include <amontons/contact/face_basis.h>
+#include <amontons/elasticity/kinematics.h>
+
+namespace Amontons
+{
+  template <int dim>
+  std::vector<double>
+  edge_errors(const ContactInterface<dim> &interface,
+              const SurfaceFields<dim>    &fields,
+              const ProblemType            kind,
+              const Quadrature<dim - 1>   &quadrature)
+  {
+    const auto         &slave = *interface.slave;
+    std::vector<double> result(slave.faces.size(), 0.);
+    if (interface.pair->tied)
+      return result;
+    const auto        presses = [&](const unsigned int i) { return fields.pressure[i] > 0; };
+    std::vector<bool> of_edge(slave.nodes.size(), false);
+    for (const auto &face : slave.faces)
+      if (std::any_of(face.nodes.begin(), face.nodes.end(), presses) &&
+          !std::all_of(face.nodes.begin(), face.nodes.end(), presses))
+        for (const unsigned int i : face.nodes)
+          of_edge[i] = true;
+    if (std::none_of(of_edge.begin(), of_edge.end(), [](const bool is) { return is; }))
+      return result;
+    const auto square = signed_pressure_square(interface, fields);
+    for (unsigned int f = 0; f < result.size(); ++f)
+      {
+        const auto &nodes = slave.faces[f].nodes;
+        if (std::none_of(nodes.begin(), nodes.end(), [&](const unsigned int i) { return of_edge[i]; }))
+          continue;
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          {
+            const auto &xi = quadrature.point(q);
+            const auto  N  = lagrange_values<dim - 1>(slave.degree, xi);
+            double      p = 0, s = 0, jacobian;
+            for (unsigned int i = 0; i < N.size(); ++i)
+              {
+                p += N[i] * fields.pressure[nodes[i]];
+                s += N[i] * square[nodes[i]];
+              }
+            slave.face_normal(f, xi, &jacobian);
+            result[f] += quadrature.weight(q) * jacobian * measure<dim>(kind, slave.position(f, xi)) *
+                         std::pow(std::sqrt(std::max(0., s)) - p, 2);
+          }
+      }
+    return result;
+  }
+
+  template std::vector<double>
+  edge_errors(const ContactInterface<2> &,
+              const SurfaceFields<2> &,
+              const ProblemType,
+              const Quadrature<1> &);
+  template std::vector<double>
+  edge_errors(const ContactInterface<3> &,
+              const SurfaceFields<3> &,
+              const ProblemType,
+              const Quadrature<2> &);
+} // namespace Amontons

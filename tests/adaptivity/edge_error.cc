@@ -1,0 +1,50 @@
+// Where p^2 is linear, the error at the edge is that of interpolating its square root; elsewhere it is 0.
+#include "contact/contact_scene.h"
+
+#include <amontons/adaptivity/edge_error.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+// p^2 = end - 2 X, on faces of length h: nodal values of p in between are interpolated.
+void
+check_error(const double end, const double h)
+{
+  Scene scene;
+  scene.bodies = {
+      block("lower", {0, 0, 0}, {1, 1, 0}, {{1, 1, 1}}),
+      block("upper", {0, 1, 0}, {1, 2, 0}, {{static_cast<unsigned int>(std::lround(1 / h)), 1, 1}})};
+  scene.pairs = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+  const Problem<2> problem(scene, 1);
+  SurfaceFields<2> fields;
+  const auto       p     = [&](const double x) { return std::sqrt(std::max(0., end - 2 * x)); };
+  const auto      &slave = problem.slave();
+  for (const auto &node : slave.nodes)
+    {
+      fields.pressure.push_back(p(node.X[0]));
+      fields.state.push_back(fields.pressure.back() > 0 ? ContactStatus::slip : ContactStatus::open);
+    }
+  const QIterated<1> quadrature(QGauss<1>(4), 100);
+  const auto errors = edge_errors(problem.interfaces[0], fields, ProblemType::plane_strain, quadrature);
+  const int  last   = static_cast<int>(end / 2 / h); // the face where the pressure ends
+  for (unsigned int f = 0; f < errors.size(); ++f)
+    {
+      const double x     = slave.faces[f].centre[0] - h / 2;
+      double       exact = 0;
+      if (std::abs(std::lround(x / h) - last) < 2)
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          {
+            const double s = quadrature.point(q)[0];
+            exact += quadrature.weight(q) * h * std::pow(p(x + s * h) - (1 - s) * p(x) - s * p(x + h), 2);
+          }
+      check::is_close(errors[f], exact, 1e-12, "error at the edge", h * end);
+    }
+}
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  check_error(0.97, 1. / 8);
+  check_error(1.22, 1. / 8);
+  return check::result();
+}

@@ -77,7 +77,7 @@ namespace Amontons
       {
         if (interfaces[i].pair->tied || interfaces[i].pair->initial_gap)
           continue; // a declared gap says nothing about the distance of the meshes
-        double needed     = 0;
+        double needed     = interfaces[i].pair->adjust; // gaps of this size count as zero
         bool   any_closed = false;
         for (const auto &row : interfaces[i].coupling.rows)
           {

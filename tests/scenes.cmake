@@ -1353,3 +1353,21 @@ add_scene_test(NAME target_not_on_first_mesh SCENE verification/pin_in_hole.prm
                SET "Refinement/Cycles=-1" "Refinement/Target error=0.03" "Discretization/Degree=2" CHECK "status is converged" "meshes.-1.mesh >= 1" "pairs.0.peak_pressure ~ 0.8064 0.015")
 # A ring: about its mean radius, with Hertz's half-width of a line.
 add_scene_test(NAME ring_contact SCENE verification/ring_contact.prm CHECK "status is converged" "pairs.0.contact_size ~ 0.23489 2e-3" "pairs.0.peak_pressure ~ 1355.1 5e-3" "pairs.0.centre.0 ~ 50 1e-3")
+
+# ---- Found by independent tests (2026-11-25): each failed before
+
+# Waves, and a bump that stands proud, narrower than the faces of the first mesh.
+add_scene_test(NAME wavy_gap SCENE verification/wavy_gap.prm
+               CHECK "status is converged" "pairs.0.peak_pressure ~ 0.0025 2e-3" "pairs.0.normal_force.1 ~ -0.0015 1e-6" "error_estimate.contact <= 0.01")
+foreach(place 0.1234 0.33)
+  add_scene_test(NAME bump_at_${place} SCENE verification/wavy_gap.prm
+                 SET "Contact face/Initial gap=x^2/20-1.2*${place}^2/20*exp(-((x-${place})/0.003)^2)" "Obstacle plate/Force=0|-1e-8"
+                 CHECK "status is converged" "pairs.0.centre.0 ~ ${place} 1e-3")
+endforeach()
+# Pairs count alike: the light cylinder was answered by three nodes, its peak a twelfth of Hertz's.
+add_scene_test(NAME two_loads SCENE verification/two_loads.prm
+               CHECK "status is converged" "pairs.0.peak_pressure ~ 1870.3 1e-2" "pairs.1.peak_pressure ~ 187.03 1e-2" "pairs.1.contact_size ~ 0.034038 2e-3")
+# `Adjust` on finer meshes: the surfaces were not found again.
+add_scene_test(NAME adjusted_overlap SCENE verification/equal_blocks.prm
+               SET "Body upper/Lower corner=-0.5,-0.001" "Contact face/Adjust=0.002" "Refinement/Target error=0" "Refinement/Cycles=2"
+               CHECK "status is converged" "pairs.0.normal_force.1 ~ 2.2510 1e-3" "meshes.-1.mesh == 2")

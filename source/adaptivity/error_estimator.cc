@@ -1,12 +1,13 @@
 #include <amontons/base/points.h>
 #include <amontons/adaptivity/edge_error.h>
 #include <amontons/adaptivity/error_estimator.h>
+#include <amontons/adaptivity/facet_error.h>
+#include <amontons/adaptivity/gap_error.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/elasticity/linear_elastic.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/tensor_product_polynomials.h>
-#include <deal.II/numerics/rtree.h>
 
 #include <set>
 
@@ -91,7 +92,9 @@ namespace Amontons
       }
 
       void
-      add_interface(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+      add_interface(const ContactInterface<dim> &interface,
+                    const SurfaceFields<dim>    &fields,
+                    const double                 weight_of_pair)
       {
         const ContactSurface<dim> &slave = *interface.slave;
         std::vector<bool>          has_row(slave.nodes.size(), false);
@@ -99,9 +102,12 @@ namespace Amontons
           has_row[row.node] = true;
 
         // By slave face: eta_F^2, then the squared errors of pressure and shear.
-        const unsigned int  n    = slave.faces.size();
-        const auto          near = faces_near_contact(interface, fields);
-        const auto          edge = edge_errors(interface, fields, kind, on_face);
+        const unsigned int n = slave.faces.size();
+        PairParts          parts{faces_near_contact(interface, fields),
+                        edge_errors(interface, fields, kind, on_face),
+                        {},
+                        weight_of_pair};
+        parts.gap = gap_errors(interface, fields, combined_modulus(interface), kind, parts.near);
         std::vector<double> face_squares(3 * n, 0.);
         for (unsigned int f = 0; f < slave.faces.size(); ++f)
           if (slave.faces[f].rank == my_rank() &&
@@ -109,7 +115,7 @@ namespace Amontons
                           slave.faces[f].nodes.end(),
                           [&](const unsigned int i) { return has_row[i]; }))
             std::tie(face_squares[f], face_squares[n + f], face_squares[2 * n + f]) =
-                add_slave_face(interface, fields, f, near[f], edge[f]);
+                add_slave_face(interface, fields, parts, f);
         Utilities::MPI::sum(make_array_view(std::as_const(face_squares)),
                             discretization.geometry.communicator,
                             make_array_view(face_squares));
@@ -139,54 +145,33 @@ namespace Amontons
         return near;
       }
 
-      // doc/introduction.md, (32). All ranks know all nodes.
-      void
-      add_facets(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+      // By slave face: whether it is near the contact, the errors of edge_errors() and gap_errors(); and
+      // pair_weights().
+      struct PairParts
       {
-        FacetError        &error  = facets_of.emplace_back();
-        const auto        &bodies = discretization.scene.bodies;
-        const NearestFacet of_slave(interface.slave->facets);
-        const NearestFacet of_master(interface.master_surface ? interface.master_surface->facets
-                                                              : std::vector<Facet<dim>>());
-        if ((of_slave.empty() && of_master.empty()) || interface.pair->tied)
-          return;
-        double compliance = 1 / contact_modulus(bodies[interface.slave->body].material);
-        std::map<types::global_dof_index, Point<dim>> X_master;
-        if (interface.master_surface)
-          {
-            if (!bodies[interface.master_surface->body].rigid)
-              compliance += 1 / contact_modulus(bodies[interface.master_surface->body].material);
-            for (const auto &node : interface.master_surface->nodes)
-              X_master[node.dofs[0]] = node.X;
-          }
-        double square = 0, pressure = 0, area = 0;
-        for (const auto &row : interface.coupling.rows)
-          {
-            const double p = fields.multiplier[row.node];
-            if (!(p > 0))
-              continue;
-            pressure += row.area * p * p;
-            area += row.area;
-            Point<dim> opposite;
-            for (const auto &[dofs, weight] : row.master)
-              if (interface.master_surface)
-                opposite += weight * X_master.at(dofs[0]);
-            const Facet<dim> *const        slave  = of_slave.at(interface.slave->nodes[row.node].X),
-                                    *const master = of_master.at(opposite);
-            square += row.area * kinks_squared(slave, master);
-            for (const auto *facet : {slave, master})
-              if (facet != nullptr && std::abs(facet->angle) > error.angle)
-                {
-                  error.angle = std::abs(facet->angle);
-                  error.size  = facet->size;
-                }
-          }
-        const double modulus = 1 / compliance;
-        error.gap            = error.size * error.angle / 8;
-        error.pressure       = modulus * modulus / 48 * square; // squared, not yet relative
-        // a^2 / (2 R) of a Hertz contact: p0 = E* a / (2 R), and the mean square of p is 2/3 p0^2
-        if (area > 0)
-          error.closed_gap = std::sqrt(1.5 * pressure / area) * fields.contact_size / modulus;
+        std::vector<bool>   near;
+        std::vector<double> edge, gap;
+        double              weight;
+      };
+
+      // E* of both bodies.
+      double
+      combined_modulus(const ContactInterface<dim> &interface) const
+      {
+        const auto &bodies     = discretization.scene.bodies;
+        double      compliance = 1 / contact_modulus(bodies[interface.slave->body].material);
+        if (interface.master_surface && !bodies[interface.master_surface->body].rigid)
+          compliance += 1 / contact_modulus(bodies[interface.master_surface->body].material);
+        return 1 / compliance;
+      }
+
+      void
+      add_facets(const ContactInterface<dim> &interface,
+                 const SurfaceFields<dim>    &fields,
+                 const double                 weight_of_pair)
+      {
+        facets_of.push_back(facet_error(interface, fields, combined_modulus(interface)));
+        facets_of.back().pressure *= weight_of_pair;
       }
 
       ErrorEstimate<dim>
@@ -230,50 +215,6 @@ namespace Amontons
       }
 
     private:
-      // The facet at a point of the surface, if there is one.
-      class NearestFacet
-      {
-      public:
-        explicit NearestFacet(const std::vector<Facet<dim>> &facets) : facets(facets)
-        {
-          std::vector<std::pair<Point<dim>, unsigned int>> centres;
-          for (const auto &facet : facets)
-            centres.emplace_back(facet.centre, centres.size());
-          tree = pack_rtree(centres);
-        }
-
-        bool
-        empty() const
-        {
-          return facets.empty();
-        }
-
-        const Facet<dim> *
-        at(const Point<dim> &X) const
-        {
-          if (facets.empty())
-            return nullptr;
-          const auto &facet = facets[tree.qbegin(boost::geometry::index::nearest(X, 1))->second];
-          return X.distance(facet.centre) <= 1.05 * facet.radius ? &facet : nullptr;
-        }
-
-      private:
-        const std::vector<Facet<dim>> facets;
-        boost::geometry::index::rtree<std::pair<Point<dim>, unsigned int>, boost::geometry::index::linear<16>>
-            tree;
-      };
-
-      // Those of both sides; polygons that fit into each other leave no gap.
-      static double
-      kinks_squared(const Facet<dim> *slave, const Facet<dim> *master)
-      {
-        const double s = slave == nullptr ? 0 : slave->mean_square,
-                     m = master == nullptr ? 0 : master->mean_square;
-        const bool fit = slave != nullptr && master != nullptr && slave->angle * master->angle < 0 &&
-                         slave->centre.distance(master->centre) < 0.1 * slave->size;
-        return fit ? std::pow(std::sqrt(s) - std::sqrt(m), 2) : s + m;
-      }
-
       unsigned int
       my_rank() const
       {
@@ -327,9 +268,8 @@ namespace Amontons
       std::tuple<double, double, double>
       add_slave_face(const ContactInterface<dim> &interface,
                      const SurfaceFields<dim>    &fields,
-                     const unsigned int           face,
-                     const bool                   near_contact,
-                     const double                 edge_square)
+                     const PairParts             &parts,
+                     const unsigned int           face)
       {
         const ContactSurface<dim> &slave = *interface.slave;
         const auto &[cell, f]            = slave.owned[slave.faces[face].owned_index];
@@ -361,20 +301,20 @@ namespace Amontons
             if (!interface.pair->tied)
               square += weight * (t - (n * t) * n - shear).norm_square();
 
-            if (!near_contact)
+            if (!parts.near[face])
               continue;
             const Tensor<1, dim> t_star = traction<dim>(smooth[q], n);
             const double         p_star = -(n * t_star);
             if (interface.pair->has_friction())
               {
-                shear_part += weight * (t_star + p_star * n - shear).norm_square();
-                shear_square += weight * shear.norm_square();
+                shear_part += parts.weight * weight * (t_star + p_star * n - shear).norm_square();
+                shear_square += parts.weight * weight * shear.norm_square();
               }
             pressure_part += weight * (p_star - p) * (p_star - p);
-            pressure_square += weight * p * p;
+            pressure_square += parts.weight * weight * p * p;
           }
         square *= slave.faces[face].size / discretization.scene.bodies[cell->material_id()].material.young;
-        pressure_part = std::max(pressure_part, edge_square);
+        pressure_part = parts.weight * (std::max(pressure_part, parts.edge[face]) + parts.gap[face]);
         shear_error += shear_part;
         squares[cell->active_cell_index()] += square;
         contact_squares[cell->active_cell_index()] += pressure_part;
@@ -440,6 +380,22 @@ namespace Amontons
     return result;
   }
 
+  template <int dim>
+  std::vector<double>
+  pair_weights(const std::vector<ContactInterface<dim>> &interfaces,
+               const std::vector<SurfaceFields<dim>>    &fields)
+  {
+    constexpr double    least = 0.05; // of the largest norm
+    std::vector<double> squares(interfaces.size(), 0.);
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      for (const auto &row : interfaces[i].coupling.rows)
+        squares[i] += row.area * std::pow(fields[i].multiplier[row.node], 2);
+    const double largest = squares.empty() ? 0. : *std::max_element(squares.begin(), squares.end());
+    for (double &square : squares)
+      square = largest > 0 ? largest / std::max(square, least * least * largest) : 1.;
+    return squares;
+  }
+
   template struct ErrorEstimate<2>;
   template struct ErrorEstimate<3>;
 
@@ -452,14 +408,19 @@ namespace Amontons
   {
     Estimation<dim> estimation(discretization, recovery);
     estimation.add_bulk();
+    const auto weights = pair_weights(interfaces, fields);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
-        estimation.add_interface(interfaces[i], fields[i]);
-        estimation.add_facets(interfaces[i], fields[i]);
+        estimation.add_interface(interfaces[i], fields[i], weights[i]);
+        estimation.add_facets(interfaces[i], fields[i], weights[i]);
       }
     return estimation.result();
   }
 
+  template std::vector<double>
+  pair_weights(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &);
+  template std::vector<double>
+  pair_weights(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &);
   template ErrorEstimate<2>
   estimate_error(const Discretization<2> &,
                  const StressRecovery<2> &,

@@ -23,15 +23,17 @@ namespace Amontons
              const std::vector<Tensor<1, dim>> &before,
              const ProblemType                  kind,
              const bool                         has_friction,
+             const double                       weight_of_pair,
              Squares                           &squares)
     {
       for (unsigned int q = 0; q < gauss.size(); ++q)
         {
           const auto    &xi = gauss.point(q);
           double         jacobian;
-          Tensor<1, dim> n      = slave.face_normal(face, xi, &jacobian), value, difference;
-          const double   weight = gauss.weight(q) * jacobian * measure<dim>(kind, slave.position(face, xi));
-          const auto     N      = lagrange_values<dim - 1>(slave.degree, xi);
+          Tensor<1, dim> n = slave.face_normal(face, xi, &jacobian), value, difference;
+          const double   weight =
+              weight_of_pair * gauss.weight(q) * jacobian * measure<dim>(kind, slave.position(face, xi));
+          const auto N = lagrange_values<dim - 1>(slave.degree, xi);
           for (unsigned int i = 0; i < N.size(); ++i)
             {
               const unsigned int node = slave.faces[face].nodes[i];
@@ -144,10 +146,12 @@ namespace Amontons
         const LA::Vector      now = surface_tractions(discretization, interfaces, fields);
         Squares               squares;
         const QGauss<dim - 1> gauss(discretization.fe.degree + 1);
-        for (const auto &interface : interfaces)
+        const auto            weights = pair_weights(interfaces, fields);
+        for (unsigned int i = 0; i < interfaces.size(); ++i)
           {
-            const auto values = values_on(*interface.slave, now),
-                       old    = values_on(*interface.slave, before.traction);
+            const auto &interface = interfaces[i];
+            const auto  values    = values_on(*interface.slave, now),
+                       old        = values_on(*interface.slave, before.traction);
             for (unsigned int f = 0; f < interface.slave->faces.size(); ++f)
               add_face(*interface.slave,
                        f,
@@ -156,6 +160,7 @@ namespace Amontons
                        old,
                        discretization.scene.kind,
                        interface.pair->has_friction(),
+                       weights[i],
                        squares);
           }
         pressure = error_by_comparisons(ratio(squares.pressure_difference, squares.pressure),

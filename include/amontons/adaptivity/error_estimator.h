@@ -1,7 +1,7 @@
 // How wrong the answer is, and where.
 #pragma once
 
-#include <amontons/contact/contact_interface.h>
+#include <amontons/adaptivity/facet_error.h>
 #include <amontons/elasticity/stress_recovery.h>
 
 #include <deal.II/lac/vector.h>
@@ -10,13 +10,6 @@
 
 namespace Amontons
 {
-  // What facets (see geometry/facets.h) do to the contact of a pair: their largest kink, length and error of
-  // the gap where they touch, the gap that the load closes, and the relative L2 error of the pressure.
-  struct FacetError
-  {
-    double angle = 0, size = 0, gap = 0, closed_gap = 0, pressure = 0;
-  };
-
   // Errors of the tangential traction are relative to it or to this part of the pressure, if that is larger.
   constexpr double noteworthy_shear = 0.05;
 
@@ -63,13 +56,21 @@ namespace Amontons
     indicators_for(const double target) const;
   };
 
+  // By pair: by what the squares of its tractions and of their errors are multiplied, so that pairs count
+  // alike, whatever their load: a lightly pressed one as if int p^2 were that of the pair with the largest,
+  // up to 1/20^2 of which.
+  template <int dim>
+  std::vector<double>
+  pair_weights(const std::vector<ContactInterface<dim>> &interfaces,
+               const std::vector<SurfaceFields<dim>>    &fields);
+
   // Bulk: eta_K^2 = int_K (sigma* - sigma_h) : C^-1 : (sigma* - sigma_h) (doc/introduction.md, (30);
   // Zienkiewicz and Zhu 1987), with sigma* the recovered stress. Contact: eta_F^2 = h_F / E int_F (p + n .
   // sigma_h n)^2 + |tangential part of sigma_h n, less that of the contact|^2 (doc/introduction.md, (31)) on
   // the slave faces of the coupling, without the second term where surfaces are tied; added to the slave's
   // cell and, in proportion to the overlaps, to the masters' cells: cell_indicators = sqrt(eta_K^2 + sum
-  // eta_F^2). `contact` = sqrt(sum_pairs int (p* - p)^2 / int p^2) over the slave faces, where p* = -n .
-  // sigma* . n is the recovered normal stress of the slave body; `shear` likewise, of the pairs with
+  // eta_F^2). `contact` = sqrt(sum w int (p* - p)^2 / sum w int p^2) over pairs of these weights, where p* =
+  // -n . sigma* . n is the recovered normal stress of the slave body; `shear` likewise, of the pairs with
   // friction. n is the normal of the true surface. recovery: of the displacement. fields: by interface.
   // Collective.
   template <int dim>

@@ -1,0 +1,20 @@
+/// The error of the pressure by a declared gap that changes within the faces.
+#pragma once
+
+#include <amontons/contact/surface_fields.h>
+
+namespace Amontons
+{
+  /// By slave face: E*^2/4 int |grad(g - I g)|^2 with the declared gap g (`Initial gap`) and its
+  /// interpolation I g of degree 4 on the face. Half spaces answer a gap A cos kx with the pressure -E* k A/2
+  /// cos kx, so the mean squares of what a gap makes are those of its slope: what a face does not see of a
+  /// wavy gap is missing in the pressure. modulus: E* of both bodies. 0 on pairs that are tied or have no
+  /// declared gap, and on faces that are not `wanted`.
+  template <int dim>
+  std::vector<double>
+  gap_errors(const ContactInterface<dim> &interface,
+             const SurfaceFields<dim>    &fields,
+             const double                 modulus,
+             const ProblemType            kind,
+             const std::vector<bool>     &near);
+} // namespace Amontons

@@ -1,0 +1,123 @@
+#include <amontons/adaptivity/gap_error.h>
+#include <amontons/base/points.h>
+#include <amontons/elasticity/kinematics.h>
+
+#include <deal.II/base/polynomial.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/tensor_product_polynomials.h>
+
+#include <numeric>
+
+namespace Amontons
+{
+  namespace
+  {
+    // Gauss points, whose distances differ, so that no wave fits all of them; on surfaces of few faces the
+    // more.
+    template <int dim>
+    class GapSampler
+    {
+    public:
+      explicit GapSampler(const unsigned int n_faces)
+          : nodes(QGaussLobatto<1>(5)),
+            line(dim == 2 ? std::clamp(4000 / n_faces, 24u, 400u)
+                          : std::clamp(static_cast<unsigned int>(std::sqrt(4e4 / n_faces)), 8u, 40u)),
+            points(line),
+            polynomials(Polynomials::generate_complete_Lagrange_basis(QGaussLobatto<1>(5).get_points()))
+      {
+      }
+
+      struct Unseen
+      {
+        double slope_square = 0; // integral over the face
+        double dip          = 0; // how far the gap lies below its mean on the face
+      };
+
+      Unseen
+      operator()(const ContactInterface<dim> &interface,
+                 const unsigned int           face,
+                 const ProblemType            kind) const
+      {
+        const auto &slave = *interface.slave;
+        const auto  gap   = [&](const Point<dim - 1> &xi) {
+          return interface.pair->initial_gap->value(as_3d(slave.reference_position(face, xi)), interface.t);
+        };
+        std::vector<double> nodal;
+        for (const auto &xi : nodes.get_points())
+          nodal.push_back(gap(xi));
+        std::vector<double>     all, unseen;
+        std::vector<Point<dim>> X;
+        for (const auto &xi : points.get_points())
+          {
+            all.push_back(gap(xi));
+            unseen.push_back(all.back());
+            for (unsigned int k = 0; k < nodal.size(); ++k)
+              unseen.back() -= nodal[k] * polynomials.compute_value(k, xi);
+            X.push_back(slave.position(face, xi));
+          }
+        Unseen result;
+        result.dip = std::inner_product(all.begin(), all.end(), points.get_weights().begin(), 0.) -
+                     *std::min_element(all.begin(), all.end());
+        for (unsigned int q = 0; q < X.size(); ++q)
+          for (unsigned int d = 0, stride = 1; d < dim - 1; ++d, stride *= line.size())
+            if (q / stride % line.size() + 1 < line.size())
+              {
+                const unsigned int next = q + stride;
+                double             jacobian, across = 1; // the weight along the other direction
+                slave.face_normal(face, points.point(q), &jacobian);
+                if (dim == 3)
+                  across = points.weight(q) / line.weight(q / stride % line.size());
+                result.slope_square += measure<dim>(kind, X[q]) * jacobian * across *
+                                       (points.point(next)[d] - points.point(q)[d]) *
+                                       std::pow((unseen[next] - unseen[q]) / X[next].distance(X[q]), 2);
+              }
+        return result;
+      }
+
+    private:
+      const Quadrature<dim - 1>               nodes;
+      const QGauss<1>                         line;
+      const Quadrature<dim - 1>               points;
+      const TensorProductPolynomials<dim - 1> polynomials;
+    };
+  } // namespace
+
+  template <int dim>
+  std::vector<double>
+  gap_errors(const ContactInterface<dim> &interface,
+             const SurfaceFields<dim>    &fields,
+             const double                 modulus,
+             const ProblemType            kind,
+             const std::vector<bool>     &near)
+  {
+    const auto         &slave = *interface.slave;
+    std::vector<double> result(slave.faces.size(), 0.);
+    if (interface.pair->tied || !interface.pair->initial_gap ||
+        !interface.pair->initial_gap->depends_on_place())
+      return result;
+    const GapSampler<dim> sampler(std::max<unsigned int>(1, slave.faces.size()));
+    for (unsigned int f = 0; f < result.size(); ++f)
+      {
+        const auto unseen = sampler(interface, f, kind);
+        double     mean   = 0;
+        for (const unsigned int i : slave.faces[f].nodes)
+          mean += fields.gap[i] / slave.faces[f].nodes.size(); // nan: nothing is opposite
+        if (near[f] || mean < unseen.dip)
+          result[f] = modulus * modulus / 4 * unseen.slope_square;
+      }
+    return result;
+  }
+
+  template std::vector<double>
+  gap_errors(const ContactInterface<2> &,
+             const SurfaceFields<2> &,
+             const double,
+             const ProblemType,
+             const std::vector<bool> &);
+  template std::vector<double>
+  gap_errors(const ContactInterface<3> &,
+             const SurfaceFields<3> &,
+             const double,
+             const ProblemType,
+             const std::vector<bool> &);
+} // namespace Amontons

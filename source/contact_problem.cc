@@ -65,7 +65,7 @@ namespace Amontons
         report.note("model: the scene is its own mirror image at " + plane +
                     ": half of it, with 'Type = symmetry' on the cut, has the same answer");
     Checks checks;
-    if (report.has_answer())
+    if (report.has_answer() && !steps->is_carried())
       checks = check_physics(steps->answer());
     success = success && obeys_laws(checks);
     return report.finish(steps->answer(), ending(success, std::move(checks)));
@@ -79,9 +79,14 @@ namespace Amontons
     if (!control.stop.is_there())
       return false;
     std::ostringstream text;
-    text << control.stop.reason()
-         << "; the last state that converged is that of t = " << steps->history.state.t << " of "
-         << scene.end_time << " on mesh " << mesh->n_refinements;
+    text << control.stop.reason();
+    if (!report.has_answer())
+      text << " before any state had converged";
+    else
+      text << "; the last state that converged is that of t = " << steps->history.state.t << " of "
+           << scene.end_time << " on mesh " << steps->mesh_of_state();
+    if (report.has_answer() && steps->is_carried())
+      text << " (files with fields show it carried to mesh " << mesh->n_refinements << ")";
     control.try_to([&]() { control.checkpoint.flush(); });
     if (Checkpoint::exists(folder))
       text << "; 'amontons --resume " << folder << "' goes on from there";
@@ -192,7 +197,11 @@ namespace Amontons
   bool
   ContactProblem<dim>::choose_kinematics(const bool success)
   {
-    small_strain.look(*steps->model, steps->history.state, success, report.timer());
+    small_strain.look(*steps->model, steps->history.state, success, report.timer(), [this]() {
+      return control.gives_up(mesh->geometry.communicator);
+    });
+    if (control.stop.is_there())
+      return success;
     if (scene.kinematics == Kinematics::automatic && !small_strain.is_harmless() &&
         small_strain.has_alternative())
       return run_with_finite_strain(success);

@@ -115,8 +115,11 @@ namespace Amontons
   NewtonReport
   LoadPath<dim>::solve(Mechanics<dim> &mechanics, const typename Newton<dim>::Observer &observer)
   {
-    const ContactSolver<dim> solver = {
-        parameters.newton, parameters.linear_solver, model->discretization(), timer};
+    bool                     given_up = false;
+    const ContactSolver<dim> solver   = {
+          parameters.newton, parameters.linear_solver, model->discretization(), timer, [&]() {
+          return given_up = given_up || control.gives_up(model->mesh->geometry.communicator);
+        }};
     const auto save_if_urgent = [&](const NewtonReport::Iteration &iteration) {
       observer(iteration);
       if (StopRequest::is_urgent()) // whoever sends signals may not wait for the end of the increment
@@ -124,6 +127,11 @@ namespace Amontons
     };
     auto report = solver.solve(
         mechanics, model->interfaces, model->supports, history.state, save_if_urgent, history.follow_motion);
+    if (given_up) // whatever it had found by then
+      {
+        report.converged = false;
+        report.failure   = Failure{Failure::Kind::given_up};
+      }
     if (report.converged && !control.stop.is_there())
       {
         TimerOutput::Scope scope(timer, "output");

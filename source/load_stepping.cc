@@ -90,12 +90,9 @@ namespace Amontons
               return false;
             failures = Failures();
           }
-        else if (result == Result::lost)
-          return false;
-        else if (must_stop() || !try_again(program, failures))
+        else if (result != Result::failed || !try_again(program, failures))
           {
-            if (program.number() > 1)
-              return_to_last_converged();
+            end_early(result, program);
             return false;
           }
         report.progress(program);
@@ -114,14 +111,26 @@ namespace Amontons
       {
         do
           if (!solve_on_mesh(program))
-            return Result::failed;
-        while (model->widen_search(history.state));
+            return control.stop.is_there() ? Result::stopped : Result::failed;
+        while (widen_search());
         if (!refine_now(program) || must_stop() || !refine())
           return Result::converged;
         if (refinement == Refinement::on_the_way && program.time() > 0 && !rebalance(program))
-          return Result::lost;
+          return control.stop.is_there() ? Result::stopped : Result::lost;
         //! [increment]
       }
+  }
+
+  template <int dim>
+  bool
+  LoadStepping<dim>::widen_search()
+  {
+    const auto narrow = history.state;
+    if (!model->widen_search(history.state))
+      return false;
+    history.fallback      = narrow;
+    history.fallback_mesh = model->mesh->n_refinements;
+    return true;
   }
 
   template <int dim>
@@ -133,12 +142,17 @@ namespace Amontons
     report.begin_solve(program, mesh, model->discretization());
     history.last_report        = iterate(report.observer());
     const double solve_seconds = seconds.wall_time();
+    if (!history.last_report.converged && must_stop()) // no estimate of what is no answer
+      return false;
     evaluation.collect_fields(*model, history.state);
     {
       TimerOutput::Scope scope(timer, "error estimate");
       evaluation.estimate(*model, history.state);
       if (history.last_report.converged)
-        judge();
+        {
+          judge();
+          history.fallback = {};
+        }
     }
     report.add_estimate(evaluation.error);
     report.end_solve(answer(), {program, mesh, history.last_report, evaluation, solve_seconds});
@@ -263,44 +277,6 @@ namespace Amontons
     go_back();
   }
 
-  // To the last converged state, or to rest; on a refined mesh its contact states are those that the field
-  // of its tractions tells.
-  template <int dim>
-  void
-  LoadStepping<dim>::go_back()
-  {
-    evaluation.go_back();
-    history.state = history.last_converged;
-    if (history.state.displacement.size() == 0)
-      history.state.displacement = model->discretization().make_relevant_vector();
-    model->move_to(history.state);
-    if (history.last_converged.displacement.size() > 0 && history.last_converged.contact.empty())
-      restore_contact();
-  }
-
-  // What is written and reported is the last increment that converged; the message says how the next one
-  // failed.
-  template <int dim>
-  void
-  LoadStepping<dim>::return_to_last_converged()
-  {
-    const double failed_time = history.state.t;
-    report.drop_last_solve();
-    const bool is_transferred = history.last_converged.contact.empty();
-    go_back();
-    const double t = history.state.t;
-    set_time(t);
-    if (is_transferred)
-      iterate(report.observer());
-    model->update_loads(history.state);
-    evaluation.collect_fields(*model, history.state);
-    evaluation.recovery->recover(history.state.displacement);
-    std::ostringstream text;
-    text << "the increment from t = " << t << " to " << failed_time
-         << " failed (results are those of t = " << t << "): " << report.message();
-    report.fail(text.str());
-  }
-
   template <int dim>
   bool
   LoadStepping<dim>::may_refine() const
@@ -360,7 +336,7 @@ namespace Amontons
                                           history.record,
                                           mesh_is_last,
                                           [&](const double length) { return repeat_with(length); });
-    if (!errors)
+    if (!errors || control.stop.is_there())
       return false;
     report.set_error_of_increments(*errors);
     if (mesh_is_last)
@@ -402,6 +378,8 @@ namespace Amontons
     history.last_converged.contact.clear(); // of the nodes before, see go_back()
     model->move_to(history.state);
     restore_contact();
+    history.fallback      = history.state;
+    history.fallback_mesh = model->mesh->n_refinements - 1;
     return true;
   }
 
@@ -423,6 +401,8 @@ namespace Amontons
     restore_contact();
     report.say("equilibrium of the transferred state at t = " + std::to_string(state.t));
     const auto result = iterate(report.observer());
+    if (!result.converged && must_stop())
+      return false;
     if (!result.converged)
       {
         evaluation.collect_fields(*model, state);

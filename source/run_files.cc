@@ -149,6 +149,18 @@ namespace Amontons
     write_file(folder + "/progress.json", json.text() + "\n");
   }
 
+  // Stopped before any state had converged.
+  template <int dim>
+  void
+  RunReport<dim>::write_files_without_answer() const
+  {
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      control.try_to([&]() {
+        write_progress("stopped");
+        write_summary(summary, folder + "/summary.json");
+      });
+  }
+
   // Each, even if another one cannot be written.
   template <int dim>
   void
@@ -200,6 +212,10 @@ namespace Amontons
   RunReport<2>::write_increment(const Answer<2> &, const Evaluation<2> &);
   template void
   RunReport<3>::write_increment(const Answer<3> &, const Evaluation<3> &);
+  template void
+  RunReport<2>::write_files_without_answer() const;
+  template void
+  RunReport<3>::write_files_without_answer() const;
   template void
   RunReport<2>::write_files(const Answer<2> &, const StressRecovery<2> *) const;
   template void

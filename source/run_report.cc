@@ -315,7 +315,10 @@ namespace Amontons
     summary.cost.linear_solves = linear_solves == calls.end() ? 0 : linear_solves->second;
     summary.cost.wall_seconds  = wall.wall_time();
     terminal.answer(summary); // whatever becomes of the files
-    write_files(answer, ending.evaluation.recovery.get());
+    if (has_answer())
+      write_files(answer, ending.evaluation.recovery.get());
+    else
+      write_files_without_answer();
     return summary;
   }
 

@@ -197,7 +197,8 @@ namespace Amontons
   SmallStrainCheck<dim>::look(Model<dim>               &model,
                               const SolutionState<dim> &state,
                               const bool                converged,
-                              TimerOutput              &timer)
+                              TimerOutput              &timer,
+                              const GivesUp            &gives_up)
   {
     TimerOutput::Scope scope(timer, "choice of the model");
     neglected.measure_gaps(model.discretization(), model.supports, model.interfaces);
@@ -208,7 +209,7 @@ namespace Amontons
     tried                           = converged && rotations_are_held && !neglected.came_back() &&
             (terms.largest() > bound || (automatic && terms.stiffening > bound));
     if (tried)
-      change = change_by_finite_strain(model, state, timer);
+      change = change_by_finite_strain(model, state, timer, gives_up);
     what_was_seen = {{"neglected_strain", terms.strain},
                      {"neglected_contact", terms.contact},
                      {"neglected_stiffening", terms.stiffening}};
@@ -224,13 +225,14 @@ namespace Amontons
   std::optional<double>
   SmallStrainCheck<dim>::change_by_finite_strain(Model<dim>               &model,
                                                  const SolutionState<dim> &state,
-                                                 TimerOutput              &timer) const
+                                                 TimerOutput              &timer,
+                                                 const GivesUp            &gives_up) const
   {
     SolutionState<dim>       trial = state;
     FiniteStrainModel<dim>   finite(model, state, timer);
     const auto               mechanics = finite.mechanics(state);
     const ContactSolver<dim> solver    = {
-           parameters.newton, parameters.linear_solver, model.discretization(), timer};
+           parameters.newton, parameters.linear_solver, model.discretization(), timer, gives_up};
     const auto result =
         solver.solve(*mechanics, finite.interfaces, finite.supports, trial, [](const auto &) {});
     model.resume();

@@ -3,6 +3,7 @@
 
 Signals, a time limit, files that cannot be written, a folder that is in use, links, and an earlier run in the folder."""
 
+import csv
 import json
 import os
 import re
@@ -19,6 +20,10 @@ import launch
 HERE = os.path.dirname(os.path.abspath(__file__))
 SCENE = os.path.join(HERE, "../parameters/half_plane_box_friction.prm")
 LONG = ["--set", "End time = 2", "--set", "Increments = 20", "--set", "Refinement/Cycles = 4", "--set", "Output/VTU = false"]
+# Multigrid takes thousands of steps for what is nearly incompressible: a minute and more on mesh 3, while coarser ones are factorised.
+SLOW = [os.path.join(HERE, "../parameters/sphere_on_block_scaling.prm"), "--set", "Body block/Poisson ratio = 0.49999999", "--set", "Linear solver/Maximum iterations = 1000000"]
+SLOW_AT_ONCE = ["--set", "Body block/Cells = 12, 12, 12"]
+SOON = 20  # seconds
 QUICK = os.path.join(HERE, "../parameters/patch_test.prm")
 failures = []
 
@@ -68,6 +73,62 @@ def stopped_by(number, place):
     rows = [(mesh["t"], mesh["dofs"], mesh["iterations"], mesh["energy"]) for mesh in summary_of(out)["meshes"]]
     check(rows == whole, f"{name}: resumed it takes another way")
     check(not os.path.exists(os.path.join(out, "checkpoint")), f"{name}: a checkpoint is left")
+
+
+def ranks_of(process):
+    """Process ids: of the program itself, or of what mpirun has started."""
+    with open(f"/proc/{process.pid}/task/{process.pid}/children") as file:
+        return [int(word) for word in file.read().split()] or [process.pid]
+
+
+def end_of(process, signalled=None):
+    """What it says, where it ends soon after the signal."""
+    if signalled:
+        os.kill(signalled, signal.SIGTERM)
+    try:
+        return process.communicate(timeout=SOON)[0]
+    except subprocess.TimeoutExpired:
+        failures.append("no end within %d s" % SOON)
+        for rank in ranks_of(process) + [process.pid]:
+            os.kill(rank, signal.SIGKILL)
+        return process.communicate()[0]
+
+
+def in_a_long_solve(place):
+    """It is given up; the answer is that of the mesh before, and a resumed run goes on from there."""
+    for n_ranks in (1, 2):
+        out = os.path.join(place, f"long{n_ranks}")
+        mpi = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", "2"] if n_ranks > 1 else []
+        process = subprocess.Popen(mpi + [program] + SLOW + ["--output", out, "--set", "Output/VTU = true", "--set", "Output/Report = true"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                   env=launch.surroundings(None if mpi else place))
+        wait_for(os.path.join(out, "amontons.log"))
+        for _ in range(6000):
+            if "mesh 3:" in open(os.path.join(out, "amontons.log")).read():
+                break
+            time.sleep(0.01)
+        said = " ".join(end_of(process, ranks_of(process)[-1]).split())  # one rank alone hears of it
+        check(process.returncode == 2, f"long solve on {n_ranks}: exit code {process.returncode}")
+        check("the last state that converged is that of t = 1 of 1 on mesh 2 (files with fields show it carried to mesh 3)" in said, f"long solve on {n_ranks}: {said[-1500:]}")
+        if not os.path.exists(os.path.join(out, "summary.json")):
+            continue
+        summary = summary_of(out)
+        check(summary["failure"] == "stopped" and [mesh["mesh"] for mesh in summary["meshes"]] == [0, 1, 2], f"long solve on {n_ranks}: {summary['message']}")
+        check(summary["dofs"] == summary["meshes"][-1]["dofs"] and abs(summary["pairs"][0]["normal_force"][2] + 500) < 0.01, f"long solve on {n_ranks}: not the answer of mesh 2")
+        with open(os.path.join(out, "contact.csv")) as file:
+            force = sum(float(row["pressure"]) * float(row["area"]) for row in csv.DictReader(file))
+        check(450 < force < 550, f"long solve on {n_ranks}: the state that was carried has a force of {force}")
+        check({"report.html", "bodies.pvd", "contact.pvd"} <= set(os.listdir(out)), f"long solve on {n_ranks}: {os.listdir(out)}")
+        again = run(["--resume", out, "--time-limit", "0.1s"])
+        check(again.returncode == 2 and "3 solves are known" in " ".join(again.stdout.split()), f"long solve on {n_ranks}, resumed: {again.stdout[-500:]}{again.stderr}")
+
+
+def in_the_first_solve(place):
+    """Nothing has converged: it says so."""
+    out = os.path.join(place, "first")
+    process = start(SLOW + SLOW_AT_ONCE + ["--output", out, "--time-limit", "1s"], place)
+    said = " ".join(end_of(process).split())
+    check(process.returncode == 2 and "time limit of 1 s before any state had converged" in said, f"first solve: {process.returncode} {said[-500:]}")
+    check(sorted(os.listdir(out)) == ["amontons.log", "progress.json", "summary.json"], f"first solve: {os.listdir(out)}")
 
 
 def time_limit(place):
@@ -190,6 +251,32 @@ def parts_of_another_run(place):
     check(rows == whole, "parts of another run are used")
 
 
+def other_files(place):
+    """A resumed run with fewer files than it had: none stays of before."""
+    scene, out = os.path.join(place, "files.prm"), os.path.join(place, "files")
+    with open(SCENE) as file:
+        text = file.read()
+
+    def entries(wanted):
+        with open(scene, "w") as file:
+            file.write(text + f"\nsubsection Output\n set VTU = {wanted}\n set Report = {wanted}\n set Contact tables = {wanted}\nend\n")
+
+    entries("true")
+    process = start([scene, "--output", out] + LONG[:-2], place)
+    wait_for(os.path.join(out, "contact_0003.csv"))
+    process.send_signal(signal.SIGTERM)
+    process.communicate(timeout=300)
+    before = os.listdir(out)
+    check({"bodies.pvd", "contact_0000.vtu", "report.html", "checkpoint"} <= set(before), f"other files: {before}")
+    entries("false")
+    stopped = run(["--resume", out, "--time-limit", "0.001s"])
+    aside = os.path.join(out, "earlier_run")
+    check(stopped.returncode == 2 and {"bodies.pvd", "report.html"} <= set(os.listdir(aside)) and "checkpoint" in os.listdir(out), f"other files, resumed: {os.listdir(out)} {stopped.stderr}")
+    done = run(["--resume", out])
+    left = sorted(os.listdir(out))
+    check(done.returncode == 0 and left == ["amontons.log", "contact.csv", "history.csv", "progress.json", "summary.json"], f"other files: left are {left} {done.stderr}")
+
+
 def other_mesh_file(place):
     """With the same vertices: only the name of a boundary is another one."""
     for name in ("patch_3d_irregular.prm", "patch_3d_upper.msh", "patch_3d_lower.msh"):
@@ -289,7 +376,7 @@ with tempfile.TemporaryDirectory(prefix="amontons-stopped-") as folder:
     whole = [(mesh["t"], mesh["dofs"], mesh["iterations"], mesh["energy"]) for mesh in summary_of(os.path.join(folder, "whole"))["meshes"]]
     stopped_by(signal.SIGTERM, folder)
     stopped_by(signal.SIGINT, folder)
-    for part in (time_limit, other_entries, damaged_part, missing_part, refused_while_it_runs, killed_again, parts_of_another_run, other_mesh_file, full_disk, two_at_once, earlier_run, links, tables, inputs):
+    for part in (in_a_long_solve, in_the_first_solve, time_limit, other_entries, damaged_part, missing_part, refused_while_it_runs, killed_again, parts_of_another_run, other_files, other_mesh_file, full_disk, two_at_once, earlier_run, links, tables, inputs):
         part(folder)
 print("\n".join(failures) or "all right")
 sys.exit(1 if failures else 0)

@@ -18,6 +18,10 @@ namespace Amontons
   struct LoadHistory
   {
     SolutionState<dim> state, last_converged;
+    // Has converged, on this mesh before its last refinement, or with surfaces that were coupled in a smaller
+    // part; until the next state converges.
+    SolutionState<dim> fallback;
+    unsigned int       fallback_mesh = 0;
     /// Replay: the increments on the mesh before, as first guesses.
     struct PathPoint
     {

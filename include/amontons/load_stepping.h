@@ -36,6 +36,19 @@ namespace Amontons
     void
     run_to_measure_increments();
 
+    /// After run(): the mesh that the state is of. is_carried(): another one than the present, which was not
+    /// solved: not in equilibrium.
+    unsigned int
+    mesh_of_state() const
+    {
+      return falls_back ? history.fallback_mesh : model->mesh->n_refinements;
+    }
+    bool
+    is_carried() const
+    {
+      return mesh_of_state() != model->mesh->n_refinements;
+    }
+
     /// Friction, after run(): what the increments do to the answer, for the report.
     void
     measure_increments();
@@ -66,7 +79,8 @@ namespace Amontons
     {
       converged,
       failed, // a shorter one may converge
-      lost    // none does: where it starts from has no equilibrium on the refined mesh
+      lost,   // none does: where it starts from has no equilibrium on the refined mesh
+      stopped // before it had converged
     };
 
     bool
@@ -75,6 +89,8 @@ namespace Amontons
     solve_increment(const LoadProgram &program);
     bool
     solve_on_mesh(const LoadProgram &program);
+    bool
+    widen_search();
     void
     judge();
     // The error that `Target error` is asked for.
@@ -103,6 +119,12 @@ namespace Amontons
     go_back();
     void
     return_to_last_converged();
+    void
+    return_to_last_known();
+    void
+    end_early(const Result why, const LoadProgram &program);
+    void
+    restore_shears();
 
     bool
     may_refine() const;
@@ -137,6 +159,7 @@ namespace Amontons
     NeglectedTermsOfHistory<dim> *neglected;
     const Refinement              refinement;
     IncrementChoice               increments;
-    bool                          measured = false; // their error, once
+    bool                          measured   = false; // their error, once
+    bool                          falls_back = false; // stopped: the state is history.fallback
   };
 } // namespace Amontons

@@ -12,6 +12,14 @@ namespace Amontons
     StopRequest stop;
     Checkpoint  checkpoint;
 
+    /// What is being solved is to be given up; see StopRequest. Nothing that a run that goes on has to come
+    /// through again. Collective.
+    bool
+    gives_up(const MPI_Comm communicator)
+    {
+      return !checkpoint.is_replaying() && stop.gives_up(communicator);
+    }
+
     /// Writes something; where that cannot be done, this is a reason to stop, not an exception.
     template <typename Write>
     void

@@ -124,6 +124,12 @@ namespace Amontons
     /// The last solve is an increment of the load program: what was done so far, pictures.
     void
     commit(const Answer<dim> &answer, const WorkDone<dim> &work, const Evaluation<dim> &evaluation);
+    /// A state that is no increment: pictures alone.
+    void
+    show(const Answer<dim> &answer, const Evaluation<dim> &evaluation)
+    {
+      write_increment(answer, evaluation);
+    }
     /// The stored energy of the last solve.
     double
     energy() const
@@ -193,6 +199,8 @@ namespace Amontons
     keep_picture(const Answer<dim> &answer, const StressRecovery<dim> &recovery);
     void
     write_progress(const std::string &state) const;
+    void
+    write_files_without_answer() const;
     void
     write_files(const Answer<dim> &answer, const StressRecovery<dim> *recovery) const;
 

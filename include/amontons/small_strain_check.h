@@ -19,9 +19,13 @@ namespace Amontons
     /// After the load program, at its last state. Finite strain is tried where small strain leaves out more
     /// than is allowed, or, if the scene insists on small strain, more than any answer may. Not after a
     /// failure, nor where the bodies have been much farther before: what finite strain changes in the end
-    /// says nothing of the way then, and what is left out decides. Collective.
+    /// says nothing of the way then, and what is left out decides. gives_up: of the try. Collective.
     void
-    look(Model<dim> &model, const SolutionState<dim> &state, const bool converged, TimerOutput &timer);
+    look(Model<dim>               &model,
+         const SolutionState<dim> &state,
+         const bool                converged,
+         TimerOutput              &timer,
+         const GivesUp            &gives_up);
 
     /// Of the relative error: the target, or 1 %; and what an answer may have at most.
     double
@@ -53,7 +57,10 @@ namespace Amontons
 
   private:
     std::optional<double>
-    change_by_finite_strain(Model<dim> &model, const SolutionState<dim> &state, TimerOutput &timer) const;
+    change_by_finite_strain(Model<dim>               &model,
+                            const SolutionState<dim> &state,
+                            TimerOutput              &timer,
+                            const GivesUp            &gives_up) const;
 
     const Scene                  &scene;
     const Parameters             &parameters;

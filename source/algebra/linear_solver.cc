@@ -124,23 +124,6 @@ namespace Amontons
 
   namespace
   {
-    // GMRES preconditions from the right, so that its residual is that of the system.
-    template <typename Preconditioner>
-    void
-    run_krylov(const bool              symmetric,
-               SolverControl          &control,
-               const LA::SparseMatrix &matrix,
-               LA::Vector             &x,
-               const LA::Vector       &rhs,
-               const Preconditioner   &preconditioner)
-    {
-      if (symmetric)
-        SolverCG<LA::Vector>(control).solve(matrix, x, rhs, preconditioner);
-      else
-        SolverGMRES<LA::Vector>(control, SolverGMRES<LA::Vector>::AdditionalData(152, true))
-            .solve(matrix, x, rhs, preconditioner);
-    }
-
     using CrsMatrix = std::unique_ptr<Epetra_CrsMatrix>;
 
     // The columns of A where `kept` is not zero.
@@ -245,12 +228,45 @@ namespace Amontons
     };
   } // namespace
 
-  LinearSolver::LinearSolver(const LinearSolverParameters &parameters, const int dim, const bool symmetric)
-      : parameters(parameters), dim(dim), symmetric(symmetric)
+  LinearSolver::LinearSolver(const LinearSolverParameters &parameters,
+                             const int                     dim,
+                             const bool                    symmetric,
+                             const GivesUp                &gives_up)
+      : parameters(parameters), dim(dim), symmetric(symmetric), gives_up(gives_up)
   {
   }
 
   LinearSolver::~LinearSolver() = default;
+
+  bool
+  LinearSolver::is_given_up()
+  {
+    given_up = given_up || (gives_up && gives_up());
+    return given_up;
+  }
+
+  // GMRES preconditions from the right, so that its residual is that of the system.
+  template <typename Preconditioner>
+  void
+  LinearSolver::run_krylov(SolverControl          &control,
+                           const LA::SparseMatrix &matrix,
+                           LA::Vector             &x,
+                           const LA::Vector       &rhs,
+                           const Preconditioner   &preconditioner)
+  {
+    const auto run = [&](auto &&solver) {
+      solver.connect([this](const unsigned int, const double, const LA::Vector &) {
+        return is_given_up() ? SolverControl::failure : SolverControl::success; // the other slot decides
+      });
+      solver.solve(matrix, x, rhs, preconditioner);
+    };
+    if (symmetric)
+      run(SolverCG<LA::Vector>(control));
+    else
+      run(SolverGMRES<LA::Vector>(control, SolverGMRES<LA::Vector>::AdditionalData(152, true)));
+    if (given_up) // which CG does not tell of its first step
+      throw SolverControl::NoConvergence(control.last_step(), control.last_value());
+  }
 
   void
   LinearSolver::set_near_null_space(std::vector<std::vector<double>> new_modes)
@@ -328,6 +344,14 @@ namespace Amontons
 
   namespace
   {
+    LinearSolveReport
+    abandoned(LinearSolveReport report)
+    {
+      report.success  = false;
+      report.given_up = true;
+      return report;
+    }
+
     // One step of iterative refinement: x += A^-1 (b - A x).
     template <typename Inverse>
     void
@@ -351,7 +375,7 @@ namespace Amontons
         ReductionControl control(20, 0, symmetric ? 1e-13 : 1e-12);
         try
           {
-            run_krylov(symmetric, control, matrix, x, rhs, *direct);
+            run_krylov(control, matrix, x, rhs, *direct);
             report.iterations = control.last_step();
             return report;
             //! [stale factorisation]
@@ -359,6 +383,8 @@ namespace Amontons
         catch (const SolverControl::NoConvergence &)
           {
             report.iterations = control.last_step();
+            if (given_up)
+              return abandoned(report);
           }
       }
     if (!direct)
@@ -397,6 +423,8 @@ namespace Amontons
     x = 0;
     if (rhs.l2_norm() == 0)
       return report;
+    if (is_given_up())
+      return abandoned(report);
     if (is_direct(matrix.m()) || multigrid_fails)
       return solve_directly(matrix, x, rhs);
     // Measured with friction in 3D: an old hierarchy needs twice as many steps once some nodes have changed
@@ -416,14 +444,9 @@ namespace Amontons
           {
             x = 0;
             if (eliminated != nullptr)
-              run_krylov(symmetric,
-                         control,
-                         matrix,
-                         x,
-                         rhs,
-                         EliminatingPreconditioner(matrix, *eliminated, *amg, rhs));
+              run_krylov(control, matrix, x, rhs, EliminatingPreconditioner(matrix, *eliminated, *amg, rhs));
             else
-              run_krylov(symmetric, control, matrix, x, rhs, *amg);
+              run_krylov(control, matrix, x, rhs, *amg);
             report.iterations += control.last_step();
             report.success  = true;
             multigrid_fails = fresh && !symmetric && control.last_step() > 150 && matrix.m() <= 30000;
@@ -438,6 +461,8 @@ namespace Amontons
           {
             report.iterations += failure.last_step;
             report.success = false;
+            if (given_up)
+              return abandoned(report);
             if (fresh)
               break;
           }

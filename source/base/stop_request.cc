@@ -21,7 +21,7 @@ namespace Amontons
   } // namespace
 
   StopRequest::StopRequest(const double time_limit, const bool signals)
-      : time_limit(time_limit), notes_signals(signals), start(std::chrono::steady_clock::now())
+      : time_limit(time_limit), notes_signals(signals), start(Clock::now())
   {
     signal_that_came        = 0;
     struct sigaction action = {};
@@ -54,20 +54,37 @@ namespace Amontons
     return signal_that_came != 0;
   }
 
-  bool
-  StopRequest::look(const MPI_Comm communicator)
+  void
+  StopRequest::note()
   {
-    if (stopped)
-      return true;
-    if (signal_that_came != 0)
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const bool   is_late = time_limit > 0 && seconds > time_limit;
+    if (!noted && (is_urgent() || is_late))
+      noted = Clock::now();
+    if (is_urgent())
       because(std::string("stopped by ") + (signal_that_came == SIGINT ? "SIGINT" : "SIGTERM"));
-    if (time_limit > 0 &&
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > time_limit)
+    if (is_late)
       {
         std::ostringstream text;
         text << "stopped by the time limit of " << time_limit << " s";
         because(text.str());
       }
+  }
+
+  bool
+  StopRequest::gives_up(const MPI_Comm communicator)
+  {
+    note();
+    const double waited = noted ? std::chrono::duration<double>(Clock::now() - *noted).count() : 0;
+    return dealii::Utilities::MPI::max(waited, communicator) > patience && look(communicator);
+  }
+
+  bool
+  StopRequest::look(const MPI_Comm communicator)
+  {
+    if (stopped)
+      return true;
+    note();
     using namespace dealii::Utilities::MPI;
     const unsigned int n_ranks = n_mpi_processes(communicator);
     const unsigned int first   = min(own.empty() ? n_ranks : this_mpi_process(communicator), communicator);

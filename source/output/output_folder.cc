@@ -22,7 +22,9 @@ namespace Amontons
 
     struct OutputFolder
     {
-      fs::path              folder;      // empty: none
+      fs::path              folder; // empty: none
+      bool                  goes_on = false;
+      std::string           aside;       // where what was there is now; empty: nothing was
       std::vector<fs::path> new_folders; // from the outermost one to this one; none if it was there
       int                   lock = -1;   // rank 0
     };
@@ -34,8 +36,9 @@ namespace Amontons
       return one;
     }
 
+    // goes_on: without those that a run that goes on needs, or continues.
     std::vector<fs::path>
-    files_of_a_run(const fs::path &folder)
+    files_of_a_run(const fs::path &folder, const bool goes_on = false)
     {
       static const std::regex names("((summary|progress)\\.json|history\\.csv|report\\.html|amontons\\.log|"
                                     "checkpoint|(bodies|contact)(_[0-9]{4,}(\\.[0-9]+)?)?\\."
@@ -43,7 +46,8 @@ namespace Amontons
       std::vector<fs::path>   files;
       std::error_code         error;
       for (const auto &entry : fs::directory_iterator(folder, error))
-        if (std::regex_match(entry.path().filename().string(), names))
+        if (const std::string name = entry.path().filename().string();
+            std::regex_match(name, names) && !(goes_on && (name == "checkpoint" || name == "amontons.log")))
           files.push_back(entry.path());
       return files;
     }
@@ -67,9 +71,10 @@ namespace Amontons
         fs::remove_all(file, error);
     }
 
-    // Into a folder of another name first: what stands under its own is complete.
-    void
-    set_earlier_run_aside(const fs::path &folder)
+    // Into a folder of another name first: what stands under its own is complete. Returns its own, or nothing
+    // where there was no file. A run that goes on may write fewer files, or others, than it has.
+    std::string
+    set_earlier_run_aside(const fs::path &folder, const bool goes_on)
     {
       fs::path        aside = folder / set_aside;
       const fs::path  tmp   = folder / being_set_aside;
@@ -82,15 +87,17 @@ namespace Amontons
           move_into(files_of_a_run(tmp), folder);
           fs::remove_all(tmp, error);
         }
-      const auto files = files_of_a_run(folder);
+      const auto files = files_of_a_run(folder, goes_on);
       if (files.empty())
-        return;
-      if (fs::exists(aside / "summary.json", error) && !fs::exists(folder / "summary.json", error))
+        return "";
+      if (fs::exists(aside / "summary.json", error) &&
+          (goes_on || !fs::exists(folder / "summary.json", error)))
         aside = folder / unfinished;
       fs::create_directory(tmp, error);
       move_into(files, tmp);
       fs::remove_all(aside, error);
       fs::rename(tmp, aside, error);
+      return aside.string();
     }
 
     // Empty if it is ours now; else who has it. The kernel frees it when its process ends, however.
@@ -156,7 +163,7 @@ namespace Amontons
 
     // Rank 0.
     Complaint
-    prepare(const fs::path &folder, const bool goes_on, int &lock)
+    prepare(const fs::path &folder, const bool goes_on, int &lock, std::string &aside)
     {
       std::error_code error;
       fs::create_directories(folder, error);
@@ -167,10 +174,7 @@ namespace Amontons
         return {"this folder cannot be made or written to"};
       if (const std::string other = lock_folder(folder, lock); !other.empty())
         return {"this folder is in use by " + other, true};
-      if (goes_on)
-        fs::remove(folder / "summary.json", error); // it would say that the run has ended
-      else
-        set_earlier_run_aside(folder);
+      aside = set_earlier_run_aside(folder, goes_on);
       return {};
     }
   } // namespace
@@ -181,8 +185,9 @@ namespace Amontons
     OutputFolder &one = present();
     if (one.folder == folder)
       return;
-    one        = OutputFolder();
-    one.folder = folder;
+    one         = OutputFolder();
+    one.folder  = folder;
+    one.goes_on = goes_on;
     // Rank 0 says how many folders are new; then every rank can remove them.
     std::vector<fs::path> path;
     for (auto part = one.folder.lexically_normal(); !part.empty() && part != part.root_path();
@@ -196,10 +201,11 @@ namespace Amontons
         std::error_code error;
         for (const auto &part : path)
           n_new += fs::exists(part, error) ? 0 : 1;
-        wrong = prepare(one.folder, goes_on, one.lock);
+        wrong = prepare(one.folder, goes_on, one.lock, one.aside);
       }
-    n_new = dealii::Utilities::MPI::broadcast(communicator, n_new);
-    wrong = dealii::Utilities::MPI::broadcast(communicator, wrong);
+    n_new     = dealii::Utilities::MPI::broadcast(communicator, n_new);
+    wrong     = dealii::Utilities::MPI::broadcast(communicator, wrong);
+    one.aside = dealii::Utilities::MPI::broadcast(communicator, one.aside);
     one.new_folders.assign(path.end() - n_new, path.end());
     if (wrong.text.empty())
       return;
@@ -228,15 +234,20 @@ namespace Amontons
     std::error_code error;
     if (one.folder.empty())
       return;
-    if (fs::exists(one.folder / "history.csv", error) || fs::exists(one.folder / "checkpoint", error))
+    if (fs::exists(one.folder / "history.csv", error) ||
+        (!one.goes_on && fs::exists(one.folder / "checkpoint", error)))
       return unlock();
+    // Of a run that never ended the later one.
+    std::vector<fs::path> asides = {one.folder / unfinished, one.folder / set_aside};
+    if (one.goes_on)
+      asides = {one.aside};
     if (!one.new_folders.empty())
       fs::remove_all(one.new_folders.back(), error);
     else
-      for (const char *const name : {unfinished, set_aside}) // the later one
-        if (const fs::path aside = one.folder / name; fs::exists(aside, error))
+      for (const fs::path &aside : asides)
+        if (fs::exists(aside, error))
           {
-            remove_files(files_of_a_run(one.folder));
+            remove_files(files_of_a_run(one.folder, one.goes_on));
             move_into(files_of_a_run(aside), one.folder);
             fs::remove(aside, error);
             break;

@@ -124,9 +124,13 @@ namespace Amontons
         {
           // the last table stands inside of all others that contain it
           auto begin = text.rfind("table");
-          while (begin > 0 &&
+          while (begin != std::string::npos && begin > 0 &&
                  (std::isalnum(static_cast<unsigned char>(text[begin - 1])) || text[begin - 1] == '_'))
             begin = text.rfind("table", begin - 1);
+          if (begin == std::string::npos)
+            throw InputError(where,
+                             "'" + text + "': 'table' right behind a number",
+                             "an operator between them, as in 2*table(t: value, ...)");
           const auto open  = text.find_first_not_of(" \t", begin + 5);
           const auto close = open != std::string::npos && text[open] == '(' ? closing_parenthesis(text, open)
                                                                             : std::string::npos;

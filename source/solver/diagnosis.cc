@@ -99,6 +99,8 @@ namespace Amontons
           case Failure::Kind::no_memory:
             return "the factors of the matrix need more memory than there is; say 'Linear solver/Type = cg', "
                    "fewer cells, or a smaller 'Maximum DoFs'";
+          case Failure::Kind::given_up:
+            return "given up, as the run is to end";
           case Failure::Kind::inverted_cell:
             return failure.cell;
           case Failure::Kind::passed_through:
@@ -162,6 +164,7 @@ namespace Amontons
           {Kind::not_a_number, "not a number"},
           {Kind::linear_solver, "linear solver"},
           {Kind::no_memory, "no memory"},
+          {Kind::given_up, "stopped"},
           {Kind::inverted_cell, "inverted cell"},
           {Kind::passed_through, "passed through"},
           {Kind::entered, "entered"},

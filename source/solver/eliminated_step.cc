@@ -20,7 +20,7 @@ namespace Amontons
         system(problem.discretization.locally_owned,
                problem.discretization.relevant,
                problem.discretization.geometry.communicator),
-        solver(problem.solver_parameters, dim, !any_friction)
+        solver(problem.solver_parameters, dim, !any_friction, problem.gives_up)
   {
   }
 

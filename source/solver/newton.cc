@@ -193,8 +193,10 @@ namespace Amontons
     const auto solved = step.solve(at, drag);
     if (const auto &linear = solved.linear; !linear.success)
       {
-        at.report.failure = Failure{
-            linear.no_memory ? Failure::Kind::no_memory : Failure::Kind::linear_solver, linear.iterations};
+        at.report.failure = Failure{linear.given_up    ? Failure::Kind::given_up
+                                    : linear.no_memory ? Failure::Kind::no_memory
+                                                       : Failure::Kind::linear_solver,
+                                    linear.iterations};
         return {};
       }
     if (at.is_first())

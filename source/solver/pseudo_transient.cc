@@ -116,6 +116,8 @@ namespace Amontons
   PseudoTransient<dim>::go_back(const LA::Vector &start)
   {
     auto &failure = newton.report().failure;
+    if (failure && failure->kind == Failure::Kind::given_up)
+      return;
     failure.reset();
     if (!newton.put(start) || !steps->reject())
       {

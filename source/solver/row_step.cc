@@ -34,7 +34,7 @@ namespace Amontons
                problem.discretization.relevant,
                dim,
                problem.discretization.geometry.communicator),
-        solver(problem.solver_parameters, dim, false), tangent(smallest_cell)
+        solver(problem.solver_parameters, dim, false, problem.gives_up), tangent(smallest_cell)
   {
   }
 

@@ -129,7 +129,8 @@ namespace Amontons
               supports,
               state,
               timer,
-              penalty ? &*penalty : nullptr};
+              penalty ? &*penalty : nullptr,
+              gives_up};
     };
     const double smallest_cell = GridTools::minimal_cell_diameter(discretization.geometry.triangulation);
     if (mechanics.is_linear())

@@ -1,5 +1,6 @@
 // A factorisation whose workspace is too small is made again with more; one that memory does not hold is told
-// as that, and nothing is written to stderr beside it.
+// as that, and nothing is written to stderr beside it. A solve that is given up fails at that step, and all
+// further ones at once.
 #include "check.h"
 
 #include <amontons/algebra/linear_solver.h>
@@ -86,6 +87,26 @@ solve(const unsigned int n, const bool symmetric, const int workspace, double &e
   return report;
 }
 
+// after: how often it is asked before it is. Three unknowns to a node, as multigrid takes them: of 15^3.
+void
+give_up(const bool symmetric, const unsigned int after)
+{
+  LinearSolverParameters parameters;
+  parameters.type               = "cg";
+  const LA::SparseMatrix matrix = laplacian(15, symmetric);
+  LA::Vector             x(complete_index_set(matrix.m()), MPI_COMM_SELF), rhs(x);
+  rhs                  = 1;
+  unsigned int n_asked = 0;
+  LinearSolver solver(parameters, 3, symmetric, [&]() { return n_asked++ == after; });
+  for (const unsigned int asked : {after + 1, after + 1})
+    {
+      const auto report = solver.solve(matrix, x, rhs, 1e-12 * rhs.l2_norm());
+      check::is_true(!report.success && report.given_up && n_asked == asked,
+                     "given up after " + std::to_string(after) + " questions: asked " +
+                         std::to_string(n_asked));
+    }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -102,6 +123,10 @@ main(int argc, char **argv)
         check::is_true(error < 1e-12, what + ": error " + std::to_string(error));
         check::is_true(words.empty(), what + " says '" + words + "'");
       }
+
+  for (const bool symmetric : {true, false})
+    for (const unsigned int after : {0, 1, 4}) // before the first step, at its start, later
+      give_up(symmetric, after);
 
   std::ifstream("/proc/self/statm") >> error; // pages of addresses
   rlimit limit;

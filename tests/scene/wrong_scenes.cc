@@ -181,6 +181,7 @@ end
     expect_set("Body lower/Body force = 0; r", {"variable r"});
     expect_set("Body lower/Body force = 0; table(0: 1, 0: 2)", {"increas"});
     expect_set("Body lower/Body force = 0; table(1)", {"time: value"});
+    expect_set("Body lower/Body force = 0; 0.03table(0: 1, 1: 2)", {"right behind a number", "operator"});
     expect_set("Kind = 3D", {"3 numbers"});
     expect_set("Body lower/Young modulus = ", {"--set: Body lower/Young modulus: this entry is missing"});
     expect(message(good + "subsection Body b\n set Mesh = disk\nend\n"),

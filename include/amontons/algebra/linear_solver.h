@@ -3,7 +3,9 @@
 
 #include <amontons/base/linear_algebra.h>
 #include <amontons/base/parameters.h>
+#include <amontons/base/stop_request.h>
 
+#include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/trilinos_precondition.h>
 
 #include <memory>
@@ -36,6 +38,7 @@ namespace Amontons
   {
     bool         success    = true;
     bool         no_memory  = false; // that is why it failed
+    bool         given_up   = false; // or this
     unsigned int iterations = 0;     // Krylov; 1 for a direct solve
   };
 
@@ -46,8 +49,12 @@ namespace Amontons
   class LinearSolver
   {
   public:
-    // symmetric: that all matrices are.
-    LinearSolver(const LinearSolverParameters &parameters, const int dim, const bool symmetric);
+    // symmetric: that all matrices are. gives_up: asked before each solve and in each Krylov step; once true,
+    // all further solves fail at once.
+    LinearSolver(const LinearSolverParameters &parameters,
+                 const int                     dim,
+                 const bool                    symmetric,
+                 const GivesUp                &gives_up = {});
     ~LinearSolver();
 
     // Rigid-body modes (values at all owned DoFs, by mode), or empty: translations are not enough for
@@ -81,10 +88,22 @@ namespace Amontons
   private:
     void
     build_preconditioner(const LA::SparseMatrix &matrix);
+    // By CG, or GMRES; throws SolverControl::NoConvergence.
+    template <typename Preconditioner>
+    void
+    run_krylov(SolverControl          &control,
+               const LA::SparseMatrix &matrix,
+               LA::Vector             &x,
+               const LA::Vector       &rhs,
+               const Preconditioner   &preconditioner);
+    bool
+    is_given_up();
 
     const LinearSolverParameters                      &parameters;
     const int                                          dim;
     const bool                                         symmetric;
+    const GivesUp                                      gives_up;
+    bool                                               given_up = false;
     std::vector<std::vector<double>>                   modes;
     std::unique_ptr<TrilinosWrappers::PreconditionAMG> amg;
     bool                                               amg_is_old = true;

@@ -4,10 +4,16 @@
 #include <deal.II/base/mpi.h>
 
 #include <chrono>
+#include <functional>
+#include <optional>
 #include <string>
 
 namespace Amontons
 {
+  /// Asked in the middle of long work, by all ranks at the same place: true once, it is given up. Empty:
+  /// never.
+  using GivesUp = std::function<bool()>;
+
   /// One at a time.
   class StopRequest
   {
@@ -32,6 +38,11 @@ namespace Amontons
     /// Whether any rank has a reason. Collective; true once is true ever after.
     bool
     look(const MPI_Comm communicator);
+    /// Whether a signal or the time limit has waited so long for the end of a solve that this is given up.
+    /// (Short ones end first: they leave more.) Collective; then look() is true, too.
+    bool
+                            gives_up(const MPI_Comm communicator);
+    static constexpr double patience = 2; // seconds
     bool
     is_there() const
     {
@@ -51,10 +62,17 @@ namespace Amontons
     }
 
   private:
-    const double                                time_limit;
-    const bool                                  notes_signals;
-    const std::chrono::steady_clock::time_point start;
-    bool                                        stopped = false;
-    std::string                                 own, why;
+    using Clock = std::chrono::steady_clock;
+
+    // A signal or the time limit, of this rank.
+    void
+    note();
+
+    const double                     time_limit;
+    const bool                       notes_signals;
+    const Clock::time_point          start;
+    bool                             stopped = false;
+    std::string                      own, why;
+    std::optional<Clock::time_point> noted; // when it was, the first time
   };
 } // namespace Amontons

@@ -11,9 +11,9 @@ namespace Amontons
 {
   /// Makes the folder with its parents, and locks it as long as this process has it (.lock, with the process
   /// and the host). What an earlier run has left there moves to earlier_run/ (after a run that ended and
-  /// one that did not: unfinished_run/), where it stays until this run has ended; not if this run goes on
-  /// with that one. Again for the same folder: nothing. Collective: all ranks throw InputError if it cannot
-  /// be made or written to, or if another process has it.
+  /// one that did not: unfinished_run/), where it stays until this run has ended; if this run goes on with
+  /// that one, all but its checkpoint and its log. Again for the same folder: nothing. Collective: all ranks
+  /// throw InputError if it cannot be made or written to, or if another process has it.
   void
   make_output_folder(const std::string &folder, const MPI_Comm communicator, const bool goes_on = false);
 

@@ -14,6 +14,7 @@ namespace Amontons
       not_a_number,
       linear_solver,
       no_memory,             // for the factors of the matrix
+      given_up,              // the run is to end
       inverted_cell,         // by every step that was tried, however short
       passed_through,        // one surface through another, within the increment
       entered,               // a corner went into a body where no normal finds it

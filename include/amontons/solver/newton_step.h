@@ -51,7 +51,8 @@ namespace Amontons
     const Constraints                        &supports; // with what they prescribe
     SolutionState<dim>                       &state;    // displacement: the start and the result
     TimerOutput                              &timer;
-    const Penalty<dim>                       *penalty = nullptr; // instead of equations
+    const Penalty<dim>                       *penalty  = nullptr; // instead of equations
+    GivesUp                                   gives_up = {};      // of the linear solvers
 
     /// Whether a closed node obeys equations.
     bool

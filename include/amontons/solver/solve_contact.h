@@ -12,6 +12,7 @@ namespace Amontons
     const LinearSolverParameters &solver_parameters;
     const Discretization<dim>    &discretization;
     TimerOutput                  &timer;
+    GivesUp                       gives_up = {};
 
     /// state: displacement is the start and the result, committed the last converged one; contact (if known)
     /// the first guess. interfaces: coupled; at finite strain in the end at the result. follow_motion (finite

@@ -14,7 +14,7 @@ namespace Amontons
   {
     const auto         &slave = *interface.slave;
     std::vector<double> result(slave.faces.size(), 0.);
-    if (interface.pair->tied)
+    if (interface.pair->tied || dim == 3)
       return result;
     const auto        presses = [&](const unsigned int i) { return fields.pressure[i] > 0; };
     std::vector<bool> of_edge(slave.nodes.size(), false);

@@ -427,7 +427,7 @@ add_scene_test(NAME greco SCENE greco.prm
 add_comparison_test(NAME greco_1_20_increments SCENE greco.prm SET "Refinement/Cycles=2" OPTIONS --any-iterations
                     RUN 1 "1 | Increments=20")
 foreach(mu 0 0.1 0.5 2)
-  add_scene_test(NAME greco_mu_${mu} SCENE greco.prm SET "Contact base/Friction coefficient=${mu}" "Refinement/Cycles=4"
+  add_scene_test(NAME greco_mu_${mu} SCENE greco.prm SET "Contact base/Friction coefficient=${mu}" "Refinement/Cycles=4" "Contact solver/Tolerance=1e-11"
                  CHECK "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "checks.force_balance <= 1e-8" "status is converged")
 endforeach()
 
@@ -1371,9 +1371,9 @@ add_scene_test(NAME two_loads SCENE verification/two_loads.prm
 add_scene_test(NAME adjusted_overlap SCENE verification/equal_blocks.prm
                SET "Body upper/Lower corner=-0.5,-0.001" "Contact face/Adjust=0.002" "Refinement/Target error=0" "Refinement/Cycles=2"
                CHECK "status is converged" "pairs.0.normal_force.1 ~ 2.2510 1e-3" "meshes.-1.mesh == 2")
-# Flanks that lean away by more than 66 degrees are not opposite: without them in the list the force is the same.
+# Flanks that lean away by more than 72 degrees are not opposite: without them in the list the force is the same.
 foreach(sides "punch/bottom" "punch/bottom, punch/left, punch/right")
   string(REGEX REPLACE "[^a-z]+" "_" name "${sides}")
   add_scene_test(NAME flanks_of_${name} SCENE verification/punch_with_flanks.prm SET "Contact punch/Second=${sides}"
-                 CHECK "status is converged" "pairs.0.normal_force.1 ~ -88.700 1e-4" "cut_backs == 0")
+                 CHECK "status is converged" "pairs.0.normal_force.1 ~ -88.616 1e-4" "cut_backs == 0")
 endforeach()

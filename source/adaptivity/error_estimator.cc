@@ -314,7 +314,7 @@ namespace Amontons
             pressure_square += parts.weight * weight * p * p;
           }
         square *= slave.faces[face].size / discretization.scene.bodies[cell->material_id()].material.young;
-        pressure_part = parts.weight * (std::max(pressure_part, parts.edge[face]) + parts.gap[face]);
+        pressure_part = parts.weight * (pressure_part + parts.edge[face] + parts.gap[face]);
         shear_error += shear_part;
         squares[cell->active_cell_index()] += square;
         contact_squares[cell->active_cell_index()] += pressure_part;

@@ -76,9 +76,10 @@ namespace Amontons
                 const ContactSurface<2>         &master,
                 const std::vector<unsigned int> &master_faces,
                 const double                     search_distance,
+                const double                     least_opposed,
                 std::vector<OverlapPoint<2>>    &points)
   {
-    append_overlaps<2>(slave, slave_face, master, master_faces, search_distance, points);
+    append_overlaps<2>(slave, slave_face, master, master_faces, search_distance, least_opposed, points);
   }
 
   void

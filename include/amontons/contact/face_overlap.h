@@ -45,12 +45,14 @@ namespace Amontons
   // polygon is the clipped one, cut into triangles; their quadrature points are taken back to xi, x(xi) and
   // along n(xi) to the true master face. On parallelograms the integrand psi phi has degree 4p, and the
   // formula is exact; on others its degree grows with the distortion.
+  // least_opposed: minus the cosine between the normals of faces that face each other is at least this.
   void
   overlap_faces(const ContactSurface<2>         &slave,
                 const unsigned int               slave_face,
                 const ContactSurface<2>         &master,
                 const std::vector<unsigned int> &master_faces,
                 const double                     search_distance,
+                const double                     least_opposed,
                 std::vector<OverlapPoint<2>>    &points);
   void
   overlap_faces(const ContactSurface<3>         &slave,
@@ -58,6 +60,7 @@ namespace Amontons
                 const ContactSurface<3>         &master,
                 const std::vector<unsigned int> &master_faces,
                 const double                     search_distance,
+                const double                     least_opposed,
                 std::vector<OverlapPoint<3>>    &points);
 
   // The same for an obstacle that `motion` has taken to where it is. Its edges on the slave face are found by

@@ -65,11 +65,6 @@ namespace Amontons
   template <int dim, typename Number>
   class Clipper;
 
-  // Cosine of 66 degrees: faces whose normals are less opposed than that do not face each other. The flank of
-  // a punch comes into the sight of the faces beside it as these lean towards it, and the gap along a normal
-  // that grazes it changes with the lean as much as with the distance.
-  constexpr double least_opposed = 0.4;
-
   // overlap_faces in both dimensions.
   template <int dim>
   void
@@ -78,6 +73,7 @@ namespace Amontons
                   const ContactSurface<dim>       &master,
                   const std::vector<unsigned int> &master_faces,
                   const double                     search_distance,
+                  const double                     least_opposed,
                   std::vector<OverlapPoint<dim>>  &points)
   {
     if (master_faces.empty())

@@ -120,7 +120,7 @@ check_quadrilaterals(const unsigned int degree)
       reshape(slave, a, gap);
       reshape(master, b, 0);
       std::vector<OverlapPoint<3>> points;
-      overlap_faces(slave, 0, master, {0}, 1, points);
+      overlap_faces(slave, 0, master, {0}, 1, 0.1, points);
       const auto [expected, first] = intersect(a, b);
       n_empty += expected == 0;
       double       area = 0;

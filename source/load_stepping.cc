@@ -125,10 +125,9 @@ namespace Amontons
   bool
   LoadStepping<dim>::widen_search()
   {
-    const auto narrow = history.state;
     if (!model->widen_search(history.state))
       return false;
-    history.fallback      = narrow;
+    history.fallback      = history.state;
     history.fallback_mesh = model->mesh->n_refinements;
     return true;
   }

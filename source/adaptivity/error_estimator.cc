@@ -102,12 +102,15 @@ namespace Amontons
           has_row[row.node] = true;
 
         // By slave face: eta_F^2, then the squared errors of pressure and shear.
-        const unsigned int n = slave.faces.size();
-        PairParts          parts{faces_near_contact(interface, fields),
-                        edge_errors(interface, fields, kind, on_face),
-                        {},
-                        weight_of_pair};
-        parts.gap = gap_errors(interface, fields, combined_modulus(interface), kind, parts.near);
+        const unsigned int n       = slave.faces.size();
+        const double       modulus = combined_modulus(interface);
+        const auto         near    = faces_near_contact(interface, fields);
+        const PairParts    parts{near,
+                              edge_errors(interface, fields, kind, on_face),
+                              gap_errors(interface, fields, modulus, kind, near),
+                              weight_of_pair};
+        facets_of.push_back(facet_error(interface, fields, modulus));
+        facets_of.back().pressure *= weight_of_pair;
         std::vector<double> face_squares(3 * n, 0.);
         for (unsigned int f = 0; f < slave.faces.size(); ++f)
           if (slave.faces[f].rank == my_rank() &&
@@ -163,15 +166,6 @@ namespace Amontons
         if (interface.master_surface && !bodies[interface.master_surface->body].rigid)
           compliance += 1 / contact_modulus(bodies[interface.master_surface->body].material);
         return 1 / compliance;
-      }
-
-      void
-      add_facets(const ContactInterface<dim> &interface,
-                 const SurfaceFields<dim>    &fields,
-                 const double                 weight_of_pair)
-      {
-        facets_of.push_back(facet_error(interface, fields, combined_modulus(interface)));
-        facets_of.back().pressure *= weight_of_pair;
       }
 
       ErrorEstimate<dim>
@@ -410,10 +404,7 @@ namespace Amontons
     estimation.add_bulk();
     const auto weights = pair_weights(interfaces, fields);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      {
-        estimation.add_interface(interfaces[i], fields[i], weights[i]);
-        estimation.add_facets(interfaces[i], fields[i], weights[i]);
-      }
+      estimation.add_interface(interfaces[i], fields[i], weights[i]);
     return estimation.result();
   }
 

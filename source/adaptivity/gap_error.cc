@@ -5,6 +5,7 @@
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/tensor_product_polynomials.h>
+#include <deal.II/lac/full_matrix.h>
 
 #include <numeric>
 
@@ -22,9 +23,13 @@ namespace Amontons
           : nodes(QGaussLobatto<1>(5)),
             line(dim == 2 ? std::clamp(4000 / n_faces, 24u, 400u)
                           : std::clamp(static_cast<unsigned int>(std::sqrt(4e4 / n_faces)), 8u, 40u)),
-            points(line),
-            polynomials(Polynomials::generate_complete_Lagrange_basis(QGaussLobatto<1>(5).get_points()))
+            points(line), interpolation(points.size(), nodes.size())
       {
+        const TensorProductPolynomials<dim - 1> polynomials(
+            Polynomials::generate_complete_Lagrange_basis(QGaussLobatto<1>(5).get_points()));
+        for (unsigned int q = 0; q < points.size(); ++q)
+          for (unsigned int k = 0; k < nodes.size(); ++k)
+            interpolation(q, k) = polynomials.compute_value(k, points.point(q));
       }
 
       struct Unseen
@@ -47,38 +52,39 @@ namespace Amontons
           nodal.push_back(gap(xi));
         std::vector<double>     all, unseen;
         std::vector<Point<dim>> X;
-        for (const auto &xi : points.get_points())
+        for (unsigned int q = 0; q < points.size(); ++q)
           {
-            all.push_back(gap(xi));
+            all.push_back(gap(points.point(q)));
             unseen.push_back(all.back());
             for (unsigned int k = 0; k < nodal.size(); ++k)
-              unseen.back() -= nodal[k] * polynomials.compute_value(k, xi);
-            X.push_back(slave.position(face, xi));
+              unseen.back() -= nodal[k] * interpolation(q, k);
+            X.push_back(slave.position(face, points.point(q)));
           }
         Unseen result;
         result.dip = std::inner_product(all.begin(), all.end(), points.get_weights().begin(), 0.) -
                      *std::min_element(all.begin(), all.end());
         for (unsigned int q = 0; q < X.size(); ++q)
-          for (unsigned int d = 0, stride = 1; d < dim - 1; ++d, stride *= line.size())
-            if (q / stride % line.size() + 1 < line.size())
-              {
-                const unsigned int next = q + stride;
-                double             jacobian, across = 1; // the weight along the other direction
-                slave.face_normal(face, points.point(q), &jacobian);
-                if (dim == 3)
-                  across = points.weight(q) / line.weight(q / stride % line.size());
-                result.slope_square += measure<dim>(kind, X[q]) * jacobian * across *
-                                       (points.point(next)[d] - points.point(q)[d]) *
-                                       std::pow((unseen[next] - unseen[q]) / X[next].distance(X[q]), 2);
-              }
+          {
+            double jacobian;
+            slave.face_normal(face, points.point(q), &jacobian);
+            const double area = measure<dim>(kind, X[q]) * jacobian;
+            for (unsigned int d = 0, stride = 1; d < dim - 1; ++d, stride *= line.size())
+              if (const unsigned int place = q / stride % line.size(); place + 1 < line.size())
+                {
+                  const unsigned int next   = q + stride;
+                  const double       across = dim == 3 ? points.weight(q) / line.weight(place) : 1;
+                  result.slope_square += area * across * (points.point(next)[d] - points.point(q)[d]) *
+                                         std::pow((unseen[next] - unseen[q]) / X[next].distance(X[q]), 2);
+                }
+          }
         return result;
       }
 
     private:
-      const Quadrature<dim - 1>               nodes;
-      const QGauss<1>                         line;
-      const Quadrature<dim - 1>               points;
-      const TensorProductPolynomials<dim - 1> polynomials;
+      const Quadrature<dim - 1> nodes;
+      const QGauss<1>           line;
+      const Quadrature<dim - 1> points;
+      FullMatrix<double>        interpolation; // at the points, of values at the nodes
     };
   } // namespace
 

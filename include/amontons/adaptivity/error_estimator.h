@@ -56,9 +56,8 @@ namespace Amontons
     indicators_for(const double target) const;
   };
 
-  // By pair: by what the squares of its tractions and of their errors are multiplied, so that pairs count
-  // alike, whatever their load: a lightly pressed one as if int p^2 were that of the pair with the largest,
-  // up to 1/20^2 of which.
+  // By pair: what the squares of its tractions and of their errors are multiplied by, so that pairs count
+  // alike, whatever their load: with it, int p^2 is that of the pair where it is largest; 400 at most.
   template <int dim>
   std::vector<double>
   pair_weights(const std::vector<ContactInterface<dim>> &interfaces,

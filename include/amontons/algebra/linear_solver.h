@@ -49,8 +49,8 @@ namespace Amontons
   class LinearSolver
   {
   public:
-    // symmetric: that all matrices are. gives_up: asked before each solve and in each Krylov step; once true,
-    // all further solves fail at once.
+    // symmetric: that all matrices are. gives_up: asked before each solve and in every eighth Krylov
+    // step; once true, all further solves fail at once.
     LinearSolver(const LinearSolverParameters &parameters,
                  const int                     dim,
                  const bool                    symmetric,

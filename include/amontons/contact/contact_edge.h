@@ -1,5 +1,4 @@
-// Where the contact ends between the nodes: what a finer mesh starts with, and what the mesh there cannot
-// tell.
+// Where the contact ends between the nodes: what a finer mesh starts with.
 #pragma once
 
 #include <amontons/contact/surface_fields.h>

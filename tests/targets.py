@@ -7,7 +7,7 @@ solves and seconds. By hand; not part of ctest.
 
 Half planes that are cut out with exact boundary values, rings and shrink fits have no error but that of the discretisation. The others are measured against
 half spaces and parabolas, which the blocks and disks of the scene are not: what that leaves (`floor`, as in scorecard_formulas.py) is added to the target.
-Where there is no closed form, the scene itself with a target of 0.1 % is the measure.
+Where there is no closed form, the scene itself with a target of 0.1 % (with friction under a punch 0.3 %) is the measure; its increments are the same.
 """
 import argparse
 import bisect
@@ -16,6 +16,7 @@ import functools
 import math
 import statistics
 import sys
+import threading
 from dataclasses import dataclass
 
 import scorecard_formulas as formulas
@@ -35,7 +36,7 @@ def point(size, radius):
     return lambda a: formulas.ellipse_change(formulas.block_point(a, size)[0] + formulas.circle_point(a, radius), True)
 
 
-@dataclass
+@dataclass(frozen=True)
 class Scene:
     name: str
     file: str
@@ -45,6 +46,7 @@ class Scene:
     targets: tuple = TARGETS
     along: object = None  # no closed form: the coordinate of a contact node along the surface
     pair: str = None  # of this pair
+    reference: float = 0.001  # its target there
 
     def run(self, run, target, quantity=PRESSURE):
         return run(self.file, "Refinement/Cycles=-1", f"Refinement/Target error={target}", f"Refinement/Target quantity={quantity}", *self.sets)
@@ -81,7 +83,7 @@ OWN = [
     Scene("pin with clearance, coarse at first", "verification/pin_in_hole.prm", ("Body pin/Refinements=1", "Body plate/Refinements=1"), targets=(0.1, 0.03, 0.01), along=angle),
     Scene("NAFEMS, roller", "nafems_roller.prm", targets=(0.1, 0.03, 0.01), along=lambda node: node["X"], pair="roller"),
     Scene("NAFEMS, rounded punch", "nafems_punch.prm", targets=(0.1, 0.03, 0.01), along=lambda node: node["X"]),
-    Scene("NAFEMS, rounded punch, friction", "nafems_punch_friction.prm", targets=(0.1, 0.03, 0.01), along=lambda node: node["X"]),
+    Scene("NAFEMS, rounded punch, friction", "nafems_punch_friction.prm", targets=(0.1, 0.03), along=lambda node: node["X"], reference=0.003),
     Scene("GRECO", "greco.prm", targets=(0.1, 0.03, 0.01), along=lambda node: node["X"]),
 ]
 
@@ -139,15 +141,20 @@ def differences(answer, reference, scene):
 
 
 @functools.lru_cache(maxsize=None)
-def reference_of(program, name):
-    return next(scene for scene in OWN if scene.name == name).run(scorecard_parts.Runner(program), 0.001)
+def better_answer(program, scene):
+    return scene.run(scorecard_parts.Runner(program), scene.reference)
+
+
+def reference_of(program, scene, one_at_a_time=threading.Lock()):
+    with one_at_a_time:  # runs of one scene that start at once wait for the same answer
+        return better_answer(program, scene)
 
 
 def rows_of(program, scene, quantity, target):
     run = scorecard_parts.Runner(program)
     answer = scene.run(run, target, quantity)
     told, last = answer.summary["error_estimate"], answer.summary["meshes"][-1]
-    errors = differences(answer, reference_of(program, scene.name), scene) if scene.along else last["reference"]["errors"]
+    errors = differences(answer, reference_of(program, scene), scene) if scene.along else last["reference"]["errors"]
     floor = scene.floor(last["pairs"][0]["contact_size"]) if scene.floor else 0.0
     cost = len({mesh["dofs"] for mesh in answer.summary["meshes"]}), answer.summary["dofs"], answer.summary["linear_solves"], run.seconds
     if quantity != PRESSURE:

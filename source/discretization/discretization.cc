@@ -49,6 +49,7 @@ namespace Amontons
     DoFTools::make_hanging_node_constraints(dof_handler, hanging_nodes);
     hanging_nodes.close();
     find_carrier_dofs();
+    find_free_turns();
   }
 
   template <int dim>

@@ -154,6 +154,8 @@ namespace Amontons
                     }
                 }
       }
+    for (const auto &turn : free_turns)
+      tie(constraints, turn.second, {{turn.first, 1.}}, 0);
     // Ranks that see only part of a node's faces may have chosen another DoF to eliminate; the owner of a DoF
     // sees all of them.
     Constraints own(relevant);

@@ -28,6 +28,14 @@ namespace Amontons
   template <int dim>
   using CarrierDofs = std::array<std::array<types::global_dof_index, dim>, dim + 1>;
 
+  // A round body that slides without friction, and that nothing else keeps from turning: the second
+  // displacement follows the first.
+  struct FreeTurn
+  {
+    unsigned int            body;
+    types::global_dof_index first, second;
+  };
+
   template <int dim>
   class Discretization
   {
@@ -67,6 +75,7 @@ namespace Amontons
     std::vector<CarrierDofs<dim>> carrier_dofs; // on every rank
     // Per rigid body: index of its carrier; numbers::invalid_unsigned_int for deformable bodies.
     std::vector<unsigned int> carrier_of_body;
+    std::vector<FreeTurn>     free_turns;
 
     bool
     is_deformable(const types::material_id id) const;
@@ -79,6 +88,8 @@ namespace Amontons
   private:
     void
     find_carrier_dofs();
+    void
+    find_free_turns();
     void
     constrain_carriers(Constraints &constraints, const double t) const;
     void

@@ -1,0 +1,293 @@
+// Round bodies that slide without friction: where their turns are held.
+#include <amontons/discretization/discretization.h>
+
+#include <deal.II/base/mpi.templates.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    template <int dim>
+    constexpr unsigned int n_modes = dim *(dim + 1) / 2;
+
+    // Rigid motions of a body: v = w_1 e_1 + .. + w_dim e_dim + sum over planes (a, b) of w (X_a e_b - X_b
+    // e_a), with X from the body's centre in its size. Of each, the component c at x.
+    template <int dim>
+    std::array<double, n_modes<dim>>
+    rigid_motions(const Geometry<dim> &geometry,
+                  const unsigned int   body,
+                  const Point<dim>    &x,
+                  const unsigned int   c)
+    {
+      const Tensor<1, dim>             X = (x - geometry.body_centres[body]) / geometry.body_sizes[body];
+      std::array<double, n_modes<dim>> values{};
+      values[c]         = 1;
+      unsigned int mode = dim;
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int b = a + 1; b < dim; ++b, ++mode)
+          values[mode] = c == b ? X[a] : c == a ? -X[b] : 0;
+      return values;
+    }
+
+    // In the middle, by the area. That of a chord goes through the circle's centre.
+    template <int dim, typename Face>
+    Tensor<1, dim>
+    normal_of(const Face &face)
+    {
+      if constexpr (dim == 2)
+        return cross_product_2d(face->vertex(1) - face->vertex(0));
+      else
+        return 0.5 * cross_product_3d(face->vertex(3) - face->vertex(0), face->vertex(2) - face->vertex(1));
+    }
+
+    // Bodies that feel nothing but a uniform force, pairs without friction and planes of symmetry.
+    std::vector<bool>
+    bodies_that_slide(const Scene &scene)
+    {
+      const auto        is_uniform = [](const Expression &e) { return !e.depends_on_place(); };
+      std::vector<bool> result, touches(scene.bodies.size(), false);
+      for (const auto &body : scene.bodies)
+        result.push_back(!body.rigid && scene.kind != ProblemType::axisymmetric &&
+                         std::all_of(body.body_force.begin(), body.body_force.end(), is_uniform));
+      const auto body_of = [&](const BoundaryName &boundary) {
+        const auto found = std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const auto &body) {
+          return body.name == boundary.body;
+        });
+        return found - scene.bodies.begin();
+      };
+      for (const auto &pair : scene.pairs)
+        for (const auto *side : {&pair.first, pair.second ? &*pair.second : nullptr})
+          if (side != nullptr)
+            {
+              touches[body_of(*side)] = true;
+              if (pair.tied || pair.has_friction() || (pair.initial_gap && !is_uniform(*pair.initial_gap)))
+                result[body_of(*side)] = false;
+            }
+      for (const auto &condition : scene.conditions)
+        for (const auto &boundary : condition.boundaries)
+          if (condition.type != ConditionData::Type::symmetry)
+            result[body_of(boundary)] = false;
+      for (unsigned int b = 0; b < result.size(); ++b)
+        result[b] = result[b] && touches[b];
+      return result;
+    }
+
+    // A vertex far from the body's centre along an axis: better inside than where something may touch; among
+    // equals that next to the centre.
+    template <int dim>
+    struct Extreme
+    {
+      bool                                     is_inside = false;
+      double                                   distance  = std::numeric_limits<double>::lowest();
+      Point<dim>                               X;
+      std::array<types::global_dof_index, dim> dofs;
+
+      // near: lengths that are equal.
+      bool
+      is_beyond(const Extreme &other, const Point<dim> &centre, const double near) const
+      {
+        if (is_inside != other.is_inside)
+          return is_inside;
+        if (const double d = distance - other.distance; std::abs(d) > near)
+          return d > 0;
+        if (const double d = X.distance(centre) - other.X.distance(centre); std::abs(d) > near)
+          return d < 0;
+        for (unsigned int c = 0; c < dim; ++c)
+          if (const double d = X[c] - other.X[c]; std::abs(d) > near)
+            return d > 0;
+        return false;
+      }
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &is_inside &distance &X &dofs;
+      }
+    };
+
+    // By axis: to either side.
+    template <int dim>
+    using Extremes = std::array<std::array<Extreme<dim>, 2>, dim>;
+
+    template <int dim>
+    class FreeTurns
+    {
+    public:
+      FreeTurns(const Discretization<dim> &discretization, const std::vector<bool> &slides)
+          : discretization(discretization), geometry(discretization.geometry), slides(slides)
+      {
+      }
+
+      bool
+      is_of_interest(const types::material_id body) const
+      {
+        return body < slides.size() && slides[body];
+      }
+
+      // int (v_i . N)(v_j . N) dA / int dA over all of the surface of each body.
+      std::vector<FullMatrix<double>>
+      flows_through_surfaces() const
+      {
+        constexpr unsigned int n = n_modes<dim>;
+        std::vector<double>    sums(slides.size() * (n * n + 1), 0.);
+        for (const auto &cell : geometry.triangulation.active_cell_iterators())
+          if (cell->is_locally_owned() && is_of_interest(cell->material_id()))
+            for (const auto &face : cell->face_iterators())
+              if (face->at_boundary())
+                {
+                  const Tensor<1, dim>  normal = normal_of<dim>(face);
+                  const double          area   = normal.norm();
+                  std::array<double, n> flow{};
+                  for (unsigned int c = 0; c < dim; ++c)
+                    {
+                      const auto v = rigid_motions(geometry, cell->material_id(), face->center(), c);
+                      for (unsigned int i = 0; i < n; ++i)
+                        flow[i] += normal[c] / area * v[i];
+                    }
+                  double *const of_body = &sums[cell->material_id() * (n * n + 1)];
+                  for (unsigned int i = 0; i < n; ++i)
+                    for (unsigned int j = 0; j < n; ++j)
+                      of_body[i * n + j] += area * flow[i] * flow[j];
+                  of_body[n * n] += area;
+                }
+        Utilities::MPI::sum(sums, geometry.communicator, sums);
+        std::vector<FullMatrix<double>> result(slides.size(), FullMatrix<double>(n, n));
+        for (unsigned int b = 0; b < slides.size(); ++b)
+          for (unsigned int i = 0; slides[b] && i < n * n; ++i)
+            result[b](i / n, i % n) = sums[b * (n * n + 1) + i] / sums[b * (n * n + 1) + n * n];
+        return result;
+      }
+
+      std::map<unsigned int, Extremes<dim>>
+      extremes() const
+      {
+        std::vector<bool> is_on_surface(geometry.triangulation.n_vertices(), false);
+        for (const auto &cell : geometry.triangulation.active_cell_iterators())
+          if (!cell->is_artificial())
+            for (const auto &face : cell->face_iterators())
+              for (const unsigned int v : face->vertex_indices())
+                if (face->at_boundary())
+                  is_on_surface[face->vertex_index(v)] = true;
+        std::map<unsigned int, Extremes<dim>> mine, all;
+        for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned() && is_of_interest(cell->material_id()))
+            for (const unsigned int v : cell->vertex_indices())
+              {
+                Extreme<dim> vertex;
+                vertex.is_inside = !is_on_surface[cell->vertex_index(v)];
+                vertex.X         = cell->vertex(v);
+                for (unsigned int c = 0; c < dim; ++c)
+                  vertex.dofs[c] = cell->vertex_dof_index(v, c);
+                if (!discretization.hanging_nodes.is_constrained(vertex.dofs[0]))
+                  take_farther(cell->material_id(), vertex, mine[cell->material_id()]);
+              }
+        for (const auto &part : Utilities::MPI::all_gather(geometry.communicator, mine))
+          for (const auto &[body, found] : part)
+            for (const auto &axis : found)
+              for (const auto &vertex : axis)
+                take_farther(body, vertex, all[body]);
+        return all;
+      }
+
+    private:
+      void
+      take_farther(const unsigned int body, Extreme<dim> vertex, Extremes<dim> &extremes) const
+      {
+        const auto &centre = geometry.body_centres[body];
+        for (unsigned int d = 0; d < dim; ++d)
+          for (const unsigned int side : {0, 1})
+            {
+              vertex.distance = (side == 0 ? 1 : -1) * (vertex.X[d] - centre[d]);
+              if (vertex.is_beyond(extremes[d][side], centre, 1e-6 * geometry.body_sizes[body]))
+                extremes[d][side] = vertex;
+            }
+      }
+
+      const Discretization<dim> &discretization;
+      const Geometry<dim>       &geometry;
+      const std::vector<bool>   &slides;
+    };
+
+    // Rows of the values (by difference and motion) that hold the motions, by elimination with complete
+    // pivoting; less than `none` is nothing.
+    std::vector<unsigned int>
+    rows_that_hold(FullMatrix<double> values, const double none)
+    {
+      std::vector<unsigned int> rows;
+      while (rows.size() < values.n())
+        {
+          unsigned int row = 0, column = 0;
+          for (unsigned int i = 0; i < values.m(); ++i)
+            for (unsigned int k = 0; k < values.n(); ++k)
+              if (std::abs(values(i, k)) > std::abs(values(row, column)) * (1 + 1e-6))
+                {
+                  row    = i;
+                  column = k;
+                }
+          if (std::abs(values(row, column)) < none)
+            break;
+          rows.push_back(row);
+          const FullMatrix<double> before(values);
+          for (unsigned int i = 0; i < values.m(); ++i)
+            for (unsigned int k = 0; k < values.n(); ++k)
+              values(i, k) -= before(i, column) / before(row, column) * before(row, k);
+        }
+      return rows;
+    }
+  } // namespace
+
+  // Where a rigid motion v carries a body along all of its own surface, int (v . N)^2 dA = 0, its potential
+  // is the same in every place: none is an equilibrium rather than another. On a mesh its facets prefer some,
+  // by forces that vanish with their size, and the iteration would look for them in vain. So for each such
+  // turn a difference of displacements is held.
+  template <int dim>
+  void
+  Discretization<dim>::find_free_turns()
+  {
+    free_turns.clear();
+    const auto slides = bodies_that_slide(scene);
+    if (std::none_of(slides.begin(), slides.end(), [](const bool does) { return does; }))
+      return;
+    const FreeTurns<dim> turns(*this, slides);
+    const auto           flows = turns.flows_through_surfaces();
+    IndexSet             indices(dof_handler.n_dofs());
+    for (const auto &[body, ends] : turns.extremes())
+      {
+        LAPACKFullMatrix<double> flow(n_modes<dim>, n_modes<dim>);
+        flow = flows[body];
+        Vector<double>     sizes;
+        FullMatrix<double> motions;
+        // the normals of quadrilaterals on a sphere are a little off
+        flow.compute_eigenvalues_symmetric(-1, dim == 2 ? 1e-10 : 1e-3, 1e-300, sizes, motions);
+        if (sizes.size() == 0)
+          continue;
+        FullMatrix<double>    values(dim * (dim - 1), motions.n());
+        std::vector<FreeTurn> differences;
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int c = 0; c < dim; ++c)
+            if (c != d)
+              {
+                const auto from = rigid_motions(geometry, body, ends[d][0].X, c),
+                           to   = rigid_motions(geometry, body, ends[d][1].X, c);
+                for (unsigned int k = 0; k < motions.n(); ++k)
+                  for (unsigned int i = 0; i < n_modes<dim>; ++i)
+                    values(differences.size(), k) += (from[i] - to[i]) * motions(i, k);
+                differences.push_back({body, ends[d][0].dofs[c], ends[d][1].dofs[c]});
+              }
+        for (const unsigned int row : rows_that_hold(values, 1e-3))
+          {
+            free_turns.push_back(differences[row]);
+            indices.add_index(differences[row].first);
+            indices.add_index(differences[row].second);
+          }
+      }
+    add_relevant(indices);
+  }
+
+  template void
+  Discretization<2>::find_free_turns();
+  template void
+  Discretization<3>::find_free_turns();
+} // namespace Amontons

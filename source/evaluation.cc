@@ -66,7 +66,11 @@ namespace Amontons
   {
     recovery = std::make_unique<StressRecovery<dim>>(model.discretization(), model.elasticity);
     recovery->recover(state.displacement);
-    error         = estimate_error(model.discretization(), *recovery, model.interfaces, fields);
+    error         = estimate_error(model.discretization(),
+                           *recovery,
+                           model.interfaces,
+                           fields,
+                           model.finite_strain() ? &state.displacement : nullptr);
     pressure_norm = error.pressure_norm;
     shear_norm    = error.shear_norm;
     if (!of_history)

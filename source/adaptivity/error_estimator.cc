@@ -3,12 +3,14 @@
 #include <amontons/adaptivity/error_estimator.h>
 #include <amontons/adaptivity/facet_error.h>
 #include <amontons/adaptivity/gap_error.h>
+#include <amontons/adaptivity/nominal_area.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/elasticity/linear_elastic.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/tensor_product_polynomials.h>
 
+#include <deque>
 #include <set>
 
 namespace Amontons
@@ -29,7 +31,7 @@ namespace Amontons
       return ((1 + material.poisson) * square - material.poisson * trace * trace) / material.young;
     }
 
-    // sigma n; in the plane kinds zz takes no part.
+    // sigma n (or m of NominalArea); in the plane kinds zz takes no part.
     template <int dim>
     Tensor<1, dim>
     traction(const Voigt<dim> &sigma, const Tensor<1, dim> &n)
@@ -49,7 +51,9 @@ namespace Amontons
     public:
       using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-      Estimation(const Discretization<dim> &discretization, const StressRecovery<dim> &recovery)
+      Estimation(const Discretization<dim> &discretization,
+                 const StressRecovery<dim> &recovery,
+                 const LA::Vector          *displacement)
           : discretization(discretization), recovery(recovery), kind(discretization.scene.kind),
             gauss(discretization.fe.degree + 1),
             gauss_polynomials(Polynomials::generate_complete_Lagrange_basis(
@@ -61,7 +65,7 @@ namespace Amontons
             squares(discretization.geometry.triangulation.n_active_cells()), contact_squares(squares.size()),
             shear_squares(squares.size())
       {
-        prepare_faces();
+        prepare_faces(displacement);
       }
 
       void
@@ -225,7 +229,7 @@ namespace Amontons
       // By face number: sigma* at the points of the face, and the matrix that continues sigma_h there from
       // the Gauss points.
       void
-      prepare_faces()
+      prepare_faces(const LA::Vector *displacement)
       {
         for (const unsigned int f : GeometryInfo<dim>::face_indices())
           {
@@ -242,6 +246,8 @@ namespace Amontons
                                                                         recovery.dof_handler().get_fe(),
                                                                         Quadrature<dim>(points),
                                                                         update_values));
+            if (displacement != nullptr)
+              areas.emplace_back(discretization, points, *displacement);
           }
       }
 
@@ -270,8 +276,11 @@ namespace Amontons
         if (!discretization.is_deformable(cell->material_id()))
           return {0., 0., 0.};
         recovered_on_face[f]->reinit(recovery_cell(cell));
-        const auto sigma  = stress_on_face(cell, f);
-        const auto smooth = recovery.values_at(*recovered_on_face[f]);
+        const auto sigma      = stress_on_face(cell, f);
+        const auto smooth     = recovery.values_at(*recovered_on_face[f]);
+        const bool is_nominal = !areas.empty() && (interface.pair->tied || kind == ProblemType::plane_stress);
+        if (is_nominal)
+          areas[f].reinit(cell);
 
         double square = 0, pressure_part = 0, shear_part = 0;
         for (unsigned int q = 0; q < on_face.size(); ++q)
@@ -289,7 +298,8 @@ namespace Amontons
                 shear += N[i] * fields.traction[slave.faces[face].nodes[i]];
               }
 
-            const Tensor<1, dim> t        = traction<dim>(sigma[q], n);
+            const Tensor<1, dim> area     = is_nominal ? areas[f].vector(q, n, interface.pair->tied) : n;
+            const Tensor<1, dim> t        = traction<dim>(sigma[q], area);
             const double         mismatch = p + n * t;
             square += weight * mismatch * mismatch;
             if (!interface.pair->tied)
@@ -297,12 +307,18 @@ namespace Amontons
 
             if (!parts.near[face])
               continue;
-            const Tensor<1, dim> t_star = traction<dim>(smooth[q], n);
+            const Tensor<1, dim> t_star = traction<dim>(smooth[q], area);
             const double         p_star = -(n * t_star);
             if (interface.pair->has_friction())
               {
                 shear_part += parts.weight * weight * (t_star + p_star * n - shear).norm_square();
                 shear_square += parts.weight * weight * shear.norm_square();
+              }
+            if (interface.pair->tied) // where it may be turned, the pressure says nothing
+              {
+                pressure_part += weight * (t_star + p * n - shear).norm_square();
+                pressure_square += parts.weight * weight * (p * n - shear).norm_square();
+                continue;
               }
             pressure_part += weight * (p_star - p) * (p_star - p);
             pressure_square += parts.weight * weight * p * p;
@@ -349,6 +365,7 @@ namespace Amontons
       FEValues<dim>                       values;
       std::vector<FullMatrix<double>>     continuation;
       std::vector<std::unique_ptr<FEValues<dim>>> recovered_on_face;
+      std::deque<NominalArea<dim>>                areas; // by face number; finite strain
       std::vector<double>                         squares, contact_squares, shear_squares; // by active cell
       // of this rank
       double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0, shear_error = 0,
@@ -383,7 +400,8 @@ namespace Amontons
     std::vector<double> squares(interfaces.size(), 0.);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       for (const auto &row : interfaces[i].coupling.rows)
-        squares[i] += row.area * std::pow(fields[i].multiplier[row.node], 2);
+        squares[i] += interfaces[i].pair->tied ? fields[i].force[row.node].norm_square() / row.area
+                                               : row.area * std::pow(fields[i].multiplier[row.node], 2);
     const double largest = squares.empty() ? 0. : *std::max_element(squares.begin(), squares.end());
     for (double &square : squares)
       square = largest > 0 ? largest / std::max(square, least * least * largest) : 1.;
@@ -398,9 +416,10 @@ namespace Amontons
   estimate_error(const Discretization<dim>                &discretization,
                  const StressRecovery<dim>                &recovery,
                  const std::vector<ContactInterface<dim>> &interfaces,
-                 const std::vector<SurfaceFields<dim>>    &fields)
+                 const std::vector<SurfaceFields<dim>>    &fields,
+                 const LA::Vector                         *displacement)
   {
-    Estimation<dim> estimation(discretization, recovery);
+    Estimation<dim> estimation(discretization, recovery, displacement);
     estimation.add_bulk();
     const auto weights = pair_weights(interfaces, fields);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
@@ -416,10 +435,12 @@ namespace Amontons
   estimate_error(const Discretization<2> &,
                  const StressRecovery<2> &,
                  const std::vector<ContactInterface<2>> &,
-                 const std::vector<SurfaceFields<2>> &);
+                 const std::vector<SurfaceFields<2>> &,
+                 const LA::Vector *);
   template ErrorEstimate<3>
   estimate_error(const Discretization<3> &,
                  const StressRecovery<3> &,
                  const std::vector<ContactInterface<3>> &,
-                 const std::vector<SurfaceFields<3>> &);
+                 const std::vector<SurfaceFields<3>> &,
+                 const LA::Vector *);
 } // namespace Amontons

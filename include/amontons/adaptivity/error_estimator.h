@@ -69,13 +69,15 @@ namespace Amontons
   // the slave faces of the coupling, without the second term where surfaces are tied; added to the slave's
   // cell and, in proportion to the overlaps, to the masters' cells: cell_indicators = sqrt(eta_K^2 + sum
   // eta_F^2). `contact` = sqrt(sum w int (p* - p)^2 / sum w int p^2) over pairs of these weights, where p* =
-  // -n . sigma* . n is the recovered normal stress of the slave body; `shear` likewise, of the pairs with
-  // friction. n is the normal of the true surface. recovery: of the displacement. fields: by interface.
+  // -n . sigma* . n is the recovered normal stress of the slave body; where surfaces are tied the whole
+  // traction counts; `shear` likewise, of the pairs with friction. n is the normal of the true surface.
+  // recovery: of the displacement. fields: by interface. displacement: at finite strain (see NominalArea).
   // Collective.
   template <int dim>
   ErrorEstimate<dim>
   estimate_error(const Discretization<dim>                &discretization,
                  const StressRecovery<dim>                &recovery,
                  const std::vector<ContactInterface<dim>> &interfaces,
-                 const std::vector<SurfaceFields<dim>>    &fields);
+                 const std::vector<SurfaceFields<dim>>    &fields,
+                 const LA::Vector                         *displacement = nullptr);
 } // namespace Amontons

@@ -1,9 +1,8 @@
 #include <amontons/algebra/eliminated_system.h>
 #include <amontons/base/points.h>
+#include <amontons/friction/shear_law.h>
 #include <amontons/output/energy.h>
 #include <amontons/output/nodal_forces.h>
-
-#include <utility>
 
 namespace Amontons
 {
@@ -59,13 +58,15 @@ namespace Amontons
     contact  = contact_force_vector(answer);
     external = external_forces(answer, contact);
     pressing = forces_on_growing_gaps(answer);
+    bounds   = bounds_of_friction(answer);
+    start    = Half();
   }
 
   template <int dim>
-  typename WorkDone<dim>::NodeForces
+  typename WorkDone<dim>::NodeValues
   WorkDone<dim>::forces_on_growing_gaps(const Answer<dim> &answer)
   {
-    NodeForces forces;
+    NodeValues forces;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       if (gap_grows(answer.interfaces[i]))
         for (const auto &row : answer.interfaces[i].coupling.rows)
@@ -77,51 +78,116 @@ namespace Amontons
   }
 
   template <int dim>
+  typename WorkDone<dim>::Half
+  WorkDone<dim>::half_of(const Answer<dim> &answer,
+                         const LA::Vector  &external,
+                         const LA::Vector  &contact,
+                         const NodeValues  &pressing)
+  {
+    const SolutionState<dim> &state   = answer.state;
+    const bool                started = state.committed.size() == state.displacement.size();
+    Half                      half;
+    for (const auto dof : answer.discretization.locally_owned)
+      {
+        const double change = state.displacement(dof) - (started ? state.committed(dof) : 0.);
+        half.external += 0.5 * external(dof) * change;
+        half.contact -= 0.5 * contact(dof) * change;
+      }
+    const MPI_Comm communicator = answer.discretization.geometry.communicator;
+    half.external               = Utilities::MPI::sum(half.external, communicator);
+    half.contact                = Utilities::MPI::sum(half.contact, communicator);
+
+    // The gap of a node is a control value, c = sum weight g(X) (see SurfaceNode).
+    for (const auto &[place, force] : pressing)
+      {
+        const auto &slave = *answer.interfaces[place.first].slave;
+        const auto &gap   = *answer.interfaces[place.first].pair->initial_gap;
+        for (const auto &[k, weight] : slave.nodes[place.second].control)
+          {
+            const auto X = as_3d(slave.nodes[k].X);
+            half.growth -= 0.5 * force * weight * (gap.value(X, state.t) - gap.value(X, state.committed_t));
+          }
+      }
+    return half;
+  }
+
+  template <int dim>
+  void
+  WorkDone<dim>::leave_mesh(const Answer<dim> &answer)
+  {
+    if (external.size() != answer.discretization.dof_handler.n_dofs())
+      return; // at rest, or it was left in this increment before
+    start = half_of(answer, external, contact, pressing);
+    external.clear();
+    contact.clear();
+    pressing.clear();
+  }
+
+  template <int dim>
+  typename WorkDone<dim>::NodeValues
+  WorkDone<dim>::bounds_of_friction(const Answer<dim> &answer)
+  {
+    NodeValues result;
+    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
+      if (const auto &interface = answer.interfaces[i]; interface.pair->has_friction())
+        for (const auto &row : interface.coupling.rows)
+          result[{i, row.node}] = shear_bound(*interface.pair,
+                                              as_3d(interface.slave->nodes[row.node].X),
+                                              answer.state.t,
+                                              answer.state.contact[i][row.node].pressure)
+                                      .value;
+    return result;
+  }
+
+  // A node slips against its bound, which changes on the way: int |q| |dv| by the trapezoidal rule. (The
+  // traction itself has another direction at the start, where the node stuck.)
+  template <int dim>
+  double
+  WorkDone<dim>::work_of_friction(const Answer<dim> &answer, const NodeValues &bounds_now) const
+  {
+    double work = 0;
+    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
+      if (const auto &interface = answer.interfaces[i]; interface.pair->has_friction())
+        for (const auto &row : interface.coupling.rows)
+          {
+            const auto  &node  = answer.state.contact[i][row.node];
+            const double end   = bounds_now.at({i, row.node});
+            const auto   known = bounds.find({i, row.node});
+            const double start = known != bounds.end()
+                                     ? known->second
+                                     : shear_bound(*interface.pair,
+                                                   as_3d(interface.slave->nodes[row.node].X),
+                                                   answer.state.committed_t,
+                                                   0)
+                                           .value;
+            if (end > 0)
+              work += row.area * (start + end) / (2 * end) * (node.shear * node.slip);
+          }
+    return work;
+  }
+
+  template <int dim>
   void
   WorkDone<dim>::add(const Answer<dim> &answer)
   {
     const SolutionState<dim> &state       = answer.state;
-    const bool                started     = state.committed.size() == state.displacement.size();
     const LA::Vector          contact_now = contact_force_vector(answer),
                      external_now         = external_forces(answer, contact_now);
-    const bool known                      = external.size() == external_now.size();
-    double     work = 0, by_contact = 0;
-    for (const auto dof : answer.discretization.locally_owned)
-      {
-        const double change = state.displacement(dof) - (started ? state.committed(dof) : 0.);
-        work += 0.5 * (external_now(dof) + (known ? external(dof) : 0.)) * change;
-        by_contact -= 0.5 * (contact_now(dof) + (known ? contact(dof) : 0.)) * change;
-      }
-    work       = Utilities::MPI::sum(work, answer.discretization.geometry.communicator);
-    by_contact = Utilities::MPI::sum(by_contact, answer.discretization.geometry.communicator);
-    external   = external_now;
-    contact    = contact_now;
+    const auto pressing_now               = forces_on_growing_gaps(answer);
+    const Half begin  = external.size() == external_now.size() ? half_of(answer, external, contact, pressing)
+                                                               : start,
+               end    = half_of(answer, external_now, contact_now, pressing_now);
+    const double work = begin.external + end.external, by_contact = begin.contact + end.contact,
+                 growth = begin.growth + end.growth;
+    external            = external_now;
+    contact             = contact_now;
+    pressing            = pressing_now;
+    start               = Half();
 
-    // The gap of a node is a control value, c = sum weight g(X) (see SurfaceNode).
-    const auto grown_by = [&](const unsigned int i, const unsigned int node) {
-      const auto &slave  = *answer.interfaces[i].slave;
-      const auto &gap    = *answer.interfaces[i].pair->initial_gap;
-      double      change = 0;
-      for (const auto &[k, weight] : slave.nodes[node].control)
-        change += weight * (gap.value(as_3d(slave.nodes[k].X), state.t) -
-                            gap.value(as_3d(slave.nodes[k].X), state.committed_t));
-      return change;
-    };
-    double     growth       = 0;
-    const auto pressing_now = forces_on_growing_gaps(answer);
-    for (const auto *forces : {&std::as_const(pressing), &pressing_now})
-      for (const auto &[place, force] : *forces)
-        growth -= 0.5 * force * grown_by(place.first, place.second);
-    pressing = pressing_now;
-
-    double friction = 0;
-    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
-      for (const auto &row : answer.interfaces[i].coupling.rows)
-        {
-          const auto &node = state.contact[i][row.node];
-          friction += row.area * (node.shear * node.slip);
-        }
-    const double stored = stored_energy(answer);
+    const auto   bounds_now = bounds_of_friction(answer);
+    const double friction   = work_of_friction(answer, bounds_now);
+    bounds                  = bounds_now;
+    const double stored     = stored_energy(answer);
     external_work += work + growth;
     contact_work += by_contact + growth;
     dissipation += friction;

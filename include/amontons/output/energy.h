@@ -9,7 +9,7 @@ namespace Amontons
   // c on the bodies and e = internal forces - c, which holds loads and forces of moving supports:
   //   external work  W = sum (e_old + e)/2 . (u - u_old) + G
   //   contact work   C = - sum (c_old + c)/2 . (u - u_old) + G
-  //   dissipation    D = sum area q . slip                      slip of the increment
+  //   dissipation    D = sum area (b_old + b)/(2 b) q . slip    slip of the increment, bounds b of |q|
   //   growth         G = - sum (area_old p_old + area p)/2 |normal|^2 (g - g_old)
   // with g the declared gaps at the nodes (those of their rows: normal . int psi g n / area): an interference
   // that grows works on both sides. So W = (change of the stored energy) + C in equilibrium: exactly with
@@ -26,6 +26,11 @@ namespace Amontons
     void
     add(const Answer<dim> &answer);
 
+    // Before the mesh is refined: what the forces of the last state, which are those of its nodes, do on the
+    // way to answer.state. Collective.
+    void
+    leave_mesh(const Answer<dim> &answer);
+
     // After a transfer to another mesh, which changed the state: goes on from answer.state. Collective.
     void
     rebase(const Answer<dim> &answer);
@@ -39,10 +44,27 @@ namespace Amontons
   private:
     double     energy = 0;
     LA::Vector external, contact; // e and c of the last state
-    // Forces area x p |normal|^2 where declared gaps grow, by interface and slave node.
-    using NodeForces = std::map<std::pair<unsigned int, unsigned int>, double>;
-    NodeForces pressing; // of the last state
-    static NodeForces
+    // By interface and slave node, of the last state: forces area x p |normal|^2 where declared gaps grow;
+    // bounds of the shear.
+    using NodeValues = std::map<std::pair<unsigned int, unsigned int>, double>;
+    NodeValues pressing, bounds;
+    static NodeValues
     forces_on_growing_gaps(const Answer<dim> &answer);
+    static NodeValues
+    bounds_of_friction(const Answer<dim> &answer);
+    double
+    work_of_friction(const Answer<dim> &answer, const NodeValues &bounds_now) const;
+
+    // Of one end of an increment: half of its forces on the whole way (trapezoidal rule).
+    struct Half
+    {
+      double external = 0, contact = 0, growth = 0;
+    };
+    static Half
+         half_of(const Answer<dim> &answer,
+                 const LA::Vector  &external,
+                 const LA::Vector  &contact,
+                 const NodeValues  &pressing);
+    Half start; // on the mesh before
   };
 } // namespace Amontons

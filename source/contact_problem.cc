@@ -183,13 +183,7 @@ namespace Amontons
     std::optional<double> kinematic_error;
     if (!steps->model->finite_strain())
       kinematic_error = small_strain.error();
-    return {success,
-            steps->evaluation,
-            steps->history,
-            parameters.refinement.target_error,
-            parameters.refinement.max_dofs,
-            kinematic_error,
-            checks};
+    return {success, steps->evaluation, steps->history, parameters.refinement, kinematic_error, checks};
   }
 
   // After the load program with small strain: whether its answer, or that of finite strain, is one.

@@ -296,7 +296,9 @@ namespace Amontons
     const double believed  = model->mesh->n_refinements == 0 ? target / 5 : target;
     const bool   is_enough = target > 0 && (mendable <= believed ||
                                           history.meshes.is_hopeless(target, parameters.refinement.max_dofs));
-    return may_refine() && !is_enough && !history.quantity.is_zero();
+    // A stick zone may be smaller than the faces of the first meshes.
+    const bool may_appear = parameters.refinement.target_quantity == "stick size" && error.contact > target;
+    return may_refine() && !is_enough && (may_appear || !history.quantity.is_zero());
   }
 
   // On the way: evenly over the load program, or whenever the target asks for it.
@@ -362,6 +364,7 @@ namespace Amontons
         return false;
       }
     store_contact();
+    history.work.leave_mesh(answer());
     history.coarser.t = history.state.t;
     history.coarser.traction =
         surface_tractions(model->discretization(), model->interfaces, evaluation.fields);

@@ -1,6 +1,7 @@
 #include <amontons/output/probes.h>
 #include <amontons/run_report.h>
 
+#include <set>
 #include <sstream>
 
 namespace Amontons
@@ -340,7 +341,7 @@ namespace Amontons
     if (ending.kinematic_error)
       summary.error_estimate.kinematics = *ending.kinematic_error;
     if (summary.increments)
-      summary.error_estimate.increments = summary.increments->largest();
+      summary.error_estimate.increments = summary.increments->of(ending.refinement.target_quantity);
     if (last.external_work)
       add_energy_checks(ending.history, answer.elasticity.finite_strain());
   }
@@ -443,7 +444,23 @@ namespace Amontons
     place.precision(2);
     if (indicators.size() == discretization.geometry.triangulation.n_active_cells())
       place << place_of_largest(discretization, indicators);
-    return ending.history.meshes.why_missed(ending.target_error, ending.max_dofs, touches, place.str());
+    return ending.history.meshes.why_missed(
+        ending.refinement.target_error, ending.refinement.max_dofs, touches, place.str());
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::note_free_turns(const std::vector<FreeTurn> &turns)
+  {
+    std::set<std::string> names;
+    for (const auto &turn : turns)
+      names.insert("'" + scene.bodies[turn.body].name + "'");
+    std::string text;
+    for (const auto &name : names)
+      text += (text.empty() ? "" : ", ") + name;
+    if (!names.empty())
+      note("model: " + text + (names.size() == 1 ? " is round and slides" : " are round and slide") +
+           " without friction: nothing keeps it from turning, and no turn changes anything else; it is held");
   }
 
   // What the answer is not, or not the whole of.
@@ -452,16 +469,17 @@ namespace Amontons
   RunReport<dim>::note_limits(const Answer<dim> &answer, const Ending &ending)
   {
     const auto  &error  = ending.evaluation.error;
-    const double target = ending.target_error;
+    const double target = ending.refinement.target_error;
     if (target > 0 && !(error.of_target() <= target))
       note(finer_mesh_failed ? "the target error was not reached, as the finer mesh failed"
            : !error.quantity && error.facets > target
                ? "the target error cannot be reached: facets alone make a larger one"
                : missed_target(answer.discretization, ending));
-    else if (target > 0 && summary.increments && !error.quantity &&
-             error.of_target() + summary.increments->largest() > target)
+    else if (target > 0 && summary.increments &&
+             error.of_target() + summary.increments->of(ending.refinement.target_quantity) > target)
       note("warning: the target error was not reached: the mesh alone reaches it, with what the increments "
            "add it is missed; they are as many as 'Increments' say, or the most that a target chooses");
+    note_free_turns(answer.discretization.free_turns);
     if (scene.kind == ProblemType::axisymmetric)
       note("axisymmetric: forces are for the full turn");
     if (std::any_of(answer.fields.begin(), answer.fields.end(), [](const auto &fields) {

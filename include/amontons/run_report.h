@@ -161,8 +161,7 @@ namespace Amontons
       bool                          converged;
       const Evaluation<dim>        &evaluation;
       const LoadHistory<dim>       &history;
-      double                        target_error; // 0: none
-      unsigned int                  max_dofs;
+      const RefinementParameters   &refinement;
       std::optional<double>         kinematic_error; // of small strain
       std::map<std::string, double> checks;          // of the physics, and what small strain leaves out
     };
@@ -190,6 +189,8 @@ namespace Amontons
     note_untouched_pairs();
     void
     note_facets(const std::vector<ContactInterface<dim>> &interfaces, const ErrorEstimate<dim> &error);
+    void
+    note_free_turns(const std::vector<FreeTurn> &turns);
     void
     note_limits(const Answer<dim> &answer, const Ending &ending);
     // run_files.cc

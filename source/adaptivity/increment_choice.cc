@@ -72,6 +72,6 @@ namespace Amontons
   double
   IncrementChoice::counted(const IncrementErrors &errors) const
   {
-    return parameters.target_quantity == "dissipation" ? errors.dissipation : errors.largest();
+    return errors.of(parameters.target_quantity);
   }
 } // namespace Amontons

@@ -61,7 +61,8 @@ namespace Amontons
                                &result.stick_size,
                                &result.normal_force,
                                &result.tangential_force,
-                               &result.dissipation})
+                               &result.dissipation,
+                               &result.own_dissipation})
       *part *= factor;
     result.n_increments = static_cast<unsigned int>(std::lround(n_increments / factor));
     return result;
@@ -112,11 +113,15 @@ namespace Amontons
         errors.tangential_force =
             std::max(errors.tangential_force, factor * relative(tangential, tangential_scale));
       }
+    double change = 0, dissipation = 0;
     for (unsigned int l = 0; l < run.breakpoints.size(); ++l)
-      errors.dissipation = std::max(
-          errors.dissipation,
-          factor * relative(std::abs(repeat.breakpoints[l].dissipation - run.breakpoints[l].dissipation),
-                            run.largest_work));
+      {
+        const double of_run = run.breakpoints[l].dissipation;
+        change              = std::max(change, std::abs(repeat.breakpoints[l].dissipation - of_run));
+        dissipation         = std::max(dissipation, std::abs(of_run));
+      }
+    errors.dissipation     = factor * relative(change, run.largest_work);
+    errors.own_dissipation = factor * relative(change, dissipation);
     return errors;
   }
 } // namespace Amontons

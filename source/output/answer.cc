@@ -245,7 +245,7 @@ namespace Amontons
     add_estimate(lines, "pressure", estimate.contact, estimate.facets, increments.pressure, summary);
     add_estimate(lines, "tangential traction", estimate.shear, 0, increments.shear, summary);
     add_estimate(lines, "stress", estimate.bulk, 0, increments.pressure, summary);
-    add_estimate(lines, "target quantity", estimate.quantity, 0, increments.largest(), summary);
+    add_estimate(lines, "target quantity", estimate.quantity, 0, estimate.increments, summary);
     if (summary.increments)
       add_increments(lines, *summary.increments);
     if (!std::isnan(summary.energy))

@@ -53,7 +53,8 @@ namespace Amontons
           .add("stick_size", errors.stick_size)
           .add("normal_force", errors.normal_force)
           .add("tangential_force", errors.tangential_force)
-          .add("dissipation", errors.dissipation);
+          .add("dissipation", errors.dissipation)
+          .add("own_dissipation", errors.own_dissipation);
     }
 
     Json

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace Amontons
@@ -47,6 +48,7 @@ namespace Amontons
     double       normal_force     = 0;
     double       tangential_force = 0; // of the largest that the bound allows
     double       dissipation      = 0; // of the work
+    double       own_dissipation  = 0; // of itself
 
     // With increments that are `factor` times as long.
     IncrementErrors
@@ -57,6 +59,13 @@ namespace Amontons
     largest() const
     {
       return std::max({pressure, shear, stick_size, normal_force, tangential_force});
+    }
+
+    // What counts for a target.
+    double
+    of(const std::string &target_quantity) const
+    {
+      return target_quantity == "dissipation" ? own_dissipation : largest();
     }
   };
 

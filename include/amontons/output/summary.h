@@ -54,7 +54,7 @@ namespace Amontons
     double facets     = 0;                    // of `contact`: what refinement does not mend
     double quantity   = unknown;              // of `Target quantity`, if that is a number
     double kinematics = unknown;              // of small strain
-    double increments = unknown;              // friction: the largest of IncrementErrors
+    double increments = unknown;              // friction: of IncrementErrors, what counts for the target
   };
 
   // Facets that make a smaller relative error of the pressure are not worth a word.

@@ -39,6 +39,42 @@ namespace Amontons
       forces.compress(VectorOperation::add);
       return forces;
     }
+
+    // Something acts from t = 0 on, so that the first increment does not begin without pressures.
+    bool
+    is_loaded_at_rest(const Scene &scene)
+    {
+      const auto acts = [](const Expression &e) {
+        return e.depends_on_time() ? e.value(Point<3>(), 0) != 0 : !e.is_zero();
+      };
+      const auto any = [&](const std::array<Expression, 3> &e) {
+        return std::any_of(e.begin(), e.end(), acts);
+      };
+      const auto any_given = [&](const std::array<std::optional<Expression>, 3> &e) {
+        return std::any_of(e.begin(), e.end(), [&](const auto &given) { return given && acts(*given); });
+      };
+      const auto moves = [&](const MotionData &motion) {
+        return any(motion.force) || any(motion.moment) || any_given(motion.displacement) ||
+               any_given(motion.rotation);
+      };
+      return std::any_of(scene.bodies.begin(),
+                         scene.bodies.end(),
+                         [&](const auto &body) {
+                           return any(body.body_force) || (body.rigid && moves(*body.rigid));
+                         }) ||
+             std::any_of(scene.obstacles.begin(),
+                         scene.obstacles.end(),
+                         [&](const auto &obstacle) { return moves(obstacle.motion); }) ||
+             std::any_of(scene.conditions.begin(),
+                         scene.conditions.end(),
+                         [&](const auto &condition) {
+                           return any(condition.value) || any_given(condition.displacement) ||
+                                  condition.field || (condition.motion && moves(*condition.motion));
+                         }) ||
+             std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const auto &pair) {
+               return pair.initial_gap && acts(*pair.initial_gap);
+             });
+    }
   } // namespace
 
   template <int dim>
@@ -125,43 +161,47 @@ namespace Amontons
 
   template <int dim>
   typename WorkDone<dim>::NodeValues
-  WorkDone<dim>::bounds_of_friction(const Answer<dim> &answer)
+  WorkDone<dim>::bounds_of_friction(const Answer<dim> &answer, const double pressures)
   {
     NodeValues result;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       if (const auto &interface = answer.interfaces[i]; interface.pair->has_friction())
         for (const auto &row : interface.coupling.rows)
-          result[{i, row.node}] = shear_bound(*interface.pair,
-                                              as_3d(interface.slave->nodes[row.node].X),
-                                              answer.state.t,
-                                              answer.state.contact[i][row.node].pressure)
-                                      .value;
+          result[Place(i, row.node)] = shear_bound(*interface.pair,
+                                                   as_3d(interface.slave->nodes[row.node].X),
+                                                   answer.state.t,
+                                                   pressures * answer.state.contact[i][row.node].pressure)
+                                           .value;
     return result;
   }
 
-  // A node slips against its bound, which changes on the way: int |q| |dv| by the trapezoidal rule. (The
-  // traction itself has another direction at the start, where the node stuck.)
+  // A node slips against its bound phi, which changes on the way: int |q| |dv| by the trapezoidal rule. (The
+  // traction itself has another direction at the start, where the node stuck.) One that was open by d, and
+  // closed with q = phi v/sqrt(v^2 + d^2) (see linearise_closing): int q dv = phi (sqrt(v^2 + d^2) - d).
   template <int dim>
   double
   WorkDone<dim>::work_of_friction(const Answer<dim> &answer, const NodeValues &bounds_now) const
   {
+    const bool bears    = bounds.empty() && is_loaded_at_rest(answer.discretization.scene);
+    const auto unknown  = bears ? bounds_now : bounds_of_friction(answer, 0);
+    const auto start_of = [&](const Place &place) {
+      const auto known = bounds.find(place);
+      return known != bounds.end() ? known->second : unknown.at(place);
+    };
     double work = 0;
-    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
-      if (const auto &interface = answer.interfaces[i]; interface.pair->has_friction())
+    for (const auto &interface : answer.interfaces)
+      if (interface.pair->has_friction())
         for (const auto &row : interface.coupling.rows)
           {
-            const auto  &node  = answer.state.contact[i][row.node];
-            const double end   = bounds_now.at({i, row.node});
-            const auto   known = bounds.find({i, row.node});
-            const double start = known != bounds.end()
-                                     ? known->second
-                                     : shear_bound(*interface.pair,
-                                                   as_3d(interface.slave->nodes[row.node].X),
-                                                   answer.state.committed_t,
-                                                   0)
-                                           .value;
-            if (end > 0)
-              work += row.area * (start + end) / (2 * end) * (node.shear * node.slip);
+            const Place  place{&interface - answer.interfaces.data(), row.node};
+            const auto  &node  = answer.state.contact[place.first][place.second];
+            const double bound = bounds_now.at(place), r = bound > 0 ? node.shear.norm() / bound : 0;
+            if (r == 0)
+              continue;
+            const double start = start_of(place);
+            const double part  = start == 0 && r < 1 - 1e-9 ? (1 - std::sqrt(1 - r * r)) / (r * r)
+                                                            : (start + bound) / (2 * bound);
+            work += row.area * part * (node.shear * node.slip);
           }
     return work;
   }

@@ -166,6 +166,7 @@ namespace Amontons
     find_parents(discretization);
     make_controls();
     find_symmetry_planes(discretization);
+    find_crossed_planes(discretization.scene.kind == ProblemType::axisymmetric);
     make_normals();
     find_sharpest_edge();
     facets = find_facets(discretization.geometry.triangulation, boundary_ids(discretization, name));

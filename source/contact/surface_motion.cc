@@ -169,8 +169,35 @@ namespace Amontons
     return true;
   }
 
+  // A surface and its mirror image make a kink where it leans to the plane by more than its facets do: those
+  // of a smooth one turn by twice as much from one to the next. On the axis of revolution a kink has no area.
+  template <int dim>
+  void
+  ContactSurface<dim>::find_crossed_planes(const bool axisymmetric)
+  {
+    const auto points  = lattice<dim - 1>(degree);
+    const auto mean_at = [&](const unsigned int node) {
+      Tensor<1, dim> sum;
+      for (const auto &[f, k] : faces_at[node])
+        sum += face_normal(f, points[k]);
+      return sum / sum.norm();
+    };
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      {
+        if (nodes[i].symmetry_planes.empty() || faces_at[i].empty())
+          continue;
+        double half_turn = 0; // from face to face beside
+        for (const auto &[f, k] : faces_at[i])
+          for (unsigned int j = 0; j < points.size(); ++j)
+            half_turn = std::max(half_turn, (face_normal(f, points[j]) - mean_at(faces[f].nodes[j])).norm());
+        for (const auto &plane : nodes[i].symmetry_planes)
+          if (axisymmetric || std::abs(plane * mean_at(i)) <= 1e-3 + 2 * half_turn)
+            nodes[i].crossed_planes.push_back(plane);
+      }
+  }
+
   // Mean of the face normals at the node, weighted by nothing; then made to lie in the symmetry planes (and
-  // on the axis of revolution) that the node belongs to.
+  // on the axis of revolution) that the surface crosses there.
   template <int dim>
   void
   ContactSurface<dim>::make_normals()
@@ -189,9 +216,9 @@ namespace Amontons
     for (auto &node : nodes)
       {
         node.normal /= node.normal.norm();
-        if (node.symmetry_planes.empty())
+        if (node.crossed_planes.empty())
           continue;
-        node.normal = without(node.normal, directions_to_remove(node.symmetry_planes, node.normal));
+        node.normal = without(node.normal, directions_to_remove(node.crossed_planes, node.normal));
         node.normal /= node.normal.norm();
       }
   }
@@ -230,7 +257,7 @@ namespace Amontons
                 gradient[nodes[faces[f].nodes[j]].dofs[d]][c] += dn[c][d];
           }
       }
-    const auto          &planes  = nodes[node].symmetry_planes;
+    const auto          &planes  = nodes[node].crossed_planes;
     const auto           removed = directions_to_remove(planes, sum / sum.norm());
     const Tensor<1, dim> kept    = without(sum, removed);
     const Tensor<1, dim> n       = kept / kept.norm();
@@ -269,6 +296,7 @@ namespace Amontons
 #define INSTANTIATE(dim)                                                                                     \
   template bool ContactSurface<dim>::move(const LA::Vector &);                                               \
   template void ContactSurface<dim>::find_deviation(SurfaceFace<dim> &) const;                               \
+  template void ContactSurface<dim>::find_crossed_planes(const bool);                                        \
   template void ContactSurface<dim>::make_normals();                                                         \
   template void ContactSurface<dim>::find_sharpest_edge();                                                   \
   template std::vector<std::pair<types::global_dof_index, Tensor<1, dim>>>                                   \

@@ -185,7 +185,7 @@ namespace Amontons
     node.normal     = row.normal;
     for (unsigned int c = 0; c < dim; ++c)
       node.X[c] = surface_node.X[c];
-    node.planes     = surface_node.symmetry_planes;
+    node.planes     = pair.tied ? surface_node.symmetry_planes : surface_node.crossed_planes;
     node.directions = directions_in(node.planes, row.normal);
     node.closing    = equation_along(row.normal, node.gap, row, surface_node);
     for (unsigned int c = 0; (with_components || node.tied || node.frictional) && c < dim; ++c)

@@ -25,6 +25,7 @@ namespace Amontons
     // over nodes that do not hang. Hanging nodes have none.
     std::vector<std::pair<unsigned int, double>> control;
     std::vector<Tensor<1, dim>> symmetry_planes; // unit normals of the planes (and the axis) that it lies on
+    std::vector<Tensor<1, dim>> crossed_planes;  // of those, the ones that the surface crosses without a kink
   };
 
   template <int dim>
@@ -161,6 +162,8 @@ namespace Amontons
     make_controls();
     void
     find_symmetry_planes(const Discretization<dim> &discretization);
+    void
+    find_crossed_planes(const bool axisymmetric);
     void
     find_sharpest_edge();
     void

@@ -20,7 +20,8 @@ namespace Amontons
     double         old_gap = 0; // finite strain: how far it was open in the last converged state
     Tensor<1, dim> normal;      // not of unit length on curved surfaces
     Point<3>       X;
-    // Unit normals of the symmetry planes that it lies on, which supports keep it in.
+    // Unit normals of the symmetry planes that it lies on, which supports keep it in; unless it is tied, of
+    // those alone that the surface crosses.
     std::vector<Tensor<1, dim>> planes;
     // What stick holds it along: the axes, or unit vectors in the planes; zero where those leave none.
     std::array<Tensor<1, dim>, dim>  directions;

@@ -1,3 +1,4 @@
+#include <amontons/adaptivity/data_error.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/surface_fields.h>
 #include <amontons/evaluation.h>
@@ -66,11 +67,12 @@ namespace Amontons
   {
     recovery = std::make_unique<StressRecovery<dim>>(model.discretization(), model.elasticity);
     recovery->recover(state.displacement);
-    error         = estimate_error(model.discretization(),
+    error = estimate_error(model.discretization(),
                            *recovery,
                            model.interfaces,
                            fields,
                            model.finite_strain() ? &state.displacement : nullptr);
+    add_error_of_displacements(model.discretization(), state, error);
     pressure_norm = error.pressure_norm;
     shear_norm    = error.shear_norm;
     if (!of_history)

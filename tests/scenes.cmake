@@ -818,7 +818,7 @@ endforeach()
 add_scene_test(NAME slide_off_edge_friction_first SCENE verification/slide_off_edge.prm
                SET "Contact interface/Slave=first" "Contact interface/Friction coefficient=0.3"
                CHECK "status is converged" "newton.:.iterations <= 7" "kink(history.:.interface.normal_force_y) <= 0.1" "checks.negative_dissipation <= 1e-9"
-                     "meshes.-1.dissipation ~ 47.3 0.01")
+                     "meshes.-1.dissipation ~ 48.19 0.01") # 49.5 with 160 increments
 add_scene_test(NAME slide_over_edges_friction_second SCENE verification/slide_over_edges.prm
                SET "Contact interface/Slave=second" "Contact interface/Friction coefficient=0.3"
                CHECK "status is converged" "newton.:.iterations <= 8" "kink(history.:.interface.normal_force_y) <= 0.2" "checks.negative_dissipation <= 1e-9"
@@ -1045,7 +1045,7 @@ foreach(slave first second)
   foreach(degree 1 2)
     add_scene_test(NAME turned_disk_q${degree}_${slave} SCENE verification/turned_disk.prm SET "Contact interface/Slave=${slave}" "Discretization/Degree=${degree}"
                    CHECK ${TURNED} "meshes.6:.energy ~ meshes.5.energy 1e-10" "meshes.6:.dissipation ~ meshes.5.dissipation 1e-9"
-                         "meshes.6:.pairs.0.peak_pressure ~ meshes.5.pairs.0.peak_pressure 1e-9" "meshes.5.dissipation >= 1e-4")
+                         "meshes.6:.pairs.0.peak_pressure ~ meshes.5.pairs.0.peak_pressure 1e-9" "meshes.5.dissipation >= 3e-5")
   endforeach()
 endforeach()
 
@@ -1412,3 +1412,20 @@ endforeach()
 add_scene_test(NAME target_stick_size_unseen_at_first SCENE verification/receding_layer_rough.prm
                SET "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target error=0.01" "Refinement/Target quantity=stick size"
                CHECK "status is converged" "pairs.0.stick_size ~ 0.0935 0.01" "error_estimate.quantity <= 0.01")
+
+# A slope that ends at a plane of symmetry: the normal of its last node was that of a surface that crosses the plane (14 % of the push).
+foreach(kinematics "small strain" "finite strain")
+  string(MAKE_C_IDENTIFIER "${kinematics}" name)
+  add_scene_test(NAME rider_${name} SCENE verification/rider.prm SET "Kinematics=${kinematics}" "Obstacle slope/Displacement=0.0005*t|0"
+                 CHECK "status is converged" "pairs.0.normal_force.0 ~ 5.7735 1e-4" "pairs.0.normal_force.1 ~ 10 1e-8")
+endforeach()
+add_scene_test(NAME rider_friction SCENE verification/rider.prm SET "Contact interface/Friction coefficient=0.2"
+               CHECK "status is converged" "pairs.0.normal_force.0 ~ 6.5269 1e-3" "pairs.0.normal_force.1 ~ 11.305 1e-3" "pairs.0.tangential_force.0 ~ 2.261 1e-3" "pairs.0.n_stick == 0")
+# What lies between nodes: a band of friction (0.4 came out), a bump of a prescribed displacement (80), a sphere that touches at its axis alone (0).
+foreach(quantity "contact pressure" "total force")
+  string(MAKE_C_IDENTIFIER "${quantity}" name)
+  add_scene_test(NAME friction_band_${name} SCENE verification/friction_band.prm SET "Refinement/Target error=0.01" "Refinement/Target quantity=${quantity}"
+                 CHECK "status is converged" "pairs.0.tangential_force.0 ~ -2.4 0.01")
+endforeach()
+add_scene_test(NAME displaced_bump SCENE verification/displaced_bump.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ 90.6347 1e-3" "dofs <= 5000")
+add_scene_test(NAME touched_at_the_axis SCENE verification/touched_at_the_axis.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ 1.5376 2e-3" "error_estimate.contact <= 0.01")

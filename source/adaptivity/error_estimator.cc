@@ -1,9 +1,11 @@
 #include <amontons/base/points.h>
+#include <amontons/adaptivity/data_error.h>
 #include <amontons/adaptivity/edge_error.h>
 #include <amontons/adaptivity/error_estimator.h>
 #include <amontons/adaptivity/facet_error.h>
 #include <amontons/adaptivity/gap_error.h>
 #include <amontons/adaptivity/nominal_area.h>
+#include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/elasticity/linear_elastic.h>
 
@@ -63,7 +65,7 @@ namespace Amontons
                                                           gauss,
                                                           update_quadrature_points | update_JxW_values),
             squares(discretization.geometry.triangulation.n_active_cells()), contact_squares(squares.size()),
-            shear_squares(squares.size())
+            shear_squares(squares.size()), unseen(squares.size())
       {
         prepare_faces(displacement);
       }
@@ -105,17 +107,19 @@ namespace Amontons
         for (const auto &row : interface.coupling.rows)
           has_row[row.node] = true;
 
-        // By slave face: eta_F^2, then the squared errors of pressure and shear.
+        // By slave face: eta_F^2, then the squared errors of pressure and shear, and what is unseen.
         const unsigned int n       = slave.faces.size();
         const double       modulus = combined_modulus(interface);
         const auto         near    = faces_near_contact(interface, fields);
         const PairParts    parts{near,
                               edge_errors(interface, fields, kind, on_face),
                               gap_errors(interface, fields, modulus, kind, near),
+                              friction_errors(interface, fields, kind),
                               weight_of_pair};
         facets_of.push_back(facet_error(interface, fields, modulus));
         facets_of.back().pressure *= weight_of_pair;
-        std::vector<double> face_squares(3 * n, 0.);
+        const auto          is_unseen = faces_of_unseen_contact(interface, fields);
+        std::vector<double> face_squares(4 * n, 0.);
         for (unsigned int f = 0; f < slave.faces.size(); ++f)
           if (slave.faces[f].rank == my_rank() &&
               std::any_of(slave.faces[f].nodes.begin(),
@@ -123,6 +127,13 @@ namespace Amontons
                           [&](const unsigned int i) { return has_row[i]; }))
             std::tie(face_squares[f], face_squares[n + f], face_squares[2 * n + f]) =
                 add_slave_face(interface, fields, parts, f);
+        for (unsigned int f = 0; f < n; ++f)
+          if (is_unseen[f] && slave.faces[f].rank == my_rank())
+            {
+              face_squares[3 * n + f] = 1;
+              unseen[slave.owned[slave.faces[f].owned_index].first->active_cell_index()] += 1;
+              ++n_unseen;
+            }
         Utilities::MPI::sum(make_array_view(std::as_const(face_squares)),
                             discretization.geometry.communicator,
                             make_array_view(face_squares));
@@ -152,13 +163,14 @@ namespace Amontons
         return near;
       }
 
-      // By slave face: whether it is near the contact, the errors of edge_errors() and gap_errors(); and
-      // pair_weights().
+      // By slave face: whether it is near the contact, the errors of edge_errors(), gap_errors() and
+      // friction_errors(); and pair_weights().
       struct PairParts
       {
-        std::vector<bool>   near;
-        std::vector<double> edge, gap;
-        double              weight;
+        std::vector<bool>          near;
+        std::vector<double>        edge, gap;
+        std::vector<FrictionError> friction;
+        double                     weight;
       };
 
       // E* of both bodies.
@@ -191,7 +203,11 @@ namespace Amontons
             estimate.contact_indicators[c] = std::sqrt(contact_squares[c]);
             estimate.shear_indicators[c]   = std::sqrt(shear_squares[c]);
           }
-        const double energy = total(bulk_energy), pressure = total(pressure_square),
+        const double all_unseen = total(n_unseen);
+        double       pressure   = total(pressure_square);
+        if (all_unseen > 0 && pressure == 0)
+          pressure = all_unseen;
+        const double energy    = total(bulk_energy),
                      shear     = std::max(total(shear_square), std::pow(noteworthy_shear, 2) * pressure);
         estimate.energy_norm   = std::sqrt(energy);
         estimate.pressure_norm = std::sqrt(pressure);
@@ -207,8 +223,18 @@ namespace Amontons
             facets += of_pair.pressure;
             of_pair.pressure = relative(of_pair.pressure, pressure);
           }
+        if (const double all_shear = total(shear_sum); all_shear > 0)
+          estimate.friction_data = total(friction_resultants) / all_shear;
         estimate.facets  = relative(facets, pressure);
         estimate.contact = std::hypot(estimate.contact, estimate.facets);
+        if (all_unseen > 0) // as large as all that is seen
+          {
+            estimate.data    = 1;
+            estimate.contact = std::hypot(estimate.contact, estimate.data);
+            for (unsigned int c = 0; c < squares.size(); ++c)
+              estimate.contact_indicators[c] =
+                  std::hypot(estimate.contact_indicators[c], std::sqrt(unseen[c] * pressure / all_unseen));
+          }
         return estimate;
       }
 
@@ -313,6 +339,7 @@ namespace Amontons
               {
                 shear_part += parts.weight * weight * (t_star + p_star * n - shear).norm_square();
                 shear_square += parts.weight * weight * shear.norm_square();
+                shear_sum += weight * shear.norm();
               }
             if (interface.pair->tied) // where it may be turned, the pressure says nothing
               {
@@ -325,6 +352,8 @@ namespace Amontons
           }
         square *= slave.faces[face].size / discretization.scene.bodies[cell->material_id()].material.young;
         pressure_part = parts.weight * (pressure_part + parts.edge[face] + parts.gap[face]);
+        shear_part += parts.weight * parts.friction[face].square;
+        friction_resultants += parts.friction[face].resultant;
         shear_error += shear_part;
         squares[cell->active_cell_index()] += square;
         contact_squares[cell->active_cell_index()] += pressure_part;
@@ -353,6 +382,7 @@ namespace Amontons
               squares[cell->active_cell_index()] += share * face_squares[point.slave_face];
               contact_squares[cell->active_cell_index()] += share * face_squares[n + point.slave_face];
               shear_squares[cell->active_cell_index()] += share * face_squares[2 * n + point.slave_face];
+              unseen[cell->active_cell_index()] += share * face_squares[3 * n + point.slave_face];
             }
       }
 
@@ -365,11 +395,11 @@ namespace Amontons
       FEValues<dim>                       values;
       std::vector<FullMatrix<double>>     continuation;
       std::vector<std::unique_ptr<FEValues<dim>>> recovered_on_face;
-      std::deque<NominalArea<dim>>                areas; // by face number; finite strain
-      std::vector<double>                         squares, contact_squares, shear_squares; // by active cell
+      std::deque<NominalArea<dim>>                areas;                   // by face number; finite strain
+      std::vector<double> squares, contact_squares, shear_squares, unseen; // by active cell
       // of this rank
       double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0, shear_error = 0,
-             shear_square = 0;
+             shear_square = 0, n_unseen = 0, friction_resultants = 0, shear_sum = 0;
       std::vector<FacetError> facets_of;
     };
   } // namespace

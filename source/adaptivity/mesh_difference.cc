@@ -174,7 +174,7 @@ namespace Amontons
             error.recovered.shear,
             before.shear);
       }
-    error.contact = std::hypot(pressure, error.facets);
+    error.contact = std::hypot(pressure, error.facets, error.data);
     error.shear   = shear;
   }
 

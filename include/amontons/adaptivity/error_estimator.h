@@ -30,9 +30,11 @@ namespace Amontons
     double        bulk = 0; // sqrt(sum eta_K^2) / energy norm of the recovered stress: relative
     double        contact =
         0; // relative L2 error of the contact pressure, estimated: see estimate_error; 0 without contact
-    double                  shear          = 0;                  // of the tangential traction, with friction
-    double                  worst_pressure = 0, worst_shear = 0; // not relative, of a load history so far
-    double                  facets = 0;                          // the part of `contact` that facets cause
+    double shear          = 0;                  // of the tangential traction, with friction
+    double worst_pressure = 0, worst_shear = 0; // not relative, of a load history so far
+    double facets        = 0;                   // the part of `contact` that facets cause
+    double data          = 0; // part of `contact`: lost between the nodes, where recovery sees nothing
+    double friction_data = 0; // of the sum of |shear|: bounds of friction that are lost between the nodes
     RecoveredErrors         recovered; // without what differences between meshes add (mesh_difference.h)
     std::vector<FacetError> facets_of; // by interface
     std::optional<double>   quantity;  // of `Target quantity`, if that is a number

@@ -1,0 +1,15 @@
+// Contact that a mesh is too coarse to see.
+#pragma once
+
+#include <amontons/contact/contact_interface.h>
+
+namespace Amontons
+{
+  // Of a pair that touches nowhere, by slave face: whether it may touch all the same, between the points
+  // where the gap is known. The gap g varies by r over the points of a face; beyond the outermost one, at
+  // most 5 % of a face from its end, a smooth one falls by about r/400 (quadratic). So g < r/100 says that
+  // nobody knows. All false if something touches.
+  template <int dim>
+  std::vector<bool>
+  faces_of_unseen_contact(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
+} // namespace Amontons

@@ -1,0 +1,171 @@
+#include <amontons/adaptivity/data_error.h>
+#include <amontons/base/points.h>
+#include <amontons/contact/face_basis.h>
+#include <amontons/elasticity/kinematics.h>
+#include <amontons/friction/shear_law.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // Gauss points, whose distances differ, so that no wave fits all of them.
+    template <int dim>
+    QGauss<1>
+    samples_along(const unsigned int n_faces)
+    {
+      return dim == 2
+                 ? std::clamp(4000 / std::max(1u, n_faces), 24u, 400u)
+                 : std::clamp(static_cast<unsigned int>(std::sqrt(4e4 / std::max(1u, n_faces))), 8u, 40u);
+    }
+
+    bool
+    depends_on_place(const std::optional<Expression> &expression)
+    {
+      return expression && expression->depends_on_place();
+    }
+
+    // Of d at the points of a tensor product of lines: int d^2 and int |grad d|^2.
+    template <int dim>
+    double
+    energy_of_trace(const std::vector<double>     &d,
+                    const std::vector<Point<dim>> &X,
+                    const std::vector<double>     &areas,
+                    const unsigned int             n_line)
+    {
+      double square = 0, slope = 0;
+      for (unsigned int q = 0; q < d.size(); ++q)
+        {
+          square += areas[q] * d[q] * d[q];
+          for (unsigned int e = 0, stride = 1; e < dim - 1; ++e, stride *= n_line)
+            if (q / stride % n_line + 1 < n_line)
+              slope += areas[q] * std::pow((d[q + stride] - d[q]) / X[q + stride].distance(X[q]), 2);
+        }
+      return std::sqrt(square * slope);
+    }
+  } // namespace
+
+  template <int dim>
+  std::vector<FrictionError>
+  friction_errors(const ContactInterface<dim> &interface,
+                  const SurfaceFields<dim>    &fields,
+                  const ProblemType            kind)
+  {
+    const auto                &slave = *interface.slave;
+    const auto                &pair  = *interface.pair;
+    std::vector<FrictionError> result(slave.faces.size());
+    if (!depends_on_place(pair.friction) && !depends_on_place(pair.tresca_bound))
+      return result;
+    const auto phi = [&](const Point<dim> &X, const double p) {
+      return shear_bound(pair, as_3d(X), interface.t, std::max(0., p)).value;
+    };
+    const Quadrature<dim - 1> points(samples_along<dim>(slave.faces.size()));
+    for (unsigned int f = 0; f < result.size(); ++f)
+      {
+        const auto         &nodes = slave.faces[f].nodes;
+        bool                slips = false, presses = false;
+        std::vector<double> bounds;
+        for (const unsigned int i : nodes)
+          {
+            slips   = slips || fields.state[i] == ContactStatus::slip;
+            presses = presses || fields.pressure[i] > 0;
+            bounds.push_back(phi(slave.nodes[i].X, fields.pressure[i]));
+          }
+        for (unsigned int q = 0; q < points.size() && presses; ++q)
+          {
+            const auto    &xi = points.point(q);
+            double         jacobian, p = 0, bound = 0;
+            Tensor<1, dim> shear;
+            const auto     N = lagrange_values<dim - 1>(slave.degree, xi);
+            for (unsigned int i = 0; i < N.size(); ++i)
+              {
+                p += N[i] * fields.pressure[nodes[i]];
+                bound += N[i] * bounds[i];
+                shear += N[i] * fields.traction[nodes[i]];
+              }
+            slave.face_normal(f, xi, &jacobian);
+            const double there = phi(slave.reference_position(f, xi), p),
+                         d     = slips ? there - bound : std::max(0., shear.norm() - there),
+                         area  = points.weight(q) * jacobian * measure<dim>(kind, slave.position(f, xi));
+            result[f].square += area * d * d;
+            result[f].resultant += area * d;
+          }
+        result[f].resultant = std::abs(result[f].resultant);
+      }
+    return result;
+  }
+
+  template <int dim>
+  void
+  add_error_of_displacements(const Discretization<dim> &discretization,
+                             const SolutionState<dim>  &state,
+                             ErrorEstimate<dim>        &error)
+  {
+    const Scene                                        &scene = discretization.scene;
+    std::map<types::boundary_id, const ConditionData *> conditions;
+    for (const auto &condition : scene.conditions)
+      if (std::any_of(condition.displacement.begin(), condition.displacement.end(), depends_on_place))
+        for (const auto &name : condition.boundaries)
+          conditions[discretization.geometry.boundary(name, scene).id] = &condition;
+    if (conditions.empty() || !(error.energy_norm > 0))
+      return;
+    std::vector<std::pair<typename DoFHandler<dim>::active_cell_iterator, unsigned int>> faces;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() && conditions.count(cell->face(f)->boundary_id()) > 0)
+            faces.emplace_back(cell, f);
+    const QGauss<1> line = samples_along<dim>(
+        Utilities::MPI::sum<unsigned int>(faces.size(), discretization.geometry.communicator));
+    const Quadrature<dim - 1>   points(line);
+    FEFaceValues<dim>           values(discretization.mapping,
+                             discretization.fe,
+                             points,
+                             update_values | update_quadrature_points | update_JxW_values);
+    std::vector<Tensor<1, dim>> u(points.size());
+    std::vector<double>         d(points.size()), areas(points.size());
+    double                      sum = 0;
+    for (const auto &[cell, f] : faces)
+      {
+        values.reinit(cell, f);
+        values[FEValuesExtractors::Vector(0)].get_function_values(state.displacement, u);
+        const auto  &g      = conditions[cell->face(f)->boundary_id()]->displacement;
+        const double young  = scene.bodies[cell->material_id()].material.young;
+        double       energy = 0;
+        for (unsigned int q = 0; q < points.size(); ++q)
+          areas[q] = values.JxW(q) * measure<dim>(scene.kind, values.quadrature_point(q));
+        for (unsigned int c = 0; c < dim; ++c)
+          if (depends_on_place(g[c]))
+            {
+              for (unsigned int q = 0; q < points.size(); ++q)
+                d[q] = g[c]->value(as_3d(values.quadrature_point(q)), state.t) - u[q][c];
+              energy += young * energy_of_trace<dim>(d, values.get_quadrature_points(), areas, line.size());
+            }
+        sum += energy;
+        const auto   k           = cell->active_cell_index();
+        const double relative    = energy / std::pow(error.energy_norm, 2);
+        error.cell_indicators[k] = std::hypot(error.cell_indicators[k], std::sqrt(energy));
+        error.contact_indicators[k] =
+            std::hypot(error.contact_indicators[k], std::sqrt(relative) * error.pressure_norm);
+      }
+    const double relative =
+        std::sqrt(Utilities::MPI::sum(sum, discretization.geometry.communicator)) / error.energy_norm;
+    error.bulk = std::hypot(error.bulk, relative);
+    if (error.contact > 0 || error.pressure_norm > 0)
+      {
+        error.data    = std::hypot(error.data, relative);
+        error.contact = std::hypot(error.contact, relative);
+      }
+  }
+
+  template std::vector<FrictionError>
+  friction_errors(const ContactInterface<2> &, const SurfaceFields<2> &, const ProblemType);
+  template std::vector<FrictionError>
+  friction_errors(const ContactInterface<3> &, const SurfaceFields<3> &, const ProblemType);
+  template void
+  add_error_of_displacements(const Discretization<2> &, const SolutionState<2> &, ErrorEstimate<2> &);
+  template void
+  add_error_of_displacements(const Discretization<3> &, const SolutionState<3> &, ErrorEstimate<3> &);
+} // namespace Amontons

@@ -16,6 +16,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_cad_manifold
+{
 using namespace Amontons;
 using namespace dealii;
 
@@ -207,3 +209,4 @@ main(int argc, char **argv)
     std::filesystem::remove_all(folder);
   return check::result();
 }
+} // namespace test_cad_manifold

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+namespace test_edge_error
+{
 // p^2 = end - 2 X, on faces of length h: nodal values of p in between are interpolated.
 void
 check_error(const double end, const double h)
@@ -48,3 +50,4 @@ main(int argc, char **argv)
   check_error(1.22, 1. / 8);
   return check::result();
 }
+} // namespace test_edge_error

@@ -9,6 +9,8 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/numerics/vector_tools.h>
 
+namespace test_error_estimator
+{
 using namespace Amontons;
 
 Scene
@@ -577,3 +579,4 @@ main(int argc, char **argv)
   test_varying_contact_terms(ProblemType::plane_stress, 0, 0.03);
   return check::result();
 }
+} // namespace test_error_estimator

@@ -4,6 +4,8 @@
 #include <amontons/adaptivity/increment_choice.h>
 #include <amontons/solver/load_program.h>
 
+namespace test_increment_choice
+{
 using namespace Amontons;
 
 constexpr double at_first = LoadProgram::increments_at_first, most = LoadProgram::increments_by_default;
@@ -33,7 +35,7 @@ error_of_shear(const double error)
 }
 
 int
-main()
+main(int, char **)
 {
   RefinementParameters parameters;
   parameters.target_error  = 0.02;
@@ -88,3 +90,4 @@ main()
                  "dissipation: shears do not count");
   return check::result();
 }
+} // namespace test_increment_choice

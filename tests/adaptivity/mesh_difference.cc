@@ -8,10 +8,12 @@
 
 #include <limits>
 
+namespace test_mesh_difference
+{
 using namespace Amontons;
 
 int
-main()
+main(int, char **)
 {
   // Answers whose errors are orthogonal to the changes: d^2 = e^2 - e'^2.
   for (const double q : {0.3, 0.5, 0.7})
@@ -102,3 +104,4 @@ main()
     }
   return check::result();
 }
+} // namespace test_mesh_difference

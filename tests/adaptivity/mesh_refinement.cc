@@ -3,6 +3,8 @@
 
 #include <amontons/adaptivity/mesh_refinement.h>
 
+namespace test_mesh_refinement
+{
 // Two rows of ten cells of 0.1 whose gap opens from x = 0 on.
 template <int dim>
 Scene
@@ -67,7 +69,7 @@ test_enough()
 }
 
 int
-main(int argc, char *argv[])
+main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const bool rigid_master : {false, true})
@@ -78,3 +80,4 @@ main(int argc, char *argv[])
   test_enough();
   return check::result();
 }
+} // namespace test_mesh_refinement

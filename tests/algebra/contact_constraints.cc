@@ -9,6 +9,8 @@
 
 #include <random>
 
+namespace test_contact_constraints
+{
 using namespace Amontons;
 
 using Matrix = FullMatrix<double>;
@@ -281,3 +283,4 @@ main(int argc, char **argv)
   check_friction();
   return check::result();
 }
+} // namespace test_contact_constraints

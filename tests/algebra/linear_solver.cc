@@ -15,6 +15,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace test_linear_solver
+{
 using namespace Amontons;
 
 // n^3 nodes of a grid, the seven-point Laplacian, with a slope that makes it unsymmetric.
@@ -138,3 +140,4 @@ main(int argc, char **argv)
   check::is_true(words.empty(), "without memory it says '" + words + "'");
   return check::result();
 }
+} // namespace test_linear_solver

@@ -9,6 +9,8 @@
 
 #include <random>
 
+namespace test_row_system
+{
 using namespace Amontons;
 
 using Matrix = FullMatrix<double>;
@@ -201,3 +203,4 @@ main(int argc, char **argv)
   problem.check_with({other}, "one opens");
   return check::result();
 }
+} // namespace test_row_system

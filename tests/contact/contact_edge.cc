@@ -4,6 +4,8 @@
 
 #include <amontons/contact/contact_edge.h>
 
+namespace test_contact_edge
+{
 // p^2 = end - slope . X where that is positive.
 template <int dim>
 void
@@ -64,3 +66,4 @@ main(int argc, char **argv)
     }
   return check::result();
 }
+} // namespace test_contact_edge

@@ -2,6 +2,10 @@
 // rigid rotations change nothing.
 #include "contact/moved_scene.h"
 
+namespace test_coupling_derivatives
+{
+using ::block;
+
 std::mt19937 generator(1);
 
 BodyData
@@ -122,3 +126,4 @@ main(int argc, char **argv)
     }
   return check::result();
 }
+} // namespace test_coupling_derivatives

@@ -2,6 +2,8 @@
 // do match.
 #include "contact/moved_scene.h"
 
+namespace test_coupling_derivatives_3d
+{
 std::mt19937 generator(1);
 
 void
@@ -106,3 +108,4 @@ main(int argc, char **argv)
     check_ball(degree);
   return check::result();
 }
+} // namespace test_coupling_derivatives_3d

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <random>
 
+namespace test_dual_basis
+{
 using namespace Amontons;
 
 std::mt19937 generator(1);
@@ -119,9 +121,10 @@ check_all()
 }
 
 int
-main()
+main(int, char **)
 {
   check_all<1>();
   check_all<2>();
   return check::result();
 }
+} // namespace test_dual_basis

@@ -8,6 +8,8 @@
 
 #include <random>
 
+namespace test_face_basis
+{
 using namespace Amontons;
 
 std::mt19937 generator(1);
@@ -88,7 +90,7 @@ check_bernstein(const unsigned int degree)
 }
 
 int
-main()
+main(int, char **)
 {
   for (const unsigned int degree : {1, 2, 4})
     {
@@ -102,3 +104,4 @@ main()
     }
   return check::result();
 }
+} // namespace test_face_basis

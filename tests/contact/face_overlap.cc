@@ -6,6 +6,8 @@
 #include <amontons/contact/face_overlap.h>
 #include <amontons/contact/polygon_clipping.h>
 
+namespace test_face_overlap
+{
 std::mt19937 generator(1);
 
 double
@@ -315,3 +317,4 @@ main(int argc, char **argv)
   check_ends();
   return check::result();
 }
+} // namespace test_face_overlap

@@ -3,6 +3,8 @@
 
 #include <amontons/contact/surface_search.h>
 
+namespace test_facing
+{
 template <int dim>
 void
 test_third_body()
@@ -30,10 +32,11 @@ test_third_body()
 }
 
 int
-main(int argc, char *argv[])
+main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_third_body<2>();
   test_third_body<3>();
   return check::result();
 }
+} // namespace test_facing

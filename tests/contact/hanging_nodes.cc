@@ -8,6 +8,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+namespace test_hanging_nodes
+{
 std::mt19937 generator(1);
 
 double
@@ -183,3 +185,4 @@ main(int argc, char **argv)
     }
   return check::result();
 }
+} // namespace test_hanging_nodes

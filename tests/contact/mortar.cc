@@ -3,6 +3,10 @@
 // plane and in space.
 #include "contact/contact_scene.h"
 
+namespace test_mortar
+{
+using ::block;
+
 BodyData
 block(const std::string &name, const Point<3> &lower, const Point<3> &upper, const unsigned int nx)
 {
@@ -408,3 +412,4 @@ main(int argc, char **argv)
   check_open_beside_a_step();
   return check::result();
 }
+} // namespace test_mortar

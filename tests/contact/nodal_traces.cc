@@ -4,6 +4,8 @@
 // are partly covered.
 #include "contact/contact_scene.h"
 
+namespace test_nodal_traces
+{
 BodyData
 shell(const std::string &name, const std::string &shape, const double inner, const unsigned int refinements)
 {
@@ -129,3 +131,4 @@ main(int argc, char **argv)
   check_partly_covered();
   return check::result();
 }
+} // namespace test_nodal_traces

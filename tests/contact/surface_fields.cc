@@ -4,6 +4,8 @@
 
 #include <amontons/contact/surface_fields.h>
 
+namespace test_surface_fields
+{
 // A slave block above a larger master.
 Scene
 blocks(const int dim, const ProblemType kind = ProblemType::plane_strain)
@@ -151,7 +153,7 @@ check_space(const unsigned int degree)
 }
 
 int
-main(int argc, char *argv[])
+main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const unsigned int degree : {1, 2})
@@ -163,3 +165,4 @@ main(int argc, char *argv[])
     }
   return check::result();
 }
+} // namespace test_surface_fields

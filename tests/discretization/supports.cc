@@ -9,6 +9,8 @@
 
 #include <random>
 
+namespace test_supports
+{
 using namespace Amontons;
 
 BodyData
@@ -502,3 +504,4 @@ main(int argc, char **argv)
     }
   return check::result();
 }
+} // namespace test_supports

@@ -12,6 +12,8 @@
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
 
+namespace test_cook_membrane
+{
 using namespace Amontons;
 
 namespace
@@ -144,3 +146,4 @@ main(int argc, char **argv)
   check_incompressible(2, 8, 6e-3);
   return check::result();
 }
+} // namespace test_cook_membrane

@@ -16,6 +16,8 @@
 
 #include <random>
 
+namespace test_elasticity
+{
 using namespace Amontons;
 
 template <int dim>
@@ -433,3 +435,4 @@ main(int argc, char **argv)
   check_cook(2, 16, 0.002);
   return check::result();
 }
+} // namespace test_elasticity

@@ -9,6 +9,8 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/physics/transformations.h>
 
+namespace test_finite_strain
+{
 using namespace Amontons;
 
 namespace
@@ -314,3 +316,4 @@ main(int argc, char **argv)
         }
   return check::result();
 }
+} // namespace test_finite_strain

@@ -8,6 +8,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 
+namespace test_follower_pressure
+{
 using namespace Amontons;
 
 namespace
@@ -186,3 +188,4 @@ main(int argc, char **argv)
     }
   return check::result();
 }
+} // namespace test_follower_pressure

@@ -7,6 +7,8 @@
 
 #include <random>
 
+namespace test_hyperelastic
+{
 using namespace Amontons;
 
 namespace
@@ -249,7 +251,7 @@ namespace
 } // namespace
 
 int
-main()
+main(int, char **)
 {
   for (const double nu : {0., 0.3, 0.4999})
     {
@@ -267,3 +269,4 @@ main()
     }
   return check::result();
 }
+} // namespace test_hyperelastic

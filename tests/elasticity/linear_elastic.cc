@@ -3,6 +3,8 @@
 
 #include <amontons/elasticity/linear_elastic.h>
 
+namespace test_linear_elastic
+{
 using namespace Amontons;
 
 template <int dim>
@@ -21,7 +23,7 @@ check_stress(const ProblemType  kind,
 }
 
 int
-main()
+main(int, char **)
 {
   // E = 1000, nu = 1/4: lambda = mu = 400; shear strains are twice the tensor's.
   check_stress<2>(ProblemType::plane_strain, {{0.01, 0.02, 0, 0.03}}, {{20, 28, 12, 12}}, "plane strain");
@@ -56,3 +58,4 @@ main()
   check::is_close(contact_modulus(steel), 100, 1e-14, "plane-strain modulus");
   return check::result();
 }
+} // namespace test_linear_elastic

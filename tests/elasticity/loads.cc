@@ -9,6 +9,8 @@
 
 #include <set>
 
+namespace test_loads
+{
 using namespace Amontons;
 
 BodyData
@@ -230,3 +232,4 @@ main(int argc, char **argv)
   check_platen<3>(ProblemType::three_dimensional);
   return check::result();
 }
+} // namespace test_loads

@@ -9,6 +9,8 @@
 #include <random>
 #include <set>
 
+namespace test_active_set
+{
 using namespace Amontons;
 
 using Matrix = dealii::FullMatrix<double>;
@@ -226,7 +228,7 @@ check_tolerance()
 }
 
 int
-main()
+main(int, char **)
 {
   check_random_problems(true);
   check_random_problems(false);
@@ -234,3 +236,4 @@ main()
   check_tolerance();
   return check::result();
 }
+} // namespace test_active_set

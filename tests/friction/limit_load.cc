@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace test_limit_load
+{
 using namespace Amontons;
 
 // Motions of a body on the plane z = 0, about the origin: (u, w, rotation) in 2D; (u, v, w, three rotations)
@@ -56,7 +58,7 @@ expect_motion(const unsigned int               component,
 }
 
 int
-main()
+main(int, char **)
 {
   for (const double mu : {0.01, 0.15, 0.5, 1., 3.})
     {
@@ -103,3 +105,4 @@ main()
   expect_motion(3, 1, {0, 0, -1, 1, 0, 0}, on_a_plane(2, 1, 4, 0.3));
   return check::result();
 }
+} // namespace test_limit_load

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <random>
 
+namespace test_linear_complementarity
+{
 using namespace Amontons;
 using Matrix = dealii::FullMatrix<double>;
 using Vector = dealii::Vector<double>;
@@ -63,7 +65,7 @@ friction(const unsigned int n, const double mu, const unsigned int seed)
 }
 
 int
-main()
+main(int, char **)
 {
   Matrix M(2, 2);
   M(0, 0) = M(1, 1) = 2;
@@ -89,3 +91,4 @@ main()
         friction(n, mu, seed);
   return check::result();
 }
+} // namespace test_linear_complementarity

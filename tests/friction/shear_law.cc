@@ -4,6 +4,8 @@
 
 #include <amontons/friction/shear_law.h>
 
+namespace test_shear_law
+{
 using namespace Amontons;
 
 PairData
@@ -132,7 +134,7 @@ check_swinging(const double stiffness, const double force, const double distance
 }
 
 int
-main()
+main(int, char **)
 {
   for (const double distance : {1e-1, 1e-3, 1e-6})
     for (const double force : {0.01, 0.5, 0.9, 0.99, 1.1})
@@ -154,3 +156,4 @@ main()
   check::is_close(law.stiffness, 90, 1e-12, "stiffness across the slip");
   return check::result();
 }
+} // namespace test_shear_law

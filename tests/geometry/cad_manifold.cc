@@ -16,11 +16,18 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_cad_manifold
+{
 using namespace Amontons;
 using namespace dealii;
 
-const std::string scenes = std::string(std::getenv("AMONTONS_SOURCE_DIR")) + "/parameters/";
-std::string       folder;
+std::string folder;
+
+std::string
+scene_file(const std::string &name)
+{
+  return std::string(std::getenv("AMONTONS_SOURCE_DIR")) + "/parameters/" + name;
+}
 
 bool
 is_first()
@@ -58,7 +65,7 @@ dome(const TrueGeometry &geometry)
   body.name                 = "dome";
   body.where                = {"scene.prm", 5, "Body dome"};
   body.shape                = "file";
-  body.mesh_file            = scenes + "step_file.msh";
+  body.mesh_file            = scene_file("step_file.msh");
   body.true_geometry["top"] = geometry;
   body.refinements          = 2;
   body.rotation_angle       = 90;
@@ -163,7 +170,7 @@ check_error(const BodyData &body, const std::vector<std::string> &words)
 std::string
 rounded_mesh()
 {
-  std::istringstream in(read(scenes + "step_file.msh"));
+  std::istringstream in(read(scene_file("step_file.msh")));
   std::ostringstream out;
   for (std::string line; std::getline(in, line); out << "\n")
     {
@@ -186,7 +193,7 @@ main(int argc, char **argv)
     return 1;
   folder = Utilities::MPI::broadcast(MPI_COMM_WORLD, name, 0);
 
-  const std::string step = scenes + "step_file.step";
+  const std::string step = scene_file("step_file.step");
   check_dome(dome(cad(step)), "STEP");
   if (is_first())
     OpenCASCADE::write_IGES(OpenCASCADE::read_STEP(step, 1), folder + "/dome.igs");
@@ -207,3 +214,4 @@ main(int argc, char **argv)
     std::filesystem::remove_all(folder);
   return check::result();
 }
+} // namespace test_cad_manifold

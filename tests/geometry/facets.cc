@@ -6,6 +6,8 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/manifold_lib.h>
 
+namespace test_facets
+{
 using namespace Amontons;
 using namespace dealii;
 
@@ -145,3 +147,4 @@ main(int argc, char **argv)
   check_space();
   return check::result();
 }
+} // namespace test_facets

@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_grid_reader
+{
 using namespace Amontons;
 using namespace dealii;
 
@@ -347,3 +349,4 @@ main(int argc, char **argv)
     std::filesystem::remove_all(folder);
   return check::result();
 }
+} // namespace test_grid_reader

@@ -12,6 +12,8 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+namespace test_grids
+{
 using namespace Amontons;
 using namespace dealii;
 
@@ -448,3 +450,4 @@ main(int argc, char **argv)
   check_error("boundary 'ark'", plane, [](BodyData &b) { b.true_geometry["ark"] = TrueGeometry(); });
   return check::result();
 }
+} // namespace test_grids

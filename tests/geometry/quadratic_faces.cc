@@ -9,6 +9,8 @@
 
 #include <unistd.h>
 
+namespace test_quadratic_faces
+{
 using namespace Amontons;
 using namespace dealii;
 
@@ -226,3 +228,4 @@ main(int argc, char **argv)
   std::filesystem::remove_all(folder);
   return check::result();
 }
+} // namespace test_quadratic_faces

@@ -3,6 +3,8 @@
 
 #include <amontons/geometry/rigid_surface.h>
 
+namespace test_rigid_surface
+{
 using namespace Amontons;
 using Type = ObstacleData::Type;
 
@@ -132,9 +134,10 @@ check_in_space()
 }
 
 int
-main()
+main(int, char **)
 {
   check_in_plane();
   check_in_space();
   return check::result();
 }
+} // namespace test_rigid_surface

@@ -8,6 +8,8 @@
 
 #include <deal.II/base/utilities.h>
 
+namespace test_body_picture
+{
 using namespace Amontons;
 
 BodyPoint
@@ -248,7 +250,7 @@ check_picture()
 }
 
 int
-main()
+main(int, char **)
 {
   check_cuts();
   check_warp();
@@ -256,3 +258,4 @@ main()
   check_picture();
   return check::result();
 }
+} // namespace test_body_picture

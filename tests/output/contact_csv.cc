@@ -10,6 +10,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace test_contact_csv
+{
 using namespace Amontons;
 
 void
@@ -249,3 +251,4 @@ main(int argc, char **argv)
   check::is_true(refused, "a file that cannot be written is the user's to know");
   return check::result();
 }
+} // namespace test_contact_csv

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace test_history
+{
 using namespace Amontons;
 
 // Each number stands under its name.
@@ -125,7 +127,7 @@ check_columns(const std::string &file)
 }
 
 int
-main()
+main(int, char **)
 {
   MeshSummary plain;
   plain.increment = 1;
@@ -160,3 +162,4 @@ main()
   check_columns(file);
   return check::result();
 }
+} // namespace test_history

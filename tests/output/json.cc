@@ -7,10 +7,12 @@
 #include <cmath>
 #include <cstdlib>
 
+namespace test_json
+{
 using namespace Amontons;
 
 int
-main()
+main(int, char **)
 {
   check::is_true(number_text(0.1) == "0.1", "short numbers stay short");
   check::is_true(std::strtod(number_text(1. / 3).c_str(), nullptr) == 1. / 3, "numbers come back exactly");
@@ -33,3 +35,4 @@ main()
   check::is_true(csv_field("plain") == "plain" && csv_field("a,\"b\"") == "\"a,\"\"b\"\"\"", "CSV fields");
   return check::result();
 }
+} // namespace test_json

@@ -5,6 +5,8 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/utilities.h>
 
+namespace test_png
+{
 using namespace Amontons;
 
 Image
@@ -26,7 +28,7 @@ picture(const unsigned int width, const unsigned int height)
 }
 
 int
-main()
+main(int, char **)
 {
   std::array<unsigned int, 5> used = {};
   for (const auto &[width, height] : {std::array<unsigned int, 2>{{61, 72}}, {{1, 1}}, {{300, 7}}})
@@ -57,3 +59,4 @@ main()
       }
   return check::result();
 }
+} // namespace test_png

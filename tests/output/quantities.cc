@@ -5,6 +5,8 @@
 #include <amontons/output/nodal_forces.h>
 #include <amontons/output/physics_checks.h>
 
+namespace test_quantities
+{
 // Two unit blocks of two columns each, one on the other; the lower one is held at its bottom. Nothing moves.
 struct TwoBlocks
 {
@@ -116,9 +118,10 @@ check_checks()
 }
 
 int
-main(int argc, char *argv[])
+main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_checks();
   return check::result();
 }
+} // namespace test_quantities

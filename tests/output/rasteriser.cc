@@ -3,6 +3,8 @@
 
 #include <amontons/output/rasteriser.h>
 
+namespace test_rasteriser
+{
 using namespace Amontons;
 
 const std::array<int, 3> white = {{255, 255, 255}};
@@ -161,7 +163,7 @@ check_lines()
 }
 
 int
-main()
+main(int, char **)
 {
   check_coverage();
   check_colours();
@@ -170,3 +172,4 @@ main()
   check_lines();
   return check::result();
 }
+} // namespace test_rasteriser

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace test_report
+{
 using namespace Amontons;
 
 MeshSummary
@@ -270,7 +272,7 @@ check_broken_line()
 }
 
 int
-main()
+main(int, char **)
 {
   check_history();
   check_numbers_of_charts();
@@ -280,3 +282,4 @@ main()
   check_broken_line();
   return check::result();
 }
+} // namespace test_report

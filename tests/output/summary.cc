@@ -10,6 +10,8 @@
 
 #include <unistd.h>
 
+namespace test_summary
+{
 using namespace Amontons;
 using Tree = boost::property_tree::ptree;
 
@@ -87,7 +89,7 @@ expect_pair(const Tree &tree)
 }
 
 int
-main()
+main(int, char **)
 {
   RunSummary summary;
   summary.converged               = true;
@@ -223,3 +225,4 @@ main()
   expect(nothing, "error_estimate.contact", "null");
   return check::result();
 }
+} // namespace test_summary

@@ -5,6 +5,8 @@
 #include <amontons/output/mesh_picture.h>
 #include <amontons/output/svg_chart.h>
 
+namespace test_svg
+{
 using namespace Amontons;
 
 CellPicture
@@ -59,10 +61,11 @@ check_chart_of_zeros()
 }
 
 int
-main()
+main(int, char **)
 {
   check_pictures();
   check_values();
   check_chart_of_zeros();
   return check::result();
 }
+} // namespace test_svg

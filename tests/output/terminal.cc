@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <sstream>
 
+namespace test_terminal
+{
 using namespace Amontons;
 
 std::string
@@ -198,3 +200,4 @@ main(int argc, char **argv)
   check_brief_lines();
   return check::result();
 }
+} // namespace test_terminal

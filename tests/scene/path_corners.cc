@@ -6,6 +6,8 @@
 
 #include "check.h"
 
+namespace test_path_corners
+{
 using namespace Amontons;
 
 void
@@ -25,7 +27,7 @@ check_corners(const std::string                   &what,
 }
 
 int
-main()
+main(int, char **)
 {
   const double pi = std::acos(-1.);
   check_corners("nothing", [](double) { return 3.; }, {});
@@ -71,3 +73,4 @@ main()
       "beside a large constant", [](double t) { return 1e3 + std::min(t, 1.); }, {1}, 1e-9);
   return check::result();
 }
+} // namespace test_path_corners

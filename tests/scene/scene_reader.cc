@@ -10,6 +10,8 @@
 
 #include <unistd.h>
 
+namespace test_scene_reader
+{
 using namespace Amontons;
 
 namespace
@@ -377,7 +379,7 @@ end
 } // namespace
 
 int
-main()
+main(int, char **)
 {
   write("materials.prm", materials);
   write("plate.msh", "");
@@ -389,3 +391,4 @@ main()
   std::filesystem::remove_all(folder);
   return check::result();
 }
+} // namespace test_scene_reader

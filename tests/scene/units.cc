@@ -3,6 +3,8 @@
 
 #include <amontons/scene/units.h>
 
+namespace test_units
+{
 using namespace Amontons;
 
 void
@@ -23,7 +25,7 @@ expect(const std::string &text,
 }
 
 int
-main()
+main(int, char **)
 {
   expect("mm, N", "MPa", "N", "N mm");
   expect(" mm ,N ", "MPa", "N/mm", "N", true);
@@ -45,3 +47,4 @@ main()
                  "labels");
   return check::result();
 }
+} // namespace test_units

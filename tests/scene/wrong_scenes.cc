@@ -8,6 +8,8 @@
 
 #include <unistd.h>
 
+namespace test_wrong_scenes
+{
 using namespace Amontons;
 
 namespace
@@ -273,7 +275,7 @@ end
 } // namespace
 
 int
-main()
+main(int, char **)
 {
   check::is_true(message(good).empty(), "the good scene has no error");
   check_syntax();
@@ -284,3 +286,4 @@ main()
   std::filesystem::remove_all(folder);
   return check::result();
 }
+} // namespace test_wrong_scenes

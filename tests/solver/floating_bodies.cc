@@ -7,6 +7,8 @@
 
 #include <deal.II/base/mpi.h>
 
+namespace test_floating_bodies
+{
 using namespace Amontons;
 
 BodyData
@@ -296,3 +298,4 @@ main(int argc, char **argv)
   check_ring();
   return check::result();
 }
+} // namespace test_floating_bodies

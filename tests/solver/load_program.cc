@@ -3,6 +3,8 @@
 
 #include <amontons/solver/load_program.h>
 
+namespace test_load_program
+{
 using namespace Amontons;
 
 std::vector<double>
@@ -24,7 +26,7 @@ holds(const std::vector<double> &times, const double t)
 }
 
 int
-main()
+main(int, char **)
 {
   Scene scene;
   scene.end_time = 3;
@@ -64,3 +66,4 @@ main()
   check::is_true(run(program, 30).size() >= 9, "does not grow when the iteration is slow");
   return check::result();
 }
+} // namespace test_load_program

@@ -3,6 +3,8 @@
 
 #include <amontons/solver/node_states.h>
 
+namespace test_node_states
+{
 int
 main(int argc, char **argv)
 {
@@ -116,3 +118,4 @@ main(int argc, char **argv)
                  "a shear below a given bound sticks");
   return check::result();
 }
+} // namespace test_node_states

@@ -5,6 +5,8 @@
 #include <amontons/solver/fixed_contact.h>
 #include <amontons/solver/penalty.h>
 
+namespace test_penalty
+{
 template <int dim>
 void
 check_law(const ContactStatus status, const double friction, const bool has_multipliers)
@@ -177,3 +179,4 @@ main(int argc, char **argv)
   check_open_node();
   return check::result();
 }
+} // namespace test_penalty

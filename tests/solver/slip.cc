@@ -7,6 +7,8 @@
 
 #include <deal.II/physics/transformations.h>
 
+namespace test_slip
+{
 std::mt19937 generator(1);
 
 BodyData
@@ -318,3 +320,4 @@ main(int argc, char **argv)
     }
   return check::result();
 }
+} // namespace test_slip

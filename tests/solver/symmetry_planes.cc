@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+namespace test_symmetry_planes
+{
 using namespace Amontons;
 
 // Places beyond the plane of the left side if points X move by u(X).
@@ -69,3 +71,4 @@ main(int argc, char **argv)
   check_block<3>();
   return check::result();
 }
+} // namespace test_symmetry_planes

@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+namespace test_tangent_reuse
+{
 using namespace Amontons;
 
 int
@@ -36,3 +38,4 @@ main(int argc, char **argv)
   check::is_close(tangent.expected_contraction(at(2.1)), 2 * 3 * 0.2, 1e-12, "the largest counts");
   return check::result();
 }
+} // namespace test_tangent_reuse

@@ -4,6 +4,8 @@
 
 #include <check.h>
 
+namespace test_closed_forms
+{
 using namespace Amontons::ClosedForms;
 using check::is_close;
 
@@ -173,7 +175,7 @@ namespace
 } // namespace
 
 int
-main()
+main(int, char **)
 {
   hertz();
   profiles();
@@ -182,3 +184,4 @@ main()
   half_plane();
   return check::result();
 }
+} // namespace test_closed_forms

@@ -4,6 +4,8 @@
 
 #include <check.h>
 
+namespace test_closed_forms_friction
+{
 using namespace Amontons::ClosedForms;
 using check::is_close;
 
@@ -153,10 +155,11 @@ namespace
 } // namespace
 
 int
-main()
+main(int, char **)
 {
   tractions();
   dissipation();
   program();
   return check::result();
 }
+} // namespace test_closed_forms_friction

@@ -4,6 +4,8 @@
 
 #include <check.h>
 
+namespace test_closed_forms_points
+{
 using namespace Amontons::ClosedForms;
 using check::is_close;
 
@@ -178,10 +180,11 @@ namespace
 } // namespace
 
 int
-main()
+main(int, char **)
 {
   elliptic();
   half_space();
   sheared_half_space();
   return check::result();
 }
+} // namespace test_closed_forms_points

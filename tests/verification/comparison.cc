@@ -8,8 +8,10 @@
 #include <amontons/verification/comparison.h>
 #include <amontons/verification/reference_solution.h>
 
+namespace test_comparison
+{
 int
-main(int argc, char *argv[])
+main(int argc, char **argv)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   RefinementParameters                   refinement;
@@ -70,3 +72,4 @@ main(int argc, char *argv[])
     check::is_close(summary.errors.at(name), 1, 0.05, std::string("twice the displacement: ") + name);
   return check::result();
 }
+} // namespace test_comparison

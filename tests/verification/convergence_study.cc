@@ -12,6 +12,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace test_convergence_study
+{
 using namespace Amontons;
 namespace fs = std::filesystem;
 using Tree   = boost::property_tree::ptree;
@@ -192,3 +194,4 @@ main(int argc, char **argv)
           "(did you mean");
   return check::result();
 }
+} // namespace test_convergence_study

@@ -6,6 +6,8 @@
 
 #include <check.h>
 
+namespace test_half_plane_loading
+{
 using namespace Amontons;
 
 namespace
@@ -194,7 +196,7 @@ namespace
 } // namespace
 
 int
-main()
+main(int, char **)
 {
   for (const ProblemType kind : {ProblemType::plane_strain, ProblemType::plane_stress})
     for (const double ratio : {.6, -.9, 0.})
@@ -203,3 +205,4 @@ main()
   slave_and_messages();
   return check::result();
 }
+} // namespace test_half_plane_loading

@@ -5,6 +5,8 @@
 
 #include <check.h>
 
+namespace test_half_space_field
+{
 using namespace Amontons;
 using dealii::SymmetricTensor;
 
@@ -233,7 +235,7 @@ namespace
 } // namespace
 
 int
-main()
+main(int, char **)
 {
   for (const int side : {-1, 1})
     for (const unsigned int axis : {1, 2})
@@ -244,3 +246,4 @@ main()
   ellipses();
   return check::result();
 }
+} // namespace test_half_space_field

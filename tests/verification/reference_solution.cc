@@ -5,6 +5,8 @@
 
 #include <check.h>
 
+namespace test_reference_solution
+{
 using namespace Amontons;
 using dealii::SymmetricTensor;
 
@@ -210,7 +212,7 @@ namespace
 } // namespace
 
 int
-main()
+main(int, char **)
 {
   for (const int side : {-1, 1})
     for (const bool plane_stress : {false, true})
@@ -280,3 +282,4 @@ main()
                  "one at each reversal");
   return check::result();
 }
+} // namespace test_reference_solution

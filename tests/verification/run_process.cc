@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_run_process
+{
 using namespace Amontons;
 namespace fs = std::filesystem;
 
@@ -31,7 +33,7 @@ namespace
 } // namespace
 
 int
-main()
+main(int, char **)
 {
   fs::create_directories("run_process_files");
   fs::current_path("run_process_files");
@@ -71,3 +73,4 @@ main()
   check::is_true(shell("sleep 60").kind == RunEnd::Kind::stopped, "a signal ends runs");
   return check::result();
 }
+} // namespace test_run_process

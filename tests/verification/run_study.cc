@@ -17,6 +17,8 @@
 #include <limits>
 #include <sstream>
 
+namespace test_run_study
+{
 using namespace Amontons;
 namespace fs = std::filesystem;
 
@@ -327,3 +329,4 @@ main(int argc, char **argv)
   messages();
   return check::result();
 }
+} // namespace test_run_study

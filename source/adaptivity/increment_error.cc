@@ -68,6 +68,20 @@ namespace Amontons
     return result;
   }
 
+  double
+  IncrementErrors::of(const std::string &target_quantity) const
+  {
+    if (target_quantity == "contact pressure")
+      return largest();
+    if (target_quantity == "dissipation")
+      return own_dissipation;
+    if (target_quantity == "total force")
+      return std::max(normal_force, tangential_force);
+    if (target_quantity == "stick size")
+      return stick_size;
+    return std::max(pressure, normal_force);
+  }
+
   IncrementErrors
   error_of_increments(const LoadRecord &run, const LoadRecord &repeat)
   {

@@ -88,6 +88,17 @@ main(int, char **)
   parameters.target_quantity = "dissipation";
   check::is_true(!IncrementChoice(parameters, true).choose(error_of_shear(0.017), run, true, fails),
                  "dissipation: shears do not count");
+  // Friction's work of 0.012 instead of 0.01, in a work of 1: 0.2 % of that, 20 % of itself, and that is what
+  // counts.
+  LoadRecord with_work = record(4, 0.), with_less = record(2, 0.);
+  with_work.breakpoints[0].dissipation = 0.01;
+  with_less.breakpoints[0].dissipation = 0.012;
+  const auto of_work                   = error_of_increments(with_work, with_less);
+  check::is_close(of_work.dissipation, 0.002, 1e-12, "dissipation: of the work");
+  check::is_close(of_work.own_dissipation, 0.2, 1e-12, "dissipation: of itself");
+  IncrementChoice by_dissipation(parameters, true);
+  by_dissipation.choose(of_work, with_work, true, fails);
+  check::is_close(by_dissipation.length(), 1, 1e-15, "dissipation: as many as by default");
   return check::result();
 }
 } // namespace test_increment_choice

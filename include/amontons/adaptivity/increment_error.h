@@ -63,10 +63,7 @@ namespace Amontons
 
     // What counts for a target.
     double
-    of(const std::string &target_quantity) const
-    {
-      return target_quantity == "dissipation" ? own_dissipation : largest();
-    }
+    of(const std::string &target_quantity) const;
   };
 
   // With n increments Q(n) = Q + C/n + O(1/n^2): the slip of an increment is counted with the traction at its

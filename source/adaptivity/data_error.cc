@@ -27,6 +27,81 @@ namespace Amontons
       return expression && expression->depends_on_place();
     }
 
+    template <int dim>
+    FrictionError
+    friction_error_of(const ContactInterface<dim> &interface,
+                      const SurfaceFields<dim>    &fields,
+                      const ProblemType            kind,
+                      const Quadrature<dim - 1>   &points,
+                      const unsigned int           face)
+    {
+      const auto &slave = *interface.slave;
+      const auto &nodes = slave.faces[face].nodes;
+      const auto  phi   = [&](const Point<dim> &X, const double p) {
+        return shear_bound(*interface.pair, as_3d(X), interface.t, std::max(0., p)).value;
+      };
+      bool                slips = false;
+      std::vector<double> bounds;
+      for (const unsigned int i : nodes)
+        {
+          slips = slips || fields.state[i] == ContactStatus::slip;
+          bounds.push_back(phi(slave.nodes[i].X, fields.pressure[i]));
+        }
+      FrictionError sums;
+      for (unsigned int q = 0; q < points.size(); ++q)
+        {
+          const auto    &xi = points.point(q);
+          double         jacobian, p = 0, bound = 0;
+          Tensor<1, dim> shear;
+          const auto     N = lagrange_values<dim - 1>(slave.degree, xi);
+          for (unsigned int i = 0; i < N.size(); ++i)
+            {
+              p += N[i] * fields.pressure[nodes[i]];
+              bound += N[i] * bounds[i];
+              shear += N[i] * fields.traction[nodes[i]];
+            }
+          slave.face_normal(face, xi, &jacobian);
+          const double there = phi(slave.reference_position(face, xi), p),
+                       d     = slips ? there - bound : std::max(0., shear.norm() - there),
+                       area  = points.weight(q) * jacobian * measure<dim>(kind, slave.position(face, xi));
+          sums.square += area * d * d;
+          sums.resultant += area * d;
+        }
+      sums.resultant = std::abs(sums.resultant);
+      return sums;
+    }
+
+    template <int dim>
+    struct PrescribedFace
+    {
+      typename DoFHandler<dim>::active_cell_iterator cell;
+      unsigned int                                   face;
+      const ConditionData                           *condition;
+    };
+
+    // Those of this rank; none if the scene has no such condition.
+    template <int dim>
+    std::optional<std::vector<PrescribedFace<dim>>>
+    faces_with_formulas(const Discretization<dim> &discretization)
+    {
+      const Scene                                        &scene = discretization.scene;
+      std::map<types::boundary_id, const ConditionData *> conditions;
+      for (const auto &condition : scene.conditions)
+        if (std::any_of(condition.displacement.begin(), condition.displacement.end(), depends_on_place))
+          for (const auto &name : condition.boundaries)
+            conditions[discretization.geometry.boundary(name, scene).id] = &condition;
+      if (conditions.empty())
+        return {};
+      std::vector<PrescribedFace<dim>> faces;
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
+          for (const unsigned int f : cell->face_indices())
+            if (const auto found = conditions.find(cell->face(f)->boundary_id());
+                cell->face(f)->at_boundary() && found != conditions.end())
+              faces.push_back({cell, f, found->second});
+      return faces;
+    }
+
     // Of d at the points of a tensor product of lines: int d^2 and int |grad d|^2.
     template <int dim>
     double
@@ -58,41 +133,14 @@ namespace Amontons
     std::vector<FrictionError> result(slave.faces.size());
     if (!depends_on_place(pair.friction) && !depends_on_place(pair.tresca_bound))
       return result;
-    const auto phi = [&](const Point<dim> &X, const double p) {
-      return shear_bound(pair, as_3d(X), interface.t, std::max(0., p)).value;
-    };
     const Quadrature<dim - 1> points(samples_along<dim>(slave.faces.size()));
     for (unsigned int f = 0; f < result.size(); ++f)
       {
-        const auto         &nodes = slave.faces[f].nodes;
-        bool                slips = false, presses = false;
-        std::vector<double> bounds;
-        for (const unsigned int i : nodes)
-          {
-            slips   = slips || fields.state[i] == ContactStatus::slip;
-            presses = presses || fields.pressure[i] > 0;
-            bounds.push_back(phi(slave.nodes[i].X, fields.pressure[i]));
-          }
-        for (unsigned int q = 0; q < points.size() && presses; ++q)
-          {
-            const auto    &xi = points.point(q);
-            double         jacobian, p = 0, bound = 0;
-            Tensor<1, dim> shear;
-            const auto     N = lagrange_values<dim - 1>(slave.degree, xi);
-            for (unsigned int i = 0; i < N.size(); ++i)
-              {
-                p += N[i] * fields.pressure[nodes[i]];
-                bound += N[i] * bounds[i];
-                shear += N[i] * fields.traction[nodes[i]];
-              }
-            slave.face_normal(f, xi, &jacobian);
-            const double there = phi(slave.reference_position(f, xi), p),
-                         d     = slips ? there - bound : std::max(0., shear.norm() - there),
-                         area  = points.weight(q) * jacobian * measure<dim>(kind, slave.position(f, xi));
-            result[f].square += area * d * d;
-            result[f].resultant += area * d;
-          }
-        result[f].resultant = std::abs(result[f].resultant);
+        const auto &nodes   = slave.faces[f].nodes;
+        const bool  presses = std::any_of(
+            nodes.begin(), nodes.end(), [&](const unsigned int i) { return fields.pressure[i] > 0; });
+        if (presses)
+          result[f] = friction_error_of(interface, fields, kind, points, f);
       }
     return result;
   }
@@ -103,22 +151,12 @@ namespace Amontons
                              const SolutionState<dim>  &state,
                              ErrorEstimate<dim>        &error)
   {
-    const Scene                                        &scene = discretization.scene;
-    std::map<types::boundary_id, const ConditionData *> conditions;
-    for (const auto &condition : scene.conditions)
-      if (std::any_of(condition.displacement.begin(), condition.displacement.end(), depends_on_place))
-        for (const auto &name : condition.boundaries)
-          conditions[discretization.geometry.boundary(name, scene).id] = &condition;
-    if (conditions.empty() || !(error.energy_norm > 0))
+    const Scene &scene = discretization.scene;
+    const auto   faces = faces_with_formulas(discretization);
+    if (!faces || !(error.energy_norm > 0))
       return;
-    std::vector<std::pair<typename DoFHandler<dim>::active_cell_iterator, unsigned int>> faces;
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() && conditions.count(cell->face(f)->boundary_id()) > 0)
-            faces.emplace_back(cell, f);
     const QGauss<1> line = samples_along<dim>(
-        Utilities::MPI::sum<unsigned int>(faces.size(), discretization.geometry.communicator));
+        Utilities::MPI::sum<unsigned int>(faces->size(), discretization.geometry.communicator));
     const Quadrature<dim - 1>   points(line);
     FEFaceValues<dim>           values(discretization.mapping,
                              discretization.fe,
@@ -127,21 +165,20 @@ namespace Amontons
     std::vector<Tensor<1, dim>> u(points.size());
     std::vector<double>         d(points.size()), areas(points.size());
     double                      sum = 0;
-    for (const auto &[cell, f] : faces)
+    for (const auto &[cell, f, condition] : *faces)
       {
         values.reinit(cell, f);
         values[FEValuesExtractors::Vector(0)].get_function_values(state.displacement, u);
-        const auto  &g      = conditions[cell->face(f)->boundary_id()]->displacement;
-        const double young  = scene.bodies[cell->material_id()].material.young;
-        double       energy = 0;
         for (unsigned int q = 0; q < points.size(); ++q)
           areas[q] = values.JxW(q) * measure<dim>(scene.kind, values.quadrature_point(q));
+        double energy = 0;
         for (unsigned int c = 0; c < dim; ++c)
-          if (depends_on_place(g[c]))
+          if (const auto &g = condition->displacement[c]; depends_on_place(g))
             {
               for (unsigned int q = 0; q < points.size(); ++q)
-                d[q] = g[c]->value(as_3d(values.quadrature_point(q)), state.t) - u[q][c];
-              energy += young * energy_of_trace<dim>(d, values.get_quadrature_points(), areas, line.size());
+                d[q] = g->value(as_3d(values.quadrature_point(q)), state.t) - u[q][c];
+              energy += scene.bodies[cell->material_id()].material.young *
+                        energy_of_trace<dim>(d, values.get_quadrature_points(), areas, line.size());
             }
         sum += energy;
         const auto   k           = cell->active_cell_index();

@@ -435,6 +435,7 @@ test_contact_terms()
       std::vector<SurfaceFields<2>> fields(1);
       fields[0].pressure.assign(interface.slave->nodes.size(), p + d);
       fields[0].multiplier = fields[0].pressure;
+      fields[0].state.assign(interface.slave->nodes.size(), ContactStatus::slip);
       fields[0].traction.resize(interface.slave->nodes.size());
       const auto estimate = estimate_error<2>(*problem.discretization, *problem.recovery, interfaces, fields);
       std::array<double, 2> squares = {{0, 0}};
@@ -502,6 +503,7 @@ test_varying_contact_terms(const ProblemType kind, const double a, const double 
     }
   fields[0].multiplier    = fields[0].pressure;
   fields[0].peak_pressure = p + 2 * a;
+  fields[0].state.assign(interface.slave->nodes.size(), ContactStatus::slip);
 
   // int x^n over [from, to], of the full turn in axisymmetric scenes
   const auto moment = [&](const double from, const double to, const int n) {

@@ -1,26 +1,16 @@
 #include <amontons/adaptivity/data_error.h>
+#include <amontons/adaptivity/surface_samples.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/elasticity/kinematics.h>
 #include <amontons/friction/shear_law.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
 namespace Amontons
 {
   namespace
   {
-    // Gauss points, whose distances differ, so that no wave fits all of them.
-    template <int dim>
-    QGauss<1>
-    samples_along(const unsigned int n_faces)
-    {
-      return dim == 2
-                 ? std::clamp(4000 / std::max(1u, n_faces), 24u, 400u)
-                 : std::clamp(static_cast<unsigned int>(std::sqrt(4e4 / std::max(1u, n_faces))), 8u, 40u);
-    }
-
     bool
     depends_on_place(const std::optional<Expression> &expression)
     {

@@ -449,7 +449,10 @@ namespace Amontons
                  const std::vector<SurfaceFields<dim>>    &fields,
                  const LA::Vector                         *displacement)
   {
-    Estimation<dim> estimation(discretization, recovery, displacement);
+    const bool any_nominal =
+        discretization.scene.kind == ProblemType::plane_stress ||
+        std::any_of(interfaces.begin(), interfaces.end(), [](const auto &i) { return i.pair->tied; });
+    Estimation<dim> estimation(discretization, recovery, any_nominal ? displacement : nullptr);
     estimation.add_bulk();
     const auto weights = pair_weights(interfaces, fields);
     for (unsigned int i = 0; i < interfaces.size(); ++i)

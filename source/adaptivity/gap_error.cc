@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/gap_error.h>
+#include <amontons/adaptivity/surface_samples.h>
 #include <amontons/base/points.h>
 #include <amontons/elasticity/kinematics.h>
 
@@ -13,17 +14,13 @@ namespace Amontons
 {
   namespace
   {
-    // Gauss points, whose distances differ, so that no wave fits all of them; on surfaces of few faces the
-    // more.
     template <int dim>
     class GapSampler
     {
     public:
       explicit GapSampler(const unsigned int n_faces)
-          : nodes(QGaussLobatto<1>(5)),
-            line(dim == 2 ? std::clamp(4000 / n_faces, 24u, 400u)
-                          : std::clamp(static_cast<unsigned int>(std::sqrt(4e4 / n_faces)), 8u, 40u)),
-            points(line), interpolation(points.size(), nodes.size())
+          : nodes(QGaussLobatto<1>(5)), line(samples_along<dim>(n_faces)), points(line),
+            interpolation(points.size(), nodes.size())
       {
         const TensorProductPolynomials<dim - 1> polynomials(
             Polynomials::generate_complete_Lagrange_basis(QGaussLobatto<1>(5).get_points()));
@@ -101,7 +98,7 @@ namespace Amontons
     if (interface.pair->tied || !interface.pair->initial_gap ||
         !interface.pair->initial_gap->depends_on_place())
       return result;
-    const GapSampler<dim> sampler(std::max<unsigned int>(1, slave.faces.size()));
+    const GapSampler<dim> sampler(slave.faces.size());
     for (unsigned int f = 0; f < result.size(); ++f)
       {
         const auto unseen = sampler(interface, f, kind);

@@ -169,6 +169,17 @@ namespace Amontons
     return true;
   }
 
+  template <int dim>
+  Tensor<1, dim>
+  ContactSurface<dim>::sum_of_normals(const unsigned int                 node,
+                                      const std::vector<Point<dim - 1>> &points) const
+  {
+    Tensor<1, dim> sum;
+    for (const auto &[f, k] : faces_at[node])
+      sum += face_normal(f, points[k]);
+    return sum;
+  }
+
   // A surface and its mirror image make a kink where it leans to the plane by more than its facets do: those
   // of a smooth one turn by twice as much from one to the next. On the axis of revolution a kink has no area.
   template <int dim>
@@ -177,9 +188,7 @@ namespace Amontons
   {
     const auto points  = lattice<dim - 1>(degree);
     const auto mean_at = [&](const unsigned int node) {
-      Tensor<1, dim> sum;
-      for (const auto &[f, k] : faces_at[node])
-        sum += face_normal(f, points[k]);
+      const auto sum = sum_of_normals(node, points);
       return sum / sum.norm();
     };
     for (unsigned int i = 0; i < nodes.size(); ++i)
@@ -204,11 +213,7 @@ namespace Amontons
   {
     const auto points = lattice<dim - 1>(degree);
     for (unsigned int i = 0; i < nodes.size(); ++i)
-      {
-        nodes[i].normal = 0;
-        for (const auto &[f, k] : faces_at[i])
-          nodes[i].normal += face_normal(f, points[k]);
-      }
+      nodes[i].normal = sum_of_normals(i, points);
     for (const auto &node : nodes)
       for (const auto &[parent, weight] : node.parents) // on no face
         if (nodes[parent].normal.norm() == 0)
@@ -276,9 +281,7 @@ namespace Amontons
     const auto points = lattice<dim - 1>(degree);
     for (unsigned int i = 0; i < nodes.size(); ++i)
       {
-        Tensor<1, dim> mean;
-        for (const auto &[f, k] : faces_at[i])
-          mean += face_normal(f, points[k]);
+        const Tensor<1, dim> mean = sum_of_normals(i, points);
         for (const auto &[f, k] : faces_at[i])
           {
             // The mean normal of two faces halves the angle between them.

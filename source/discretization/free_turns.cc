@@ -1,5 +1,6 @@
 // Round bodies that slide without friction: where their turns are held.
 #include <amontons/discretization/discretization.h>
+#include <amontons/discretization/rigid_motions.h>
 
 #include <deal.II/base/mpi.templates.h>
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -8,25 +9,17 @@ namespace Amontons
 {
   namespace
   {
+    // Of a body's rigid motions, about its centre and in its size, the component c at x.
     template <int dim>
-    constexpr unsigned int n_modes = dim *(dim + 1) / 2;
-
-    // Rigid motions of a body: v = w_1 e_1 + .. + w_dim e_dim + sum over planes (a, b) of w (X_a e_b - X_b
-    // e_a), with X from the body's centre in its size. Of each, the component c at x.
-    template <int dim>
-    std::array<double, n_modes<dim>>
+    std::array<double, n_rigid_motions<dim>>
     rigid_motions(const Geometry<dim> &geometry,
                   const unsigned int   body,
                   const Point<dim>    &x,
                   const unsigned int   c)
     {
-      const Tensor<1, dim>             X = (x - geometry.body_centres[body]) / geometry.body_sizes[body];
-      std::array<double, n_modes<dim>> values{};
-      values[c]         = 1;
-      unsigned int mode = dim;
-      for (unsigned int a = 0; a < dim; ++a)
-        for (unsigned int b = a + 1; b < dim; ++b, ++mode)
-          values[mode] = c == b ? X[a] : c == a ? -X[b] : 0;
+      std::array<double, n_rigid_motions<dim>> values;
+      for (unsigned int i = 0; i < values.size(); ++i)
+        values[i] = rigid_motion<dim>(i, (x - geometry.body_centres[body]) / geometry.body_sizes[body], c);
       return values;
     }
 
@@ -42,20 +35,16 @@ namespace Amontons
     }
 
     // Bodies that feel nothing but a uniform force, pairs without friction and planes of symmetry.
+    template <int dim>
     std::vector<bool>
-    bodies_that_slide(const Scene &scene)
+    bodies_that_slide(const Scene &scene, const Geometry<dim> &geometry)
     {
       const auto        is_uniform = [](const Expression &e) { return !e.depends_on_place(); };
       std::vector<bool> result, touches(scene.bodies.size(), false);
       for (const auto &body : scene.bodies)
         result.push_back(!body.rigid && scene.kind != ProblemType::axisymmetric &&
                          std::all_of(body.body_force.begin(), body.body_force.end(), is_uniform));
-      const auto body_of = [&](const BoundaryName &boundary) {
-        const auto found = std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const auto &body) {
-          return body.name == boundary.body;
-        });
-        return found - scene.bodies.begin();
-      };
+      const auto body_of = [&](const BoundaryName &name) { return geometry.boundary(name, scene).body; };
       for (const auto &pair : scene.pairs)
         for (const auto *side : {&pair.first, pair.second ? &*pair.second : nullptr})
           if (side != nullptr)
@@ -130,7 +119,7 @@ namespace Amontons
       std::vector<FullMatrix<double>>
       flows_through_surfaces() const
       {
-        constexpr unsigned int n = n_modes<dim>;
+        constexpr unsigned int n = n_rigid_motions<dim>;
         std::vector<double>    sums(slides.size() * (n * n + 1), 0.);
         for (const auto &cell : geometry.triangulation.active_cell_iterators())
           if (cell->is_locally_owned() && is_of_interest(cell->material_id()))
@@ -209,33 +198,6 @@ namespace Amontons
       const Geometry<dim>       &geometry;
       const std::vector<bool>   &slides;
     };
-
-    // Rows of the values (by difference and motion) that hold the motions, by elimination with complete
-    // pivoting; less than `none` is nothing.
-    std::vector<unsigned int>
-    rows_that_hold(FullMatrix<double> values, const double none)
-    {
-      std::vector<unsigned int> rows;
-      while (rows.size() < values.n())
-        {
-          unsigned int row = 0, column = 0;
-          for (unsigned int i = 0; i < values.m(); ++i)
-            for (unsigned int k = 0; k < values.n(); ++k)
-              if (std::abs(values(i, k)) > std::abs(values(row, column)) * (1 + 1e-6))
-                {
-                  row    = i;
-                  column = k;
-                }
-          if (std::abs(values(row, column)) < none)
-            break;
-          rows.push_back(row);
-          const FullMatrix<double> before(values);
-          for (unsigned int i = 0; i < values.m(); ++i)
-            for (unsigned int k = 0; k < values.n(); ++k)
-              values(i, k) -= before(i, column) / before(row, column) * before(row, k);
-        }
-      return rows;
-    }
   } // namespace
 
   // Where a rigid motion v carries a body along all of its own surface, int (v . N)^2 dA = 0, its potential
@@ -247,7 +209,7 @@ namespace Amontons
   Discretization<dim>::find_free_turns()
   {
     free_turns.clear();
-    const auto slides = bodies_that_slide(scene);
+    const auto slides = bodies_that_slide(scene, geometry);
     if (std::none_of(slides.begin(), slides.end(), [](const bool does) { return does; }))
       return;
     const FreeTurns<dim> turns(*this, slides);
@@ -255,7 +217,7 @@ namespace Amontons
     IndexSet             indices(dof_handler.n_dofs());
     for (const auto &[body, ends] : turns.extremes())
       {
-        LAPACKFullMatrix<double> flow(n_modes<dim>, n_modes<dim>);
+        LAPACKFullMatrix<double> flow(n_rigid_motions<dim>, n_rigid_motions<dim>);
         flow = flows[body];
         Vector<double>     sizes;
         FullMatrix<double> motions;
@@ -272,11 +234,11 @@ namespace Amontons
                 const auto from = rigid_motions(geometry, body, ends[d][0].X, c),
                            to   = rigid_motions(geometry, body, ends[d][1].X, c);
                 for (unsigned int k = 0; k < motions.n(); ++k)
-                  for (unsigned int i = 0; i < n_modes<dim>; ++i)
+                  for (unsigned int i = 0; i < n_rigid_motions<dim>; ++i)
                     values(differences.size(), k) += (from[i] - to[i]) * motions(i, k);
                 differences.push_back({body, ends[d][0].dofs[c], ends[d][1].dofs[c]});
               }
-        for (const unsigned int row : rows_that_hold(values, 1e-3))
+        for (const unsigned int row : candidates_that_hold(values, 1e-3))
           {
             free_turns.push_back(differences[row]);
             indices.add_index(differences[row].first);

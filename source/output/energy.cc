@@ -40,6 +40,16 @@ namespace Amontons
       return forces;
     }
 
+    template <int dim>
+    double
+    bound_at(const ContactInterface<dim> &interface,
+             const unsigned int           node,
+             const double                 t,
+             const double                 pressure)
+    {
+      return shear_bound(*interface.pair, as_3d(interface.slave->nodes[node].X), t, pressure).value;
+    }
+
     // Something acts from t = 0 on, so that the first increment does not begin without pressures.
     bool
     is_loaded_at_rest(const Scene &scene)
@@ -161,17 +171,14 @@ namespace Amontons
 
   template <int dim>
   typename WorkDone<dim>::NodeValues
-  WorkDone<dim>::bounds_of_friction(const Answer<dim> &answer, const double pressures)
+  WorkDone<dim>::bounds_of_friction(const Answer<dim> &answer)
   {
     NodeValues result;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       if (const auto &interface = answer.interfaces[i]; interface.pair->has_friction())
         for (const auto &row : interface.coupling.rows)
-          result[Place(i, row.node)] = shear_bound(*interface.pair,
-                                                   as_3d(interface.slave->nodes[row.node].X),
-                                                   answer.state.t,
-                                                   pressures * answer.state.contact[i][row.node].pressure)
-                                           .value;
+          result[{i, row.node}] =
+              bound_at(interface, row.node, answer.state.t, answer.state.contact[i][row.node].pressure);
     return result;
   }
 
@@ -182,23 +189,20 @@ namespace Amontons
   double
   WorkDone<dim>::work_of_friction(const Answer<dim> &answer, const NodeValues &bounds_now) const
   {
-    const bool bears    = bounds.empty() && is_loaded_at_rest(answer.discretization.scene);
-    const auto unknown  = bears ? bounds_now : bounds_of_friction(answer, 0);
-    const auto start_of = [&](const Place &place) {
-      const auto known = bounds.find(place);
-      return known != bounds.end() ? known->second : unknown.at(place);
-    };
-    double work = 0;
-    for (const auto &interface : answer.interfaces)
-      if (interface.pair->has_friction())
+    const bool bears = bounds.empty() && is_loaded_at_rest(answer.discretization.scene);
+    double     work  = 0;
+    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
+      if (const auto &interface = answer.interfaces[i]; interface.pair->has_friction())
         for (const auto &row : interface.coupling.rows)
           {
-            const Place  place{&interface - answer.interfaces.data(), row.node};
-            const auto  &node  = answer.state.contact[place.first][place.second];
-            const double bound = bounds_now.at(place), r = bound > 0 ? node.shear.norm() / bound : 0;
+            const auto  &node  = answer.state.contact[i][row.node];
+            const double bound = bounds_now.at({i, row.node}), r = bound > 0 ? node.shear.norm() / bound : 0;
             if (r == 0)
               continue;
-            const double start = start_of(place);
+            const auto   known = bounds.find({i, row.node});
+            const double start = known != bounds.end() ? known->second
+                                 : bears               ? bound
+                                                       : bound_at(interface, row.node, answer.state.t, 0);
             const double part  = start == 0 && r < 1 - 1e-9 ? (1 - std::sqrt(1 - r * r)) / (r * r)
                                                             : (start + bound) / (2 * bound);
             work += row.area * part * (node.shear * node.slip);

@@ -1,3 +1,4 @@
+#include <amontons/discretization/rigid_motions.h>
 #include <amontons/solver/floating_bodies.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -16,7 +17,7 @@ namespace Amontons
     const Scene       &scene    = discretization.scene;
     const unsigned int n_bodies = scene.bodies.size(),
                        n_owners = n_bodies + discretization.carrier_dofs.size();
-    modes_per_body              = scene.kind == ProblemType::axisymmetric ? 1 : dim * (dim + 1) / 2;
+    modes_per_body              = scene.kind == ProblemType::axisymmetric ? 1 : n_rigid_motions<dim>;
     n_modes                     = modes_per_body * n_owners;
     centres.resize(n_owners);
     sizes.assign(n_owners, 1.);
@@ -106,8 +107,7 @@ namespace Amontons
     return places[discretization.relevant.index_within_set(dof)].body;
   }
 
-  // Modes of a body about its centre c, with X' = (X - c)/size: e_1, .., e_dim, then rotations in the planes
-  // (0,1), (0,2), (1,2); in axisymmetric scenes the motion along the axis.
+  // Modes of a body: rigid motions of (X - centre)/size; in axisymmetric scenes that along the axis.
   template <int dim>
   double
   FloatingBodies<dim>::value_of_mode(const unsigned int owner,
@@ -117,12 +117,7 @@ namespace Amontons
   {
     if (modes_per_body == 1)
       return component == 1 ? 1 : 0;
-    if (mode < dim)
-      return component == mode ? 1 : 0;
-    const unsigned int a = mode < dim + 2 ? 0 : 1, b = dim == 2 || mode == dim ? 1 : dim - 1;
-    return component == a   ? -(X[b] - centres[owner][b]) / sizes[owner]
-           : component == b ? (X[a] - centres[owner][a]) / sizes[owner]
-                            : 0;
+    return rigid_motion<dim>(mode, (X - centres[owner]) / sizes[owner], component);
   }
 
   template <int dim>
@@ -200,7 +195,7 @@ namespace Amontons
     return S;
   }
 
-  // Gaussian elimination with complete pivoting on the values of the unheld motions at the surface DoFs.
+  // By what surface DoFs see of the unheld motions.
   template <int dim>
   void
   FloatingBodies<dim>::choose_pins(const std::vector<const LinearEquation *> &all_equations)
@@ -232,31 +227,8 @@ namespace Amontons
           for (unsigned int m = 0; m < n_modes; ++m)
             values(i, k) += e[m] * free_rigid_modes[k][m];
       }
-    for (unsigned int step = 0; step < n; ++step)
-      {
-        unsigned int row = 0, column = 0;
-        double       largest = 0;
-        for (unsigned int i = 0; i < values.m(); ++i)
-          for (unsigned int k = 0; k < n; ++k)
-            if (std::abs(values(i, k)) > largest * (1 + 1e-6))
-              {
-                largest = std::abs(values(i, k));
-                row     = i;
-                column  = k;
-              }
-        if (largest < 1e-6)
-          return;
-        pinned.push_back(surface_dofs[row]);
-        std::vector<double> pivot(n);
-        for (unsigned int k = 0; k < n; ++k)
-          pivot[k] = values(row, k);
-        for (unsigned int i = 0; i < values.m(); ++i)
-          {
-            const double factor = values(i, column) / pivot[column];
-            for (unsigned int k = 0; k < n; ++k)
-              values(i, k) -= factor * pivot[k];
-          }
-      }
+    for (const unsigned int row : candidates_that_hold(values, 1e-6))
+      pinned.push_back(surface_dofs[row]);
   }
 
   template <int dim>

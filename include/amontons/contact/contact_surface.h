@@ -162,6 +162,9 @@ namespace Amontons
     make_controls();
     void
     find_symmetry_planes(const Discretization<dim> &discretization);
+    // Of the faces at a node; points: the places of nodes in a face.
+    Tensor<1, dim>
+    sum_of_normals(const unsigned int node, const std::vector<Point<dim - 1>> &points) const;
     void
     find_crossed_planes(const bool axisymmetric);
     void

@@ -46,13 +46,12 @@ namespace Amontons
     LA::Vector external, contact; // e and c of the last state
     // By interface and slave node, of the last state: forces area x p |normal|^2 where declared gaps grow;
     // bounds of the shear.
-    using Place      = std::pair<unsigned int, unsigned int>;
-    using NodeValues = std::map<Place, double>;
+    using NodeValues = std::map<std::pair<unsigned int, unsigned int>, double>;
     NodeValues pressing, bounds;
     static NodeValues
     forces_on_growing_gaps(const Answer<dim> &answer);
     static NodeValues
-    bounds_of_friction(const Answer<dim> &answer, const double pressures = 1); // times those of the state
+    bounds_of_friction(const Answer<dim> &answer);
     double
     work_of_friction(const Answer<dim> &answer, const NodeValues &bounds_now) const;
 

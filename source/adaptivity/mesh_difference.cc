@@ -22,7 +22,7 @@ namespace Amontons
              const std::vector<Tensor<1, dim>> &now,
              const std::vector<Tensor<1, dim>> &before,
              const ProblemType                  kind,
-             const bool                         has_friction,
+             const PairData                    &pair,
              const double                       weight_of_pair,
              Squares                           &squares)
     {
@@ -40,10 +40,11 @@ namespace Amontons
               value += N[i] * now[node];
               difference += N[i] * (now[node] - before[node]);
             }
-          const auto normal_part = [&](const Tensor<1, dim> &v) { return (v * n) * n; };
+          // where surfaces are tied the whole traction counts, as in estimate_error
+          const auto normal_part = [&](const Tensor<1, dim> &v) { return pair.tied ? v : (v * n) * n; };
           squares.pressure += weight * normal_part(value).norm_square();
           squares.pressure_difference += weight * normal_part(difference).norm_square();
-          if (!has_friction)
+          if (!pair.has_friction())
             continue;
           squares.shear += weight * (value - normal_part(value)).norm_square();
           squares.shear_difference += weight * (difference - normal_part(difference)).norm_square();
@@ -159,7 +160,7 @@ namespace Amontons
                        values,
                        old,
                        discretization.scene.kind,
-                       interface.pair->has_friction(),
+                       *interface.pair,
                        weights[i],
                        squares);
           }

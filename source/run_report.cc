@@ -1,5 +1,6 @@
 #include <amontons/output/probes.h>
 #include <amontons/run_report.h>
+#include <amontons/scene/text.h>
 
 #include <set>
 #include <sstream>
@@ -450,17 +451,23 @@ namespace Amontons
 
   template <int dim>
   void
-  RunReport<dim>::note_free_turns(const std::vector<FreeTurn> &turns)
+  RunReport<dim>::note_free_motions(const Discretization<dim> &discretization)
   {
-    std::set<std::string> names;
-    for (const auto &turn : turns)
-      names.insert("'" + scene.bodies[turn.body].name + "'");
-    std::string text;
-    for (const auto &name : names)
-      text += (text.empty() ? "" : ", ") + name;
-    if (!names.empty())
-      note("model: " + text + (names.size() == 1 ? " is round and slides" : " are round and slide") +
+    std::set<std::string> turning, sliding;
+    for (const auto &turn : discretization.free_turns)
+      turning.insert("'" + scene.bodies[turn.body].name + "'");
+    for (const auto &slide : discretization.free_slides)
+      for (const unsigned int b : slide.bodies)
+        if (discretization.finite_strain)
+          sliding.insert("'" + scene.bodies[b].name + "'");
+    const auto names = [](const std::set<std::string> &set) { return join({set.begin(), set.end()}, ", "); };
+    if (!turning.empty())
+      note("model: " + names(turning) +
+           (turning.size() == 1 ? " is round and slides" : " are round and slide") +
            " without friction: nothing keeps it from turning, and no turn changes anything else; it is held");
+    if (!sliding.empty())
+      note("model: nothing holds or drives " + names(sliding) +
+           " along planes touched without friction, and no motion along them changes anything else; held");
   }
 
   // What the answer is not, or not the whole of.
@@ -479,7 +486,7 @@ namespace Amontons
              error.of_target() + summary.increments->of(ending.refinement.target_quantity) > target)
       note("warning: the target error was not reached: the mesh alone reaches it, with what the increments "
            "add it is missed; they are as many as 'Increments' say, or the most that a target chooses");
-    note_free_turns(answer.discretization.free_turns);
+    note_free_motions(answer.discretization);
     if (scene.kind == ProblemType::axisymmetric)
       note("axisymmetric: forces are for the full turn");
     if (std::any_of(answer.fields.begin(), answer.fields.end(), [](const auto &fields) {

@@ -2,7 +2,7 @@
 """Runs one scene in several ways and compares: compare_runs.py AMONTONS OUTPUT SCENE [--set X]... --run "RANKS | SET | SET"... [--check X]... [OPTION]...
 
 The first run is the reference. The same forces, reactions, peaks, sizes, sets, energies and rows of contact.csv (sorted by place), to a relative tolerance.
---check: of the first run, as those of run_scene.py.
+--set: a '|' in X stands for ';'. --check: of the first run, as those of run_scene.py.
 --tolerance 1e-8: of forces and pressures;  --iterations 0: by how much the iterations on a mesh may differ;
 --any-iterations: by whatever;  --forces-only: no contact.csv.
 --history T: instead of all that, the force on the pairs' first bodies from t = T on, whichever side is the slave: each component to the tolerance.
@@ -134,7 +134,7 @@ def main():
         elif flag == "--check":
             checks.append(arguments.pop(0))
         elif flag == "--set":
-            sets.append(arguments.pop(0))
+            sets.append(arguments.pop(0).replace("|", ";"))
         elif flag == "--run":
             runs.append([word.strip() for word in arguments.pop(0).split("|")])
         elif flag == "--tolerance":

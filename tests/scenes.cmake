@@ -1396,6 +1396,17 @@ add_scene_test(NAME disk_in_groove_refined SCENE verification/disk_in_groove.prm
 add_scene_test(NAME ball_between_planes SCENE verification/ball_between_planes.prm
                CHECK "status is converged" "newton.:.iterations <= 10" "pairs.0.normal_force.2 ~ 5 1e-9" "checks.force_balance <= 1e-8"
                      "pairs.0.peak_pressure ~ pairs.1.peak_pressure 1e-6")
+# Finite strain: facets push it aside on a plane, always the same way (it was moved by 1e7 times its size, or by 1.36 R with "converged"); far nodes, whose
+# gaps along their normals grow without bound, were closed in the first guess.
+set(on_plane "Obstacle upper/Displacement=0|t" "Body disk/Body force=0|-1*t")
+add_scene_test(NAME disk_squeezed SCENE verification/disk_squeezed.prm
+               CHECK "status is converged" "pairs.0.normal_force.1 ~ 2.2331 5e-3" "pairs.1.normal_force.1 ~ -2.2331 5e-3" "pairs.0.centre.0 abs<= 0.01"
+                     "linear_solves <= 60" "checks.force_balance <= 1e-8" "notes.-1 has no motion along them changes anything else")
+add_scene_test(NAME disk_squeezed_by_force SCENE verification/disk_squeezed.prm SET "Obstacle upper/Displacement=0|free" "Obstacle upper/Force=0|-2*t"
+               CHECK "status is converged" "pairs.0.normal_force.1 ~ 2 1e-8" "pairs.1.centre.0 abs<= 0.01" "linear_solves <= 60")
+add_scene_test(NAME disk_on_plane_finite SCENE verification/disk_squeezed.prm SET ${on_plane}
+               CHECK "status is converged" "pairs.0.normal_force.1 ~ 3.14159 1e-3" "pairs.0.centre.0 abs<= 0.01" "pairs.0.contact_size ~ 0.0603 0.02" "linear_solves <= 60")
+add_comparison_test(NAME ranks_disk_on_plane_finite SCENE verification/disk_squeezed.prm RUN 1 2 OPTIONS --any-iterations SET ${on_plane})
 add_comparison_test(NAME ranks_disk_in_groove SCENE verification/disk_in_groove.prm RUN 1 2 OPTIONS --any-iterations)
 # Tied surfaces that turn, and thickness that changes: tractions were compared with stresses that are per other areas, and by their normal part alone.
 foreach(kind "plane strain" "plane stress")

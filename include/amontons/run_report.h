@@ -190,7 +190,7 @@ namespace Amontons
     void
     note_facets(const std::vector<ContactInterface<dim>> &interfaces, const ErrorEstimate<dim> &error);
     void
-    note_free_turns(const std::vector<FreeTurn> &turns);
+    note_free_motions(const Discretization<dim> &discretization);
     void
     note_limits(const Answer<dim> &answer, const Ending &ending);
     // run_files.cc

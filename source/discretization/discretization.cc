@@ -50,6 +50,7 @@ namespace Amontons
     hanging_nodes.close();
     find_carrier_dofs();
     find_free_turns();
+    find_free_slides();
   }
 
   template <int dim>

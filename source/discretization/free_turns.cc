@@ -1,6 +1,7 @@
-// Round bodies that slide without friction: where their turns are held.
+// Bodies that turn or slide without friction: where they are held.
 #include <amontons/discretization/discretization.h>
 #include <amontons/discretization/rigid_motions.h>
+#include <amontons/geometry/vector_area.h>
 
 #include <deal.II/base/mpi.templates.h>
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -21,17 +22,6 @@ namespace Amontons
       for (unsigned int i = 0; i < values.size(); ++i)
         values[i] = rigid_motion<dim>(i, (x - geometry.body_centres[body]) / geometry.body_sizes[body], c);
       return values;
-    }
-
-    // In the middle, by the area. That of a chord goes through the circle's centre.
-    template <int dim, typename Face>
-    Tensor<1, dim>
-    normal_of(const Face &face)
-    {
-      if constexpr (dim == 2)
-        return cross_product_2d(face->vertex(1) - face->vertex(0));
-      else
-        return 0.5 * cross_product_3d(face->vertex(3) - face->vertex(0), face->vertex(2) - face->vertex(1));
     }
 
     // Bodies that feel nothing but a uniform force, pairs without friction and planes of symmetry.
@@ -126,7 +116,7 @@ namespace Amontons
             for (const auto &face : cell->face_iterators())
               if (face->at_boundary())
                 {
-                  const Tensor<1, dim>  normal = normal_of<dim>(face);
+                  const Tensor<1, dim>  normal = vector_area<dim>(face);
                   const double          area   = normal.norm();
                   std::array<double, n> flow{};
                   for (unsigned int c = 0; c < dim; ++c)
@@ -248,8 +238,59 @@ namespace Amontons
     add_relevant(indices);
   }
 
+  // Surfaces of facets press a little aside on a plane, always the same way wherever the body is: there is no
+  // equilibrium. So what may slide is held by as many displacements of one body.
+  template <int dim>
+  void
+  Discretization<dim>::find_free_slides()
+  {
+    free_slides = Amontons::find_free_slides(scene, geometry);
+    std::vector<bool>         holds(scene.bodies.size(), false);
+    std::vector<unsigned int> body_of;
+    for (const auto &slide : free_slides)
+      {
+        body_of.push_back(*std::find_if(
+            slide.bodies.begin(), slide.bodies.end(), [&](const auto b) { return is_deformable(b); }));
+        holds[body_of.back()] = true;
+      }
+    if (free_slides.empty())
+      return;
+    const auto ends = FreeTurns<dim>(*this, holds).extremes();
+    IndexSet   indices(dof_handler.n_dofs());
+    for (unsigned int s = 0; s < free_slides.size(); ++s)
+      {
+        const auto                          &motions = free_slides[s].motions;
+        std::vector<types::global_dof_index> candidates;
+        FullMatrix<double>                   values(2 * dim * dim, motions.n());
+        for (const auto &axis : ends.at(body_of[s]))
+          for (const auto &vertex : axis)
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                const auto dof     = vertex.dofs[c];
+                const auto follows = [dof](const FreeTurn &turn) { return turn.second == dof; };
+                if (std::any_of(free_turns.begin(), free_turns.end(), follows))
+                  continue;
+                const auto v = rigid_motions(geometry, body_of[s], vertex.X, c);
+                for (unsigned int k = 0; k < motions.n(); ++k)
+                  for (unsigned int i = 0; i < v.size(); ++i)
+                    values(candidates.size(), k) += v[i] * motions(i, k);
+                candidates.push_back(dof);
+              }
+        for (const unsigned int row : candidates_that_hold(values, 1e-3))
+          {
+            free_slides[s].held.push_back(candidates[row]);
+            indices.add_index(candidates[row]);
+          }
+      }
+    add_relevant(indices);
+  }
+
   template void
   Discretization<2>::find_free_turns();
+  template void
+  Discretization<2>::find_free_slides();
+  template void
+  Discretization<3>::find_free_slides();
   template void
   Discretization<3>::find_free_turns();
 } // namespace Amontons

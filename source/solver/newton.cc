@@ -67,7 +67,7 @@ namespace Amontons
     for (unsigned int k = 0; k < at.answers.size(); ++k)
       {
         at.states.open(k);
-        gaps.push_back(problem.contact.gap(k, problem.state.displacement));
+        gaps.push_back(problem.contact.open_gap(k, problem.state.displacement));
       }
     at.states.start(problem.state,
                     first_guess_of_closed_nodes(problem.contact.nodes(), problem.interfaces, floating, gaps));

@@ -4,6 +4,7 @@
 
 #include <amontons/base/linear_algebra.h>
 #include <amontons/base/parameters.h>
+#include <amontons/discretization/free_slides.h>
 #include <amontons/geometry/geometry.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -76,6 +77,7 @@ namespace Amontons
     // Per rigid body: index of its carrier; numbers::invalid_unsigned_int for deformable bodies.
     std::vector<unsigned int> carrier_of_body;
     std::vector<FreeTurn>     free_turns;
+    std::vector<FreeSlide>    free_slides; // held at finite strain
 
     bool
     is_deformable(const types::material_id id) const;
@@ -90,6 +92,8 @@ namespace Amontons
     find_carrier_dofs();
     void
     find_free_turns();
+    void
+    find_free_slides();
     void
     constrain_carriers(Constraints &constraints, const double t) const;
     void

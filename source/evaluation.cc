@@ -71,7 +71,8 @@ namespace Amontons
                            *recovery,
                            model.interfaces,
                            fields,
-                           model.finite_strain() ? &state.displacement : nullptr);
+                           state.displacement,
+                           model.finite_strain());
     add_error_of_displacements(model.discretization(), state, error);
     pressure_norm = error.pressure_norm;
     shear_norm    = error.shear_norm;

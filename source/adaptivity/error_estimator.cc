@@ -53,8 +53,10 @@ namespace Amontons
     public:
       using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
+      // displacement: where areas are nominal (see NominalArea).
       Estimation(const Discretization<dim> &discretization,
                  const StressRecovery<dim> &recovery,
+                 const double               largest_displacement,
                  const LA::Vector          *displacement)
           : discretization(discretization), recovery(recovery), kind(discretization.scene.kind),
             gauss(discretization.fe.degree + 1),
@@ -65,7 +67,7 @@ namespace Amontons
                                                           gauss,
                                                           update_quadrature_points | update_JxW_values),
             squares(discretization.geometry.triangulation.n_active_cells()), contact_squares(squares.size()),
-            shear_squares(squares.size()), unseen(squares.size())
+            shear_squares(squares.size()), unseen(squares.size()), rounding(2e-14 * largest_displacement)
       {
         prepare_faces(displacement);
       }
@@ -80,9 +82,10 @@ namespace Amontons
             {
               values.reinit(cell);
               recovered.reinit(recovery_cell(cell));
-              const auto &sigma    = recovery.unsmoothed(cell->active_cell_index());
-              const auto  smooth   = recovery.values_at(recovered);
-              const auto &material = discretization.scene.bodies[cell->material_id()].material;
+              const auto  &sigma     = recovery.unsmoothed(cell->active_cell_index());
+              const auto   smooth    = recovery.values_at(recovered);
+              const auto  &material  = discretization.scene.bodies[cell->material_id()].material;
+              const double no_stress = stress_of_rounding(cell);
               for (unsigned int q = 0; q < gauss.size(); ++q)
                 {
                   Voigt<dim> difference = smooth[q];
@@ -93,6 +96,7 @@ namespace Amontons
                   squares[cell->active_cell_index()] += square;
                   bulk_error += square;
                   bulk_energy += weight * complementary_energy<dim>(smooth[q], material);
+                  no_energy += weight * no_stress * no_stress / material.young;
                 }
             }
       }
@@ -111,7 +115,8 @@ namespace Amontons
         const unsigned int n       = slave.faces.size();
         const double       modulus = combined_modulus(interface);
         const auto         near    = faces_near_contact(interface, fields);
-        const PairParts    parts{near,
+        peaks.emplace_back();
+        const PairParts parts{near,
                               edge_errors(interface, fields, kind, on_face),
                               gap_errors(interface, fields, modulus, kind, near),
                               friction_errors(interface, fields, kind),
@@ -184,6 +189,13 @@ namespace Amontons
         return 1 / compliance;
       }
 
+      double
+      stress_of_rounding(const Cell &cell) const
+      {
+        return rounding / cell->minimum_vertex_distance() *
+               discretization.scene.bodies[cell->material_id()].material.young;
+      }
+
       ErrorEstimate<dim>
       result() const
       {
@@ -204,10 +216,13 @@ namespace Amontons
             estimate.shear_indicators[c]   = std::sqrt(shear_squares[c]);
           }
         const double all_unseen = total(n_unseen);
-        double       pressure   = total(pressure_square);
+        const auto   or_none    = [](const double square, const double none) {
+          return square > none ? square : 0;
+        };
+        double pressure = or_none(total(pressure_square), total(no_pressure_square));
         if (all_unseen > 0 && pressure == 0)
           pressure = all_unseen;
-        const double energy    = total(bulk_energy),
+        const double energy    = or_none(total(bulk_energy), total(no_energy)),
                      shear     = std::max(total(shear_square), std::pow(noteworthy_shear, 2) * pressure);
         estimate.energy_norm   = std::sqrt(energy);
         estimate.pressure_norm = std::sqrt(pressure);
@@ -225,6 +240,15 @@ namespace Amontons
           }
         if (const double all_shear = total(shear_sum); all_shear > 0)
           estimate.friction_data = total(friction_resultants) / all_shear;
+        double difference = 0, highest = 0;
+        for (auto peak : peaks)
+          {
+            for (double &value : peak)
+              value = Utilities::MPI::max(value, discretization.geometry.communicator);
+            difference = std::max(difference, std::abs(peak[1] - peak[0]));
+            highest    = std::max(highest, peak[0]);
+          }
+        estimate.peak    = highest > 0 ? difference / highest : 0;
         estimate.facets  = relative(facets, pressure);
         estimate.contact = std::hypot(estimate.contact, estimate.facets);
         if (all_unseen > 0) // as large as all that is seen
@@ -308,7 +332,8 @@ namespace Amontons
         if (is_nominal)
           areas[f].reinit(cell);
 
-        double square = 0, pressure_part = 0, shear_part = 0;
+        const double no_stress = stress_of_rounding(cell);
+        double       square = 0, pressure_part = 0, shear_part = 0;
         for (unsigned int q = 0; q < on_face.size(); ++q)
           {
             const Point<dim - 1> &xi = on_face.point(q);
@@ -333,6 +358,7 @@ namespace Amontons
 
             if (!parts.near[face])
               continue;
+            no_pressure_square += parts.weight * weight * no_stress * no_stress;
             const Tensor<1, dim> t_star = traction<dim>(smooth[q], area);
             const double         p_star = -(n * t_star);
             if (interface.pair->has_friction())
@@ -347,6 +373,8 @@ namespace Amontons
                 pressure_square += parts.weight * weight * (p * n - shear).norm_square();
                 continue;
               }
+            peaks.back()[0] = std::max(peaks.back()[0], p);
+            peaks.back()[1] = std::max(peaks.back()[1], p_star);
             pressure_part += weight * (p_star - p) * (p_star - p);
             pressure_square += parts.weight * weight * p * p;
           }
@@ -395,9 +423,12 @@ namespace Amontons
       FEValues<dim>                       values;
       std::vector<FullMatrix<double>>     continuation;
       std::vector<std::unique_ptr<FEValues<dim>>> recovered_on_face;
-      std::deque<NominalArea<dim>>                areas;                   // by face number; finite strain
+      std::deque<NominalArea<dim>>                areas; // by face number; finite strain
+      std::vector<std::array<double, 2>>          peaks; // by interface: of the pressure, of -n . sigma* n
       std::vector<double> squares, contact_squares, shear_squares, unseen; // by active cell
+      const double        rounding;                                        // of differences of displacements
       // of this rank
+      double no_energy = 0, no_pressure_square = 0;
       double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0, shear_error = 0,
              shear_square = 0, n_unseen = 0, friction_resultants = 0, shear_sum = 0;
       std::vector<FacetError> facets_of;
@@ -405,54 +436,23 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  Vector<float>
-  ErrorEstimate<dim>::indicators_for(const double target) const
-  {
-    Vector<float> result(cell_indicators.size());
-    const auto    add = [&](const Vector<float> &part, const double norm, const double weight) {
-      for (unsigned int c = 0; norm > 0 && c < result.size(); ++c)
-        result[c] += weight * std::pow(part[c] / norm, 2);
-    };
-    add(contact_indicators, pressure_norm, 1);
-    add(shear_indicators, shear_norm, 1);
-    add(cell_indicators, energy_norm, std::min(1., 2 * target));
-    for (auto &square : result)
-      square = std::sqrt(square);
-    return result;
-  }
-
-  template <int dim>
-  std::vector<double>
-  pair_weights(const std::vector<ContactInterface<dim>> &interfaces,
-               const std::vector<SurfaceFields<dim>>    &fields)
-  {
-    constexpr double    least = 0.05; // of the largest norm
-    std::vector<double> squares(interfaces.size(), 0.);
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      for (const auto &row : interfaces[i].coupling.rows)
-        squares[i] += interfaces[i].pair->tied ? fields[i].force[row.node].norm_square() / row.area
-                                               : row.area * std::pow(fields[i].multiplier[row.node], 2);
-    const double largest = squares.empty() ? 0. : *std::max_element(squares.begin(), squares.end());
-    for (double &square : squares)
-      square = largest > 0 ? largest / std::max(square, least * least * largest) : 1.;
-    return squares;
-  }
-
-  template struct ErrorEstimate<2>;
-  template struct ErrorEstimate<3>;
-
-  template <int dim>
   ErrorEstimate<dim>
   estimate_error(const Discretization<dim>                &discretization,
                  const StressRecovery<dim>                &recovery,
                  const std::vector<ContactInterface<dim>> &interfaces,
                  const std::vector<SurfaceFields<dim>>    &fields,
-                 const LA::Vector                         *displacement)
+                 const LA::Vector                         &displacement,
+                 const bool                                finite_strain)
   {
+    double largest = 0;
+    for (const auto dof : discretization.locally_owned)
+      largest = std::max(largest, std::abs(displacement(dof)));
+    largest = Utilities::MPI::max(largest, discretization.geometry.communicator);
     const bool any_nominal =
         discretization.scene.kind == ProblemType::plane_stress ||
         std::any_of(interfaces.begin(), interfaces.end(), [](const auto &i) { return i.pair->tied; });
-    Estimation<dim> estimation(discretization, recovery, any_nominal ? displacement : nullptr);
+    Estimation<dim> estimation(
+        discretization, recovery, largest, any_nominal && finite_strain ? &displacement : nullptr);
     estimation.add_bulk();
     const auto weights = pair_weights(interfaces, fields);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
@@ -460,20 +460,18 @@ namespace Amontons
     return estimation.result();
   }
 
-  template std::vector<double>
-  pair_weights(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &);
-  template std::vector<double>
-  pair_weights(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &);
   template ErrorEstimate<2>
   estimate_error(const Discretization<2> &,
                  const StressRecovery<2> &,
                  const std::vector<ContactInterface<2>> &,
                  const std::vector<SurfaceFields<2>> &,
-                 const LA::Vector *);
+                 const LA::Vector &,
+                 const bool);
   template ErrorEstimate<3>
   estimate_error(const Discretization<3> &,
                  const StressRecovery<3> &,
                  const std::vector<ContactInterface<3>> &,
                  const std::vector<SurfaceFields<3>> &,
-                 const LA::Vector *);
+                 const LA::Vector &,
+                 const bool);
 } // namespace Amontons

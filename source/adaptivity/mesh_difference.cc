@@ -142,7 +142,8 @@ namespace Amontons
   {
     double pressure = error.recovered.pressure * before.pressure.of_this,
            shear    = error.recovered.shear * before.shear.of_this;
-    if (before.traction.size() == discretization.dof_handler.n_dofs() && before.t == t)
+    if (error.pressure_norm > 0 && before.traction.size() == discretization.dof_handler.n_dofs() &&
+        before.t == t)
       {
         const LA::Vector      now = surface_tractions(discretization, interfaces, fields);
         Squares               squares;

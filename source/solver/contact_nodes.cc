@@ -31,6 +31,41 @@ namespace Amontons
       return result;
     }
 
+    // v without its parts along vectors that are square to each other
+    template <int dim>
+    Tensor<1, dim>
+    square_to(const std::vector<Tensor<1, dim>> &others, Tensor<1, dim> v)
+    {
+      for (const auto &other : others)
+        v -= (v * other) * other;
+      return v;
+    }
+
+    // The normal, then what is square to it and in the planes.
+    template <int dim>
+    std::array<Tensor<1, dim>, dim>
+    directions_at_ridge(const std::vector<Tensor<1, dim>> &planes, const Tensor<1, dim> &normal)
+    {
+      std::array<Tensor<1, dim>, dim> result;
+      std::vector<Tensor<1, dim>>     used = {normal / normal.norm()};
+      result[0]                            = used[0];
+      for (const auto &plane : planes)
+        if (const auto v = square_to(used, plane); v.norm() > 1e-6)
+          used.push_back(v / v.norm());
+      unsigned int n = 1;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          Tensor<1, dim> axis;
+          axis[c] = 1;
+          axis    = square_to(used, axis);
+          if (axis.norm() < 0.1)
+            continue;
+          result[n] = axis / axis.norm();
+          used.push_back(result[n++]);
+        }
+      return result;
+    }
+
     // The axes where there are no planes. Else the normal and as many axes as are independent of it and of
     // the planes' normals, made orthogonal.
     template <int dim>
@@ -49,14 +84,31 @@ namespace Amontons
       unsigned int n = 0;
       for (auto axis : axes)
         {
-          for (const auto &other : used)
-            axis -= (axis * other) * other;
+          axis = square_to(used, axis);
           if (n == dim || axis.norm() < 0.1)
             continue;
           result[n] = axis / axis.norm();
           used.push_back(result[n++]);
         }
       return result;
+    }
+    // At a plane that the slave's surface does not cross smoothly, opposite of nodes of the same plane.
+    template <int dim>
+    bool
+    is_at_ridge(const ContactInterface<dim> &interface, const MortarRow<dim> &row)
+    {
+      const auto &node = interface.slave->nodes[row.node];
+      if (node.symmetry_planes.size() == node.crossed_planes.size() || !interface.master_surface)
+        return false;
+      for (const auto &other : interface.master_surface->nodes)
+        for (const auto &plane : other.symmetry_planes)
+          for (const auto &own : node.symmetry_planes)
+            if (std::abs(plane * own) > 1 - 1e-10 &&
+                std::any_of(row.master.begin(), row.master.end(), [&](const auto &entry) {
+                  return entry.first == other.dofs;
+                }))
+              return true;
+      return false;
     }
   } // namespace
 
@@ -125,10 +177,14 @@ namespace Amontons
   Tensor<1, dim>
   SlaveNode<dim>::tangential(const Tensor<1, dim> &vector) const
   {
-    auto result = vector - (vector * normal) / normal.norm_square() * normal;
-    for (const auto &plane : planes)
-      result -= (result * plane) * plane;
-    return result;
+    if (at_ridge)
+      {
+        Tensor<1, dim> result;
+        for (unsigned int k = 1; k < dim; ++k)
+          result += (vector * directions[k]) * directions[k];
+        return result;
+      }
+    return square_to(planes, vector - (vector * normal) / normal.norm_square() * normal);
   }
 
   template <int dim>
@@ -185,9 +241,11 @@ namespace Amontons
     node.normal     = row.normal;
     for (unsigned int c = 0; c < dim; ++c)
       node.X[c] = surface_node.X[c];
-    node.planes     = pair.tied ? surface_node.symmetry_planes : surface_node.crossed_planes;
-    node.directions = directions_in(node.planes, row.normal);
-    node.closing    = equation_along(row.normal, node.gap, row, surface_node);
+    node.at_ridge = (node.tied || node.frictional) && is_at_ridge(interfaces[interface], row);
+    node.planes   = node.tied || node.at_ridge ? surface_node.symmetry_planes : surface_node.crossed_planes;
+    node.directions =
+        node.at_ridge ? directions_at_ridge(node.planes, row.normal) : directions_in(node.planes, row.normal);
+    node.closing = equation_along(row.normal, node.gap, row, surface_node);
     for (unsigned int c = 0; (with_components || node.tied || node.frictional) && c < dim; ++c)
       {
         Tensor<1, dim> unit;

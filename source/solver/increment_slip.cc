@@ -157,6 +157,15 @@ namespace Amontons
           add(result[c], double(c == d) - n[c] * n[d], dz[d]);
           add(result[c], -(n * z) * double(c == d) - n[c] * z[d], dn[d]);
         }
+    if (node.at_ridge)
+      {
+        const Rows whole = std::exchange(result, Rows());
+        for (unsigned int j = 1; j < dim; ++j)
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int d = 0; d < dim; ++d)
+              add(result[c], node.directions[j][c] * node.directions[j][d], whole[d]);
+        return result;
+      }
     for (const auto &plane : node.planes)
       {
         Coefficients across;

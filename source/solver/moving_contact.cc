@@ -139,6 +139,8 @@ namespace Amontons
     if (state == ContactStatus::slip)
       return std::abs(all[k].gap) / length;
     auto E = slip(k, u) - all[k].gap / length * (all[k].normal / length);
+    if (all[k].at_ridge)
+      return along(all[k], E).norm();
     for (unsigned int c = 0; c < dim; ++c)
       if (supports.is_constrained(all[k].components[c].candidates[0]) && is_along_axes(all[k].planes))
         E[c] = 0;

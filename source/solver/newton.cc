@@ -63,11 +63,21 @@ namespace Amontons
   void
   Newton<dim>::guess_states()
   {
-    std::vector<double> gaps;
-    for (unsigned int k = 0; k < at.answers.size(); ++k)
+    // Where a surface turns away from the other, projected gaps change their sign: far nodes are open.
+    const auto         &nodes = problem.contact.nodes();
+    const auto         &u     = problem.state.displacement;
+    std::vector<double> gaps, nearest(problem.interfaces.size(), std::numeric_limits<double>::max());
+    for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         at.states.open(k);
-        gaps.push_back(problem.contact.open_gap(k, problem.state.displacement));
+        nearest[nodes[k].interface] = std::min(nearest[nodes[k].interface], problem.contact.open_gap(k, u));
+      }
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        const unsigned int i    = nodes[k].interface;
+        const double       open = problem.contact.open_gap(k, u);
+        gaps.push_back(
+            open > nearest[i] + problem.interfaces[i].slave->mean_size ? open : problem.contact.gap(k, u));
       }
     at.states.start(problem.state,
                     first_guess_of_closed_nodes(problem.contact.nodes(), problem.interfaces, floating, gaps));

@@ -66,7 +66,7 @@ struct Problem
   ErrorEstimate<dim>
   estimate() const
   {
-    return estimate_error<dim>(*discretization, *recovery, {}, {});
+    return estimate_error<dim>(*discretization, *recovery, {}, {}, displacement, false);
   }
 
   // Largest difference between sigma* and `exact` at the nodes of the body.
@@ -437,7 +437,8 @@ test_contact_terms()
       fields[0].multiplier = fields[0].pressure;
       fields[0].state.assign(interface.slave->nodes.size(), ContactStatus::slip);
       fields[0].traction.resize(interface.slave->nodes.size());
-      const auto estimate = estimate_error<2>(*problem.discretization, *problem.recovery, interfaces, fields);
+      const auto estimate = estimate_error<2>(
+          *problem.discretization, *problem.recovery, interfaces, fields, problem.displacement, false);
       std::array<double, 2> squares = {{0, 0}};
       for (const auto &cell : problem.discretization->dof_handler.active_cell_iterators())
         if (cell->is_locally_owned())
@@ -521,7 +522,8 @@ test_varying_contact_terms(const ProblemType kind, const double a, const double 
   };
   const double square = square_norm(p, a);
 
-  const auto estimate = estimate_error<2>(*problem.discretization, *problem.recovery, interfaces, fields);
+  const auto estimate = estimate_error<2>(
+      *problem.discretization, *problem.recovery, interfaces, fields, problem.displacement, false);
   std::array<double, 2> squares = {{0, 0}}, contact = {{0, 0}}, of_shear = {{0, 0}};
   for (const auto &cell : problem.discretization->dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())

@@ -34,6 +34,7 @@ namespace Amontons
     double worst_pressure = 0, worst_shear = 0; // not relative, of a load history so far
     double facets        = 0;                   // the part of `contact` that facets cause
     double data          = 0; // part of `contact`: lost between the nodes, where recovery sees nothing
+    double peak          = 0; // difference of the peak pressure from that of the recovered stress, relative
     double friction_data = 0; // of the sum of |shear|: bounds of friction that are lost between the nodes
     RecoveredErrors         recovered; // without what differences between meshes add (mesh_difference.h)
     std::vector<FacetError> facets_of; // by interface
@@ -73,13 +74,14 @@ namespace Amontons
   // eta_F^2). `contact` = sqrt(sum w int (p* - p)^2 / sum w int p^2) over pairs of these weights, where p* =
   // -n . sigma* . n is the recovered normal stress of the slave body; where surfaces are tied the whole
   // traction counts; `shear` likewise, of the pairs with friction. n is the normal of the true surface.
-  // recovery: of the displacement. fields: by interface. displacement: at finite strain (see NominalArea).
-  // Collective.
+  // Stresses and tractions that are no more than the rounding of the displacements makes them are none, and
+  // have no error. recovery: of the displacement. fields: by interface. Collective.
   template <int dim>
   ErrorEstimate<dim>
   estimate_error(const Discretization<dim>                &discretization,
                  const StressRecovery<dim>                &recovery,
                  const std::vector<ContactInterface<dim>> &interfaces,
                  const std::vector<SurfaceFields<dim>>    &fields,
-                 const LA::Vector                         *displacement = nullptr);
+                 const LA::Vector                         &displacement,
+                 const bool                                finite_strain);
 } // namespace Amontons

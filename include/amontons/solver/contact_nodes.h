@@ -20,10 +20,14 @@ namespace Amontons
     double         old_gap = 0; // finite strain: how far it was open in the last converged state
     Tensor<1, dim> normal;      // not of unit length on curved surfaces
     Point<3>       X;
-    // Unit normals of the symmetry planes that it lies on, which supports keep it in; unless it is tied, of
-    // those alone that the surface crosses.
+    // Unit normals of the symmetry planes that it lies on, which supports keep it in; unless it is tied or at
+    // a ridge, of those alone that the surface crosses.
     std::vector<Tensor<1, dim>> planes;
-    // What stick holds it along: the axes, or unit vectors in the planes; zero where those leave none.
+    // Both surfaces make a kink at a plane: no slip is across it, and what the support takes there cannot be
+    // told from shear, so that there is none; pressure is along the normal, as it is without friction.
+    bool at_ridge = false;
+    // What stick holds it along: the axes, or unit vectors in the planes (at a ridge: the normal and what is
+    // square to it in the planes); zero where those leave none.
     std::array<Tensor<1, dim>, dim>  directions;
     ContactEquation                  closing;    // normal . Delta = gap
     std::array<ContactEquation, dim> components; // Delta_k = 0 (not for frictionless nodes)

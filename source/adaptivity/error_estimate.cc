@@ -1,0 +1,46 @@
+#include <amontons/adaptivity/error_estimator.h>
+
+namespace Amontons
+{
+  template <int dim>
+  Vector<float>
+  ErrorEstimate<dim>::indicators_for(const double target) const
+  {
+    Vector<float> result(cell_indicators.size());
+    const auto    add = [&](const Vector<float> &part, const double norm, const double weight) {
+      for (unsigned int c = 0; norm > 0 && c < result.size(); ++c)
+        result[c] += weight * std::pow(part[c] / norm, 2);
+    };
+    add(contact_indicators, pressure_norm, 1);
+    add(shear_indicators, shear_norm, 1);
+    add(cell_indicators, energy_norm, std::min(1., 2 * target));
+    for (auto &square : result)
+      square = std::sqrt(square);
+    return result;
+  }
+
+  template <int dim>
+  std::vector<double>
+  pair_weights(const std::vector<ContactInterface<dim>> &interfaces,
+               const std::vector<SurfaceFields<dim>>    &fields)
+  {
+    constexpr double    least = 0.05; // of the largest norm
+    std::vector<double> squares(interfaces.size(), 0.);
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      for (const auto &row : interfaces[i].coupling.rows)
+        squares[i] += interfaces[i].pair->tied ? fields[i].force[row.node].norm_square() / row.area
+                                               : row.area * std::pow(fields[i].multiplier[row.node], 2);
+    const double largest = squares.empty() ? 0. : *std::max_element(squares.begin(), squares.end());
+    for (double &square : squares)
+      square = largest > 0 ? largest / std::max(square, least * least * largest) : 1.;
+    return squares;
+  }
+
+  template struct ErrorEstimate<2>;
+  template struct ErrorEstimate<3>;
+
+  template std::vector<double>
+  pair_weights(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &);
+  template std::vector<double>
+  pair_weights(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &);
+} // namespace Amontons

@@ -1402,6 +1402,9 @@ set(on_plane "Obstacle upper/Displacement=0|t" "Body disk/Body force=0|-1*t")
 add_scene_test(NAME disk_squeezed SCENE verification/disk_squeezed.prm
                CHECK "status is converged" "pairs.0.normal_force.1 ~ 2.2331 5e-3" "pairs.1.normal_force.1 ~ -2.2331 5e-3" "pairs.0.centre.0 abs<= 0.01"
                      "linear_solves <= 60" "checks.force_balance <= 1e-8" "notes.-1 has no motion along them changes anything else")
+# A centre of five digits: the overlap was allowed by the first mesh and refused by finer ones, after their answers.
+add_scene_test(NAME disk_squeezed_five_digits SCENE verification/disk_squeezed.prm SET "Kinematics=small strain" "Refinement/Target error=0.01" "Obstacle upper/Centre=0,1.99999" "Obstacle upper/Displacement=0|-0.00999*t"
+               CHECK "status is converged" "pairs.0.normal_force.1 ~ 2.2331 5e-3")
 add_scene_test(NAME disk_squeezed_by_force SCENE verification/disk_squeezed.prm SET "Obstacle upper/Displacement=0|free" "Obstacle upper/Force=0|-2*t"
                CHECK "status is converged" "pairs.0.normal_force.1 ~ 2 1e-8" "pairs.1.centre.0 abs<= 0.01" "linear_solves <= 60")
 add_scene_test(NAME disk_on_plane_finite SCENE verification/disk_squeezed.prm SET ${on_plane}

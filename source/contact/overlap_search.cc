@@ -4,6 +4,7 @@
 #include <amontons/contact/face_overlap.h>
 #include <amontons/contact/mortar_integrator.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
@@ -27,10 +28,26 @@ namespace Amontons
       return box;
     }
 
-    // The gap that counts at a point: declared, closed by `Adjust`, or geometric.
+    template <int dim>
+    double
+    diameter(const ContactSurface<dim> &surface)
+    {
+      std::vector<Point<dim>> points;
+      for (const auto &node : surface.nodes)
+        points.push_back(node.x);
+      const auto ends = BoundingBox<dim>(points).get_boundary_points();
+      return ends.first.distance(ends.second);
+    }
+
+    // The gap that counts at a point: declared, closed by `Adjust`, or geometric. Numbers of five digits make
+    // overlaps, of whatever size the faces are.
     template <int dim>
     void
-    apply_declared_gap(const PairData &pair, const double t, const double face_size, OverlapPoint<dim> &p)
+    apply_declared_gap(const PairData    &pair,
+                       const double       t,
+                       const double       face_size,
+                       const double       surface_size,
+                       OverlapPoint<dim> &p)
     {
       if (pair.initial_gap)
         {
@@ -39,7 +56,7 @@ namespace Amontons
         }
       if (std::abs(p.gap) <= std::max(pair.adjust, 1e-10 * face_size))
         p.gap = 0;
-      if (p.gap < -1e-4 * face_size && !pair.tied)
+      if (p.gap < -std::max(1e-4 * face_size, 1e-5 * surface_size) && !pair.tied)
         {
           std::ostringstream found;
           found << "the bodies overlap by " << -p.gap << " near (" << p.x_slave << ")";
@@ -208,9 +225,10 @@ namespace Amontons
                const bool                      moved,
                std::vector<OverlapPoint<dim>> &points)
   {
+    const double size = moved || points.empty() ? 0 : diameter(slave);
     for (auto &p : points)
       if (!moved)
-        apply_declared_gap(pair, t, slave.faces[p.slave_face].size, p);
+        apply_declared_gap(pair, t, slave.faces[p.slave_face].size, size, p);
       else if (pair.initial_gap)
         p.gap += pair.initial_gap->value(as_3d(slave.reference_position(p.slave_face, p.xi_slave)), t);
   }

@@ -1409,6 +1409,12 @@ add_scene_test(NAME disk_squeezed_by_force SCENE verification/disk_squeezed.prm 
                CHECK "status is converged" "pairs.0.normal_force.1 ~ 2 1e-8" "pairs.1.centre.0 abs<= 0.01" "linear_solves <= 60")
 add_scene_test(NAME disk_on_plane_finite SCENE verification/disk_squeezed.prm SET ${on_plane}
                CHECK "status is converged" "pairs.0.normal_force.1 ~ 3.14159 1e-3" "pairs.0.centre.0 abs<= 0.01" "pairs.0.contact_size ~ 0.0603 0.02" "linear_solves <= 60")
+# Held off their middles the blocks came apart as they grew wider.
+add_scene_test(NAME stack_without_friction SCENE verification/stack_without_friction.prm
+               CHECK "status is converged" "pairs.:.normal_force.1 ~ 1 1e-8" "pairs.:.centre.0 ~ 0.5 1e-6" "newton.:.iterations <= 6")
+# One estimate for both: the light one was not resolved (0.146).
+add_scene_test(NAME light_beside_heavy SCENE verification/light_beside_heavy.prm
+               CHECK "status is converged" "pairs.0.peak_pressure ~ 1.884 0.02" "pairs.0.normal_force.1 ~ -0.01 1e-6" "dofs <= 8000")
 add_comparison_test(NAME ranks_disk_on_plane_finite SCENE verification/disk_squeezed.prm RUN 1 2 OPTIONS --any-iterations SET ${on_plane})
 add_comparison_test(NAME ranks_disk_in_groove SCENE verification/disk_in_groove.prm RUN 1 2 OPTIONS --any-iterations)
 # Tied surfaces that turn, and thickness that changes: tractions were compared with stresses that are per other areas, and by their normal part alone.

@@ -384,6 +384,10 @@ def scenes():
     # mechanics
     drop = BASE.replace("  set Boundaries = upper/top\n  set Value      = 0; -0.01", "  set Boundaries = upper/top\n  set Type = traction\n  set Value = %s")
     contact = drop[drop.index("subsection Contact"):]
+    squeezed = open(os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "parameters/verification/disk_squeezed.prm"), encoding="utf-8").read().replace("0.5*t; -0.01*t", "0; t")
+    for kinematics in ("small", "finite"):  # nodal normals of facets seem to hold it
+        driven = squeezed.replace("finite strain", f"{kinematics} strain").replace("Poisson ratio = 0.3", "Poisson ratio = 0.3\n  set Body force = 1e-4*t; -t")
+        case(f"disk driven along a plane, {kinematics} strain", driven, "nothing holds the rigid motion along x of body 'disk', and the loads drive it")
     for ranks in 1, 2, 3:
         case(f"sideways load that contact cannot hold, {ranks} ranks", drop % "1; -1", "holds.*upper|rigid.*upper", ranks=ranks)
     case("load on a body without supports", (drop % "0; -1").replace(contact, ""), "holds.*upper", ranks=2)

@@ -24,7 +24,7 @@ namespace Amontons
   pair_weights(const std::vector<ContactInterface<dim>> &interfaces,
                const std::vector<SurfaceFields<dim>>    &fields)
   {
-    constexpr double    least = 0.05; // of the largest norm
+    constexpr double    least = 1e-3; // of the largest norm
     std::vector<double> squares(interfaces.size(), 0.);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       for (const auto &row : interfaces[i].coupling.rows)

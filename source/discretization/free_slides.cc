@@ -1,7 +1,8 @@
 #include <amontons/discretization/free_slides.h>
 #include <amontons/geometry/vector_area.h>
 
-#include <deal.II/base/symmetric_tensor.h>
+#include <algorithm>
+#include <numeric>
 
 namespace Amontons
 {
@@ -12,16 +13,21 @@ namespace Amontons
     class Held
     {
     public:
-      explicit Held(const Scene &scene) : scene(scene) {}
+      Held(const Scene &scene, const bool with_forces) : scene(scene), with_forces(with_forces) {}
 
       void
       add(const Tensor<1, 3> &direction)
       {
-        Tensor<1, dim> d;
+        constexpr double least = 1e-9; // of a force that is none beside another: rounding
+        Tensor<1, dim>   d;
         for (unsigned int c = 0; c < dim; ++c)
           d[c] = direction[c];
-        if (const double length = d.norm(); length > 0)
-          sum += symmetrize(outer_product(d / length, d / length));
+        const double length = d.norm();
+        for (unsigned int twice = 0; twice < 2; ++twice)
+          for (const auto &other : held)
+            d -= (d * other) * other;
+        if (d.norm() > least * length)
+          held.push_back(d / d.norm());
       }
 
       void
@@ -36,6 +42,8 @@ namespace Amontons
       void
       add_force(const std::array<Expression, 3> &force)
       {
+        if (!with_forces)
+          return;
         const bool varies =
             std::any_of(force.begin(), force.end(), [](const auto &e) { return e.depends_on_place(); });
         for (unsigned int c = 0; varies && c < dim; ++c)
@@ -99,9 +107,18 @@ namespace Amontons
       FullMatrix<double>
       motions_left() const
       {
-        std::vector<Tensor<1, dim>> left, held;
-        for (const auto &[value, vector] : eigenvectors(sum))
-          (value > 1e-12 * trace(sum) ? held : left).push_back(vector);
+        std::vector<Tensor<1, dim>> all = held, left;
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            Tensor<1, dim> axis;
+            axis[c] = 1;
+            for (const auto &other : all)
+              axis -= (axis * other) * other;
+            if (axis.norm() < 0.1) // where it is large, so is that of another axis
+              continue;
+            left.push_back(axis / axis.norm());
+            all.push_back(left.back());
+          }
         if (is_fixed || !touches_plane || left.empty())
           return FullMatrix<double>();
         const bool         turns = dim == 3 && may_turn && held.size() == 1;
@@ -116,9 +133,10 @@ namespace Amontons
       }
 
     private:
-      const Scene            &scene;
-      SymmetricTensor<2, dim> sum;
-      bool                    is_fixed = false, touches_plane = false, may_turn = true;
+      const Scene                &scene;
+      const bool                  with_forces;
+      std::vector<Tensor<1, dim>> held; // of unit length, square to each other
+      bool                        is_fixed = false, touches_plane = false, may_turn = true;
     };
 
     // By body: the first of those that it touches, directly or by others.
@@ -160,7 +178,7 @@ namespace Amontons
 
   template <int dim>
   std::vector<FreeSlide>
-  find_free_slides(const Scene &scene, const Geometry<dim> &geometry)
+  find_free_slides(const Scene &scene, const Geometry<dim> &geometry, const bool with_forces)
   {
     if (scene.kind == ProblemType::axisymmetric)
       return {};
@@ -169,7 +187,7 @@ namespace Amontons
     std::map<unsigned int, FreeSlide> slides;
     for (unsigned int b = 0; b < group.size(); ++b)
       {
-        auto &of_group = held.try_emplace(group[b], scene).first->second;
+        auto &of_group = held.try_emplace(group[b], scene, with_forces).first->second;
         slides[group[b]].bodies.push_back(b);
         of_group.add_force(scene.bodies[b].body_force);
         if (scene.bodies[b].rigid)
@@ -199,7 +217,7 @@ namespace Amontons
   }
 
   template std::vector<FreeSlide>
-  find_free_slides(const Scene &, const Geometry<2> &);
+  find_free_slides(const Scene &, const Geometry<2> &, const bool);
   template std::vector<FreeSlide>
-  find_free_slides(const Scene &, const Geometry<3> &);
+  find_free_slides(const Scene &, const Geometry<3> &, const bool);
 } // namespace Amontons

@@ -259,27 +259,38 @@ namespace Amontons
     IndexSet   indices(dof_handler.n_dofs());
     for (unsigned int s = 0; s < free_slides.size(); ++s)
       {
-        const auto                          &motions = free_slides[s].motions;
-        std::vector<types::global_dof_index> candidates;
-        FullMatrix<double>                   values(2 * dim * dim, motions.n());
-        for (const auto &axis : ends.at(body_of[s]))
-          for (const auto &vertex : axis)
-            for (unsigned int c = 0; c < dim; ++c)
-              {
-                const auto dof     = vertex.dofs[c];
-                const auto follows = [dof](const FreeTurn &turn) { return turn.second == dof; };
-                if (std::any_of(free_turns.begin(), free_turns.end(), follows))
-                  continue;
-                const auto v = rigid_motions(geometry, body_of[s], vertex.X, c);
-                for (unsigned int k = 0; k < motions.n(); ++k)
-                  for (unsigned int i = 0; i < v.size(); ++i)
-                    values(candidates.size(), k) += v[i] * motions(i, k);
-                candidates.push_back(dof);
-              }
+        const auto           &motions = free_slides[s].motions;
+        std::vector<HeldPair> candidates;
+        FullMatrix<double>    values(dim * dim, motions.n());
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              const auto &[from, to] = ends.at(body_of[s])[d];
+              const double sign      = c == d ? -1 : 1;
+              const auto   is_second = [dof = from.dofs[c], other = to.dofs[c]](const FreeTurn &turn) {
+                return turn.second == dof || turn.second == other;
+              };
+              if (std::any_of(free_turns.begin(), free_turns.end(), is_second))
+                continue;
+              const auto v = rigid_motions(geometry, body_of[s], from.X, c),
+                         w = rigid_motions(geometry, body_of[s], to.X, c);
+              for (unsigned int k = 0; k < motions.n(); ++k)
+                for (unsigned int i = 0; i < v.size(); ++i)
+                  values(candidates.size(), k) += (w[i] - sign * v[i]) * motions(i, k);
+              candidates.push_back({from.dofs[c], to.dofs[c], sign});
+            }
         for (const unsigned int row : candidates_that_hold(values, 1e-3))
           {
-            free_slides[s].held.push_back(candidates[row]);
-            indices.add_index(candidates[row]);
+            const auto [first, second, sign] = candidates[row];
+            const bool are_held              = // by the other sign: both are zero
+                std::any_of(free_slides[s].held.begin(),
+                            free_slides[s].held.end(),
+                            [a = first, b = second](const auto &pair) {
+                              return pair.first == a && pair.second == b;
+                            });
+            free_slides[s].held.push_back({first, are_held ? first : second, sign});
+            indices.add_index(candidates[row].first);
+            indices.add_index(candidates[row].second);
           }
       }
     add_relevant(indices);

@@ -157,9 +157,9 @@ namespace Amontons
     for (const auto &turn : free_turns)
       tie(constraints, turn.second, {{turn.first, 1.}}, 0);
     for (const auto &slide : free_slides)
-      for (const auto dof : slide.held)
+      for (const auto &[first, second, sign] : slide.held)
         if (finite_strain)
-          tie(constraints, dof, {}, 0);
+          tie(constraints, second, first == second ? Terms() : Terms{{first, sign}}, 0);
     // Ranks that see only part of a node's faces may have chosen another DoF to eliminate; the owner of a DoF
     // sees all of them.
     Constraints own(relevant);

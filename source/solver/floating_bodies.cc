@@ -1,3 +1,4 @@
+#include <amontons/discretization/free_slides.h>
 #include <amontons/discretization/rigid_motions.h>
 #include <amontons/solver/floating_bodies.h>
 
@@ -218,17 +219,26 @@ namespace Amontons
     const unsigned int n = free_rigid_modes.size();
     if (n == 0)
       return;
-    FullMatrix<double> values(surface_dofs.size(), n);
-    for (unsigned int i = 0; i < surface_dofs.size(); ++i)
+    // Of those that see as much: next to the body's centre, which its deformation leaves where it is.
+    const auto from_centre = [&](const types::global_dof_index dof) {
+      const auto &place = this->place(dof);
+      return std::round(1e6 * place.X.distance(centres[place.body]) / sizes[place.body]);
+    };
+    auto candidates = surface_dofs;
+    std::stable_sort(candidates.begin(), candidates.end(), [&](const auto a, const auto b) {
+      return from_centre(a) < from_centre(b);
+    });
+    FullMatrix<double> values(candidates.size(), n);
+    for (unsigned int i = 0; i < candidates.size(); ++i)
       {
         std::vector<double> e(n_modes, 0.);
-        add_modes_of(surface_dofs[i], 1, e);
+        add_modes_of(candidates[i], 1, e);
         for (unsigned int k = 0; k < n; ++k)
           for (unsigned int m = 0; m < n_modes; ++m)
             values(i, k) += e[m] * free_rigid_modes[k][m];
       }
     for (const unsigned int row : candidates_that_hold(values, 1e-6))
-      pinned.push_back(surface_dofs[row]);
+      pinned.push_back(candidates[row]);
   }
 
   template <int dim>
@@ -321,12 +331,17 @@ namespace Amontons
   double
   FloatingBodies<dim>::relative_work(const std::vector<double> &q) const
   {
-    double work = 0, scale = 0;
+    std::vector<bool> moves(n_modes / modes_per_body, false);
+    double            work = 0, scale = 0;
     for (unsigned int i = 0; i < n_modes; ++i)
       {
         work += force[i] * q[i];
-        scale = std::max(scale, magnitude[i]);
+        if (std::abs(q[i]) > 1e-6)
+          moves[i / modes_per_body] = true;
       }
+    for (unsigned int i = 0; i < n_modes; ++i)
+      if (moves[i / modes_per_body])
+        scale = std::max(scale, magnitude[i]);
     return scale > 0 ? work / scale : 0;
   }
 
@@ -365,6 +380,28 @@ namespace Amontons
   {
     if (!any())
       return "";
+    const auto check = [&](const std::vector<double> &q) {
+      if (is_driven(q))
+        throw InputError(
+            place_of(q),
+            "nothing holds the rigid " + describe(q) + ", and the loads drive it",
+            "hold it by a displacement, a symmetry plane, a platen or a contact pair that resists it");
+    };
+    // Nodal normals of facets seem to hold what planes do not.
+    for (const auto &slide : find_free_slides(discretization.scene, discretization.geometry, false))
+      for (unsigned int k = 0; k < slide.motions.n(); ++k)
+        {
+          std::vector<double> q(n_modes, 0.); // translations alone: they are the same for all bodies
+          bool                turns = false;
+          for (unsigned int i = 0; i < slide.motions.m(); ++i)
+            if (i >= dim)
+              turns = turns || slide.motions(i, k) != 0;
+            else
+              for (const unsigned int body : slide.bodies)
+                q[body * modes_per_body + i] = slide.motions(i, k);
+          if (!turns)
+            check(q);
+        }
     const auto free_rigid_modes = null_space(with_equations(all_equations), 1e-12);
     if (free_rigid_modes.m() == 0)
       return "";
@@ -374,11 +411,7 @@ namespace Amontons
         std::vector<double> q(n_modes);
         for (unsigned int i = 0; i < n_modes; ++i)
           q[i] = free_rigid_modes(i, k);
-        if (is_driven(q))
-          throw InputError(
-              place_of(q),
-              "nothing holds the rigid " + describe(q) + ", and the loads drive it",
-              "hold it by a displacement, a symmetry plane, a platen or a contact pair that resists it");
+        check(q);
         note += (note.empty() ? "" : "; ") + describe(q);
       }
     return "no support and no contact holds the rigid " + note + "; no load drives it, so it is kept at rest";

@@ -92,6 +92,14 @@ check_block()
   check::is_true(motions<dim>(with).n() == (dim == 2 ? 0 : 1),
                  "a force along the plane for some time drives" + in);
 
+  with                         = scene;
+  with.bodies[0].body_force[0] = Expression(1e-6);
+  check::is_true(motions<dim>(with).n() == (dim == 2 ? 0 : 1),
+                 "a small force along the plane drives, too" + in);
+  Geometry<dim> geometry(MPI_COMM_WORLD);
+  make_geometry(with, geometry);
+  check::is_true(find_free_slides(with, geometry, false)[0].motions.n() == all.n(), "without forces" + in);
+
   with                                                = scene;
   with.obstacles[0].motion.rotation[dim == 2 ? 2 : 0] = Expression("0.1*t", SourceLocation());
   check::is_true(motions<dim>(with).n() == 0, "the plane turns" + in);

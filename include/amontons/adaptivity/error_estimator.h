@@ -60,7 +60,7 @@ namespace Amontons
   };
 
   // By pair: what the squares of its tractions and of their errors are multiplied by, so that pairs count
-  // alike, whatever their load: with it, int p^2 is that of the pair where it is largest; 400 at most.
+  // alike, whatever their load: with it, int p^2 is that of the pair where it is largest; 1e6 at most.
   template <int dim>
   std::vector<double>
   pair_weights(const std::vector<ContactInterface<dim>> &interfaces,

@@ -6,19 +6,27 @@
 
 namespace Amontons
 {
+  /// u_second = sign u_first: of two places at both ends of a body, whose deformation leaves their middle.
+  struct HeldPair
+  {
+    types::global_dof_index first, second;
+    double                  sign;
+  };
+
   /// Bodies that touch each other, and the rigid motions of all of them together (columns: coefficients of
   /// rigid_motion() of any place and length) that change nothing.
   struct FreeSlide
   {
-    std::vector<unsigned int>            bodies;
-    FullMatrix<double>                   motions;
-    std::vector<types::global_dof_index> held = {}; // displacements that hold them, of one body
+    std::vector<unsigned int> bodies;
+    FullMatrix<double>        motions;
+    std::vector<HeldPair>     held = {}; // displacements that hold them, of one body
   };
 
   /// A rigid motion w + Omega x of bodies that touch each other and, without friction, planes that do not
   /// turn, leaves all gaps, loads and prescribed displacements as they are if d . w = 0 and Omega d = 0 for
   /// all normals d of these planes and of planes of symmetry, all prescribed components and all forces.
+  /// Without the forces: what they may drive, and nothing ever stops.
   template <int dim>
   std::vector<FreeSlide>
-  find_free_slides(const Scene &scene, const Geometry<dim> &geometry);
+  find_free_slides(const Scene &scene, const Geometry<dim> &geometry, const bool with_forces = true);
 } // namespace Amontons

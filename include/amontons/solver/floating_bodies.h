@@ -56,7 +56,8 @@ namespace Amontons
     // motions, in the direction that loads drive.
     std::vector<std::vector<double>>
     free_rigid_modes(const std::vector<const LinearEquation *> &equations) const;
-    // Of the loads on a motion of unit length, relative to the largest sum of their magnitudes on any.
+    // Of the loads on a motion of unit length, relative to the largest sum of their magnitudes on any of the
+    // bodies that it moves.
     double
     relative_work(const std::vector<double> &motion) const;
     std::string

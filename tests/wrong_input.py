@@ -388,6 +388,8 @@ def scenes():
     for kinematics in ("small", "finite"):  # nodal normals of facets seem to hold it
         driven = squeezed.replace("finite strain", f"{kinematics} strain").replace("Poisson ratio = 0.3", "Poisson ratio = 0.3\n  set Body force = 1e-4*t; -t")
         case(f"disk driven along a plane, {kinematics} strain", driven, "nothing holds the rigid motion along x of body 'disk', and the loads drive it")
+        rolling = driven.replace("Second = lower", "Second = lower\n  set Friction coefficient = 0.5").replace("subsection Contact above\n  set First  = disk/arc\n  set Second = upper\nend\n", "")
+        case(f"disk that rolls down a rough plane, {kinematics} strain", rolling, "the round body 'disk' rolls on its plane, whatever the friction, and the loads drive it")
     for ranks in 1, 2, 3:
         case(f"sideways load that contact cannot hold, {ranks} ranks", drop % "1; -1", "holds.*upper|rigid.*upper", ranks=ranks)
     case("load on a body without supports", (drop % "0; -1").replace(contact, ""), "holds.*upper", ranks=2)

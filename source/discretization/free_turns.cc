@@ -52,6 +52,41 @@ namespace Amontons
       return result;
     }
 
+    // int (v_i . N)(v_j . N) dA / int dA over all of the surface of each of the bodies.
+    template <int dim>
+    std::vector<FullMatrix<double>>
+    flows_through_surfaces(const Geometry<dim> &geometry, const std::vector<bool> &bodies)
+    {
+      constexpr unsigned int n = n_rigid_motions<dim>;
+      std::vector<double>    sums(bodies.size() * (n * n + 1), 0.);
+      for (const auto &cell : geometry.triangulation.active_cell_iterators())
+        if (cell->is_locally_owned() && cell->material_id() < bodies.size() && bodies[cell->material_id()])
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary())
+              {
+                const Tensor<1, dim>  normal = vector_area<dim>(face);
+                const double          area   = normal.norm();
+                std::array<double, n> flow{};
+                for (unsigned int c = 0; c < dim; ++c)
+                  {
+                    const auto v = rigid_motions(geometry, cell->material_id(), face->center(), c);
+                    for (unsigned int i = 0; i < n; ++i)
+                      flow[i] += normal[c] / area * v[i];
+                  }
+                double *const of_body = &sums[cell->material_id() * (n * n + 1)];
+                for (unsigned int i = 0; i < n; ++i)
+                  for (unsigned int j = 0; j < n; ++j)
+                    of_body[i * n + j] += area * flow[i] * flow[j];
+                of_body[n * n] += area;
+              }
+      Utilities::MPI::sum(sums, geometry.communicator, sums);
+      std::vector<FullMatrix<double>> result(bodies.size(), FullMatrix<double>(n, n));
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        for (unsigned int i = 0; bodies[b] && i < n * n; ++i)
+          result[b](i / n, i % n) = sums[b * (n * n + 1) + i] / sums[b * (n * n + 1) + n * n];
+      return result;
+    }
+
     // A vertex far from the body's centre along an axis: better inside than where something may touch; among
     // equals that next to the centre.
     template <int dim>
@@ -105,40 +140,6 @@ namespace Amontons
         return body < slides.size() && slides[body];
       }
 
-      // int (v_i . N)(v_j . N) dA / int dA over all of the surface of each body.
-      std::vector<FullMatrix<double>>
-      flows_through_surfaces() const
-      {
-        constexpr unsigned int n = n_rigid_motions<dim>;
-        std::vector<double>    sums(slides.size() * (n * n + 1), 0.);
-        for (const auto &cell : geometry.triangulation.active_cell_iterators())
-          if (cell->is_locally_owned() && is_of_interest(cell->material_id()))
-            for (const auto &face : cell->face_iterators())
-              if (face->at_boundary())
-                {
-                  const Tensor<1, dim>  normal = vector_area<dim>(face);
-                  const double          area   = normal.norm();
-                  std::array<double, n> flow{};
-                  for (unsigned int c = 0; c < dim; ++c)
-                    {
-                      const auto v = rigid_motions(geometry, cell->material_id(), face->center(), c);
-                      for (unsigned int i = 0; i < n; ++i)
-                        flow[i] += normal[c] / area * v[i];
-                    }
-                  double *const of_body = &sums[cell->material_id() * (n * n + 1)];
-                  for (unsigned int i = 0; i < n; ++i)
-                    for (unsigned int j = 0; j < n; ++j)
-                      of_body[i * n + j] += area * flow[i] * flow[j];
-                  of_body[n * n] += area;
-                }
-        Utilities::MPI::sum(sums, geometry.communicator, sums);
-        std::vector<FullMatrix<double>> result(slides.size(), FullMatrix<double>(n, n));
-        for (unsigned int b = 0; b < slides.size(); ++b)
-          for (unsigned int i = 0; slides[b] && i < n * n; ++i)
-            result[b](i / n, i % n) = sums[b * (n * n + 1) + i] / sums[b * (n * n + 1) + n * n];
-        return result;
-      }
-
       std::map<unsigned int, Extremes<dim>>
       extremes() const
       {
@@ -190,6 +191,26 @@ namespace Amontons
     };
   } // namespace
 
+  template <int dim>
+  std::vector<FullMatrix<double>>
+  motions_along_surfaces(const Geometry<dim> &geometry, const std::vector<bool> &bodies)
+  {
+    const auto                      flows = flows_through_surfaces(geometry, bodies);
+    std::vector<FullMatrix<double>> result(bodies.size());
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      if (bodies[b])
+        {
+          LAPACKFullMatrix<double> flow(n_rigid_motions<dim>, n_rigid_motions<dim>);
+          flow = flows[b];
+          Vector<double> sizes;
+          // the normals of quadrilaterals on a sphere are a little off
+          flow.compute_eigenvalues_symmetric(-1, dim == 2 ? 1e-10 : 1e-3, 1e-300, sizes, result[b]);
+          if (sizes.size() == 0)
+            result[b].reinit(0, 0);
+        }
+    return result;
+  }
+
   // Where a rigid motion v carries a body along all of its own surface, int (v . N)^2 dA = 0, its potential
   // is the same in every place: none is an equilibrium rather than another. On a mesh its facets prefer some,
   // by forces that vanish with their size, and the iteration would look for them in vain. So for each such
@@ -202,18 +223,12 @@ namespace Amontons
     const auto slides = bodies_that_slide(scene, geometry);
     if (std::none_of(slides.begin(), slides.end(), [](const bool does) { return does; }))
       return;
-    const FreeTurns<dim> turns(*this, slides);
-    const auto           flows = turns.flows_through_surfaces();
-    IndexSet             indices(dof_handler.n_dofs());
-    for (const auto &[body, ends] : turns.extremes())
+    const auto all = motions_along_surfaces(geometry, slides);
+    IndexSet   indices(dof_handler.n_dofs());
+    for (const auto &[body, ends] : FreeTurns<dim>(*this, slides).extremes())
       {
-        LAPACKFullMatrix<double> flow(n_rigid_motions<dim>, n_rigid_motions<dim>);
-        flow = flows[body];
-        Vector<double>     sizes;
-        FullMatrix<double> motions;
-        // the normals of quadrilaterals on a sphere are a little off
-        flow.compute_eigenvalues_symmetric(-1, dim == 2 ? 1e-10 : 1e-3, 1e-300, sizes, motions);
-        if (sizes.size() == 0)
+        const FullMatrix<double> &motions = all[body];
+        if (motions.m() == 0)
           continue;
         FullMatrix<double>    values(dim * (dim - 1), motions.n());
         std::vector<FreeTurn> differences;
@@ -296,6 +311,10 @@ namespace Amontons
     add_relevant(indices);
   }
 
+  template std::vector<FullMatrix<double>>
+  motions_along_surfaces(const Geometry<2> &, const std::vector<bool> &);
+  template std::vector<FullMatrix<double>>
+  motions_along_surfaces(const Geometry<3> &, const std::vector<bool> &);
   template void
   Discretization<2>::find_free_turns();
   template void

@@ -374,6 +374,58 @@ namespace Amontons
     Utilities::MPI::sum(magnitude, discretization.geometry.communicator, magnitude);
   }
 
+  // A round body that feels its weight alone rolls on a plane however rough it is: about the point that
+  // touches, v = w + Omega x (x - centre) = 0. Facets hold it if the plane falls by little.
+  template <int dim>
+  void
+  FloatingBodies<dim>::check_rolling() const
+  {
+    const Scene &scene    = discretization.scene;
+    const auto  &geometry = discretization.geometry;
+    if (scene.kind == ProblemType::axisymmetric)
+      return;
+    std::vector<const ObstacleData *> plane(scene.bodies.size(), nullptr);
+    std::vector<bool>                 rolls(scene.bodies.size(), false);
+    const auto body_of = [&](const BoundaryName &name) { return geometry.boundary(name, scene).body; };
+    for (const auto &pair : scene.pairs)
+      if (!pair.second && pair.has_friction() &&
+          geometry.boundary(pair.first, scene).geometry.type != TrueGeometry::Type::flat)
+        for (const auto &obstacle : scene.obstacles)
+          if (obstacle.name == pair.obstacle && obstacle.type == ObstacleData::Type::plane &&
+              obstacle.size == 0)
+            {
+              plane[body_of(pair.first)] = &obstacle;
+              rolls[body_of(pair.first)] = true;
+            }
+    for (const auto &pair : scene.pairs)
+      for (const auto *side : {&pair.first, pair.second ? &*pair.second : nullptr})
+        if (side != nullptr &&
+            (pair.second || plane[body_of(*side)] == nullptr || plane[body_of(*side)]->name != pair.obstacle))
+          rolls[body_of(*side)] = false;
+    for (const auto &condition : scene.conditions)
+      for (const auto &boundary : condition.boundaries)
+        rolls[body_of(boundary)] = false;
+    const auto turns = motions_along_surfaces(geometry, rolls);
+    for (unsigned int b = 0; b < rolls.size(); ++b)
+      for (unsigned int k = 0; k < turns[b].n(); ++k)
+        {
+          Tensor<1, dim> below, w;
+          for (unsigned int c = 0; c < dim; ++c)
+            below[c] = -plane[b]->normal[c];
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int i = 0; i < turns[b].m(); ++i)
+              w[c] -= turns[b](i, k) * rigid_motion<dim>(i, below / below.norm(), c);
+          std::vector<double> q(n_modes, 0.);
+          for (unsigned int c = 0; c < dim && w.norm() > 1e-3; ++c)
+            q[b * modes_per_body + c] = w[c] / w.norm();
+          if (is_driven(q))
+            throw InputError(scene.bodies[b].where,
+                             "the round body '" + scene.bodies[b].name +
+                                 "' rolls on its plane, whatever the friction, and the loads drive it",
+                             "hold it by a displacement, a platen, or a second contact");
+        }
+  }
+
   template <int dim>
   std::string
   FloatingBodies<dim>::check_loads(const std::vector<const LinearEquation *> &all_equations) const
@@ -402,6 +454,7 @@ namespace Amontons
           if (!turns)
             check(q);
         }
+    check_rolling();
     const auto free_rigid_modes = null_space(with_equations(all_equations), 1e-12);
     if (free_rigid_modes.m() == 0)
       return "";

@@ -22,6 +22,13 @@ namespace Amontons
     std::vector<HeldPair>     held = {}; // displacements that hold them, of one body
   };
 
+  /// By body: rigid motions about its centre and in its size that carry it along all of its own surface (a
+  /// disk turns), v . N = 0: null vectors of int (v_i . N)(v_j . N) dA, as columns. bodies: others have none.
+  /// Collective.
+  template <int dim>
+  std::vector<FullMatrix<double>>
+  motions_along_surfaces(const Geometry<dim> &geometry, const std::vector<bool> &bodies);
+
   /// A rigid motion w + Omega x of bodies that touch each other and, without friction, planes that do not
   /// turn, leaves all gaps, loads and prescribed displacements as they are if d . w = 0 and Omega d = 0 for
   /// all normals d of these planes and of planes of symmetry, all prescribed components and all forces.

@@ -81,6 +81,8 @@ namespace Amontons
 
   private:
     void
+    check_rolling() const; // throws InputError
+    void
     place_dofs(const std::vector<ContactInterface<dim>> &interfaces, const LA::Vector *displacement);
     void
     add_supports(const Constraints &supports);

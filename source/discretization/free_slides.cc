@@ -67,6 +67,7 @@ namespace Amontons
             add_axis(c);
         add_force(motion.force);
         may_turn = false;
+        is_fixed = is_fixed || !with_forces; // its force is not that of a body
       }
 
       void

@@ -8,6 +8,35 @@
 
 namespace Amontons
 {
+  namespace
+  {
+    // By body: the plane that it touches with a round surface and friction, if it feels nothing else but
+    // body forces.
+    template <int dim>
+    std::vector<const ObstacleData *>
+    rough_planes(const Scene &scene, const Geometry<dim> &geometry)
+    {
+      std::vector<const ObstacleData *> plane(scene.bodies.size(), nullptr);
+      const auto body_of = [&](const BoundaryName &name) { return geometry.boundary(name, scene).body; };
+      for (const auto &pair : scene.pairs)
+        if (!pair.second && pair.has_friction() &&
+            geometry.boundary(pair.first, scene).geometry.type != TrueGeometry::Type::flat)
+          for (const auto &obstacle : scene.obstacles)
+            if (obstacle.name == pair.obstacle && obstacle.type == ObstacleData::Type::plane &&
+                obstacle.size == 0)
+              plane[body_of(pair.first)] = &obstacle;
+      for (const auto &pair : scene.pairs)
+        for (const auto *side : {&pair.first, pair.second ? &*pair.second : nullptr})
+          if (side != nullptr && plane[body_of(*side)] != nullptr &&
+              plane[body_of(*side)]->name != pair.obstacle)
+            plane[body_of(*side)] = nullptr;
+      for (const auto &condition : scene.conditions)
+        for (const auto &boundary : condition.boundaries)
+          plane[body_of(boundary)] = nullptr;
+      return plane;
+    }
+  } // namespace
+
   template <int dim>
   FloatingBodies<dim>::FloatingBodies(const Discretization<dim>                &discretization,
                                       const Constraints                        &supports,
@@ -380,32 +409,14 @@ namespace Amontons
   void
   FloatingBodies<dim>::check_rolling() const
   {
-    const Scene &scene    = discretization.scene;
-    const auto  &geometry = discretization.geometry;
+    const Scene &scene = discretization.scene;
     if (scene.kind == ProblemType::axisymmetric)
       return;
-    std::vector<const ObstacleData *> plane(scene.bodies.size(), nullptr);
-    std::vector<bool>                 rolls(scene.bodies.size(), false);
-    const auto body_of = [&](const BoundaryName &name) { return geometry.boundary(name, scene).body; };
-    for (const auto &pair : scene.pairs)
-      if (!pair.second && pair.has_friction() &&
-          geometry.boundary(pair.first, scene).geometry.type != TrueGeometry::Type::flat)
-        for (const auto &obstacle : scene.obstacles)
-          if (obstacle.name == pair.obstacle && obstacle.type == ObstacleData::Type::plane &&
-              obstacle.size == 0)
-            {
-              plane[body_of(pair.first)] = &obstacle;
-              rolls[body_of(pair.first)] = true;
-            }
-    for (const auto &pair : scene.pairs)
-      for (const auto *side : {&pair.first, pair.second ? &*pair.second : nullptr})
-        if (side != nullptr &&
-            (pair.second || plane[body_of(*side)] == nullptr || plane[body_of(*side)]->name != pair.obstacle))
-          rolls[body_of(*side)] = false;
-    for (const auto &condition : scene.conditions)
-      for (const auto &boundary : condition.boundaries)
-        rolls[body_of(boundary)] = false;
-    const auto turns = motions_along_surfaces(geometry, rolls);
+    const auto        plane = rough_planes(scene, discretization.geometry);
+    std::vector<bool> rolls;
+    for (const auto *p : plane)
+      rolls.push_back(p != nullptr);
+    const auto turns = motions_along_surfaces(discretization.geometry, rolls);
     for (unsigned int b = 0; b < rolls.size(); ++b)
       for (unsigned int k = 0; k < turns[b].n(); ++k)
         {

@@ -7,6 +7,7 @@ At every kill all files in the folder must be whole, and the resumed run must gi
 and iterations; numbers within ten times 'Tolerance' of their size (on other ranks: within 1e-6, or --allowed)."""
 
 import argparse
+import contextlib
 import csv
 import json
 import os
@@ -46,9 +47,36 @@ def end_of(process, limit=600):
         output, _ = process.communicate(timeout=limit)
         return output, process.returncode
     except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGKILL)
+        kill_all(process)
         process.communicate()
         return "no end after %d s" % limit, -1
+
+
+def descendants(pid):
+    """The ranks that mpirun has started have process groups of their own, and outlive it for a while."""
+    with open(f"/proc/{pid}/task/{pid}/children") as file:
+        children = [int(word) for word in file.read().split()]
+    return children + [grandchild for child in children for grandchild in descendants(child)]
+
+
+def kill_all(process):
+    """All at once, as when a machine goes down; comes back when none is left to write or to hold the lock."""
+    processes = descendants(process.pid)
+    os.killpg(process.pid, signal.SIGKILL)
+    for pid in processes:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGKILL)
+    for pid in processes:
+        while is_alive(pid):
+            time.sleep(0.01)
+
+
+def is_alive(pid):
+    try:
+        with open(f"/proc/{pid}/stat") as file:
+            return file.read().rpartition(")")[2].split()[0] not in "ZX"
+    except (FileNotFoundError, ProcessLookupError):
+        return False
 
 
 def half_written(folder):
@@ -140,11 +168,15 @@ def main():
             out = os.path.join(folder, "killed")
             shutil.rmtree(out, ignore_errors=True)
             process = start(program, options.ranks, [options.scene, "--output", out] + entries, folder)
-            moment = chance.uniform(0.02, 1) * seconds
+            begun, moment = time.monotonic(), chance.uniform(0.02, 1) * seconds
             try:
                 process.wait(moment)
+                seconds = min(seconds, time.monotonic() - begun)  # the machine was busier before
             except subprocess.TimeoutExpired:
-                (os.killpg if options.signal == "KILL" else os.kill)(process.pid, getattr(signal, "SIG" + options.signal))
+                if options.signal == "KILL":
+                    kill_all(process)
+                else:
+                    os.kill(process.pid, getattr(signal, "SIG" + options.signal))
             output, code = end_of(process)
             problems = half_written(out)
             if code == 0:

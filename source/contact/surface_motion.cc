@@ -1,3 +1,4 @@
+#include <amontons/base/directions.h>
 #include <amontons/contact/contact_surface.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/contact/face_lattice.h>
@@ -15,8 +16,7 @@ namespace Amontons
       std::vector<Tensor<1, dim>> removed;
       for (Tensor<1, dim> m : planes)
         {
-          for (const auto &q : removed)
-            m -= (m * q) * q;
+          m = without(m, removed);
           if (m.norm() < 1e-6)
             continue;
           m /= m.norm();
@@ -27,15 +27,6 @@ namespace Amontons
           removed.push_back(m);
         }
       return removed;
-    }
-
-    template <int dim>
-    Tensor<1, dim>
-    without(Tensor<1, dim> v, const std::vector<Tensor<1, dim>> &directions)
-    {
-      for (const auto &q : directions)
-        v -= (v * q) * q;
-      return v;
     }
   } // namespace
 

@@ -1,3 +1,4 @@
+#include <amontons/base/directions.h>
 #include <amontons/discretization/free_slides.h>
 #include <amontons/geometry/vector_area.h>
 
@@ -24,8 +25,7 @@ namespace Amontons
           d[c] = direction[c];
         const double length = d.norm();
         for (unsigned int twice = 0; twice < 2; ++twice)
-          for (const auto &other : held)
-            d -= (d * other) * other;
+          d = without(d, held);
         if (d.norm() > least * length)
           held.push_back(d / d.norm());
       }
@@ -108,18 +108,7 @@ namespace Amontons
       FullMatrix<double>
       motions_left() const
       {
-        std::vector<Tensor<1, dim>> all = held, left;
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            Tensor<1, dim> axis;
-            axis[c] = 1;
-            for (const auto &other : all)
-              axis -= (axis * other) * other;
-            if (axis.norm() < 0.1) // where it is large, so is that of another axis
-              continue;
-            left.push_back(axis / axis.norm());
-            all.push_back(left.back());
-          }
+        const auto left = directions_left(held);
         if (is_fixed || !touches_plane || left.empty())
           return FullMatrix<double>();
         const bool         turns = dim == 3 && may_turn && held.size() == 1;

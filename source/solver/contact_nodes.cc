@@ -1,4 +1,5 @@
 #include <amontons/algebra/node_pattern.h>
+#include <amontons/base/directions.h>
 #include <amontons/elasticity/linear_elastic.h>
 #include <amontons/solver/contact_nodes.h>
 
@@ -31,38 +32,19 @@ namespace Amontons
       return result;
     }
 
-    // v without its parts along vectors that are square to each other
-    template <int dim>
-    Tensor<1, dim>
-    square_to(const std::vector<Tensor<1, dim>> &others, Tensor<1, dim> v)
-    {
-      for (const auto &other : others)
-        v -= (v * other) * other;
-      return v;
-    }
-
     // The normal, then what is square to it and in the planes.
     template <int dim>
     std::array<Tensor<1, dim>, dim>
     directions_at_ridge(const std::vector<Tensor<1, dim>> &planes, const Tensor<1, dim> &normal)
     {
-      std::array<Tensor<1, dim>, dim> result;
-      std::vector<Tensor<1, dim>>     used = {normal / normal.norm()};
-      result[0]                            = used[0];
+      std::vector<Tensor<1, dim>> used = {normal / normal.norm()};
       for (const auto &plane : planes)
-        if (const auto v = square_to(used, plane); v.norm() > 1e-6)
+        if (const auto v = without(plane, used); v.norm() > 1e-6)
           used.push_back(v / v.norm());
-      unsigned int n = 1;
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          Tensor<1, dim> axis;
-          axis[c] = 1;
-          axis    = square_to(used, axis);
-          if (axis.norm() < 0.1)
-            continue;
-          result[n] = axis / axis.norm();
-          used.push_back(result[n++]);
-        }
+      std::array<Tensor<1, dim>, dim> result;
+      result[0]       = used[0];
+      const auto left = directions_left(used);
+      std::copy(left.begin(), left.end(), result.begin() + 1);
       return result;
     }
 
@@ -72,26 +54,20 @@ namespace Amontons
     std::array<Tensor<1, dim>, dim>
     directions_in(const std::vector<Tensor<1, dim>> &planes, const Tensor<1, dim> &normal)
     {
+      std::vector<Tensor<1, dim>> used = planes, all;
+      if (const auto in_planes = without(normal / normal.norm(), planes);
+          !planes.empty() && in_planes.norm() >= 0.1)
+        {
+          all.push_back(in_planes / in_planes.norm());
+          used.push_back(all[0]);
+        }
+      for (const auto &direction : directions_left(used))
+        all.push_back(direction);
       std::array<Tensor<1, dim>, dim> result;
-      std::vector<Tensor<1, dim>>     used = planes, axes;
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          axes.emplace_back();
-          axes.back()[c] = 1;
-        }
-      if (!planes.empty())
-        axes.insert(axes.begin(), normal / normal.norm());
-      unsigned int n = 0;
-      for (auto axis : axes)
-        {
-          axis = square_to(used, axis);
-          if (n == dim || axis.norm() < 0.1)
-            continue;
-          result[n] = axis / axis.norm();
-          used.push_back(result[n++]);
-        }
+      std::copy_n(all.begin(), std::min<std::size_t>(dim, all.size()), result.begin());
       return result;
     }
+
     // At a plane that the slave's surface does not cross smoothly, opposite of nodes of the same plane.
     template <int dim>
     bool
@@ -184,7 +160,7 @@ namespace Amontons
           result += (vector * directions[k]) * directions[k];
         return result;
       }
-    return square_to(planes, vector - (vector * normal) / normal.norm_square() * normal);
+    return without(vector - (vector * normal) / normal.norm_square() * normal, planes);
   }
 
   template <int dim>

@@ -416,6 +416,8 @@ namespace Amontons
     std::vector<bool> rolls;
     for (const auto *p : plane)
       rolls.push_back(p != nullptr);
+    if (std::none_of(rolls.begin(), rolls.end(), [](const bool does) { return does; }))
+      return;
     const auto turns = motions_along_surfaces(discretization.geometry, rolls);
     for (unsigned int b = 0; b < rolls.size(); ++b)
       for (unsigned int k = 0; k < turns[b].n(); ++k)

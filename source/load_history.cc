@@ -36,13 +36,13 @@ namespace Amontons
 
   template <int dim>
   void
-  LoadHistory<dim>::restart()
+  LoadHistory<dim>::restart(const double t)
   {
     work.restart();
     record = LoadRecord();
     snaps.clear();
     state.committed   = LA::Vector();
-    state.committed_t = 0;
+    state.committed_t = t;
     state.committed_contact.clear();
     last_converged = SolutionState<dim>();
   }

@@ -34,7 +34,7 @@ namespace Amontons
   bool
   LoadPath<dim>::run(LoadProgram &program)
   {
-    history.restart();
+    history.restart(program.time());
     while (!program.finished())
       {
         start_increment(program.next());

@@ -74,7 +74,7 @@ namespace Amontons
     auto       program = load_program(increments.length());
     Failures   failures;
     const auto n_known = history.path.size(); // on the mesh before
-    history.restart();
+    history.restart(program.time());
     evaluation.restart();
     if (neglected != nullptr)
       *neglected = NeglectedTermsOfHistory<dim>();
@@ -115,7 +115,7 @@ namespace Amontons
         while (widen_search());
         if (!refine_now(program) || must_stop() || !refine())
           return Result::converged;
-        if (refinement == Refinement::on_the_way && program.time() > 0 && !rebalance(program))
+        if (refinement == Refinement::on_the_way && program.number() > 1 && !rebalance(program))
           return control.stop.is_there() ? Result::stopped : Result::lost;
         //! [increment]
       }
@@ -244,6 +244,8 @@ namespace Amontons
     if (const auto &failure = history.last_report.failure;
         failure && failure->kind == Failure::Kind::no_memory) // shorter ones lack it, too
       return false;
+    if (starts_before(program))
+      return true;
     if (may_snap(program, failures))
       {
         history.follow_motion = true;
@@ -259,6 +261,31 @@ namespace Amontons
     failures.last         = std::move(failed);
     history.follow_motion = false;
     roll_back();
+    return true;
+  }
+
+  // Loads that are there at t = 0 come whole in the first increment, however short; where that fails by its
+  // length they grow before.
+  template <int dim>
+  bool
+  LoadStepping<dim>::starts_before(LoadProgram &program)
+  {
+    using Kind          = Failure::Kind;
+    const auto &kind    = history.last_report.failure->kind;
+    const bool  by_size = surfaces_cross(history.last_report.failure) || kind == Kind::inverted_cell ||
+                         kind == Kind::no_states || kind == Kind::not_a_number;
+    if (!by_size || !scene.is_loaded_at_start || history.starts_before || program.number() > 1 ||
+        !program.is_incremental())
+      return false;
+    history.starts_before = true;
+    program               = load_program(increments.length());
+    std::ostringstream text;
+    text << "what is there at t = 0 was not found in one increment (" << report.message()
+         << "): it is applied before, from t = " << program.time() << " on";
+    report.announce(text.str());
+    report.drop_last_solve();
+    history.restart(program.time());
+    go_back();
     return true;
   }
 

@@ -102,7 +102,7 @@ namespace Amontons
   void
   RunReport<dim>::progress(const LoadProgram &program)
   {
-    fraction = program.time() / scene.end_time;
+    fraction = std::max(0., program.time() / scene.end_time);
     if (!program.finished())
       terminal.progress("load increments", fraction);
   }

@@ -1012,6 +1012,10 @@ foreach(scene wall_buckling snap_away)
                  "status is converged" "pairs.0.n_slip >= 1")
 endforeach()
 
+# What is there at t = 0 comes whole in the first increment, however short; where that fails it is applied before, with the same end.
+add_scene_test(NAME loads_at_start SCENE verification/rubber_indentation.prm SET "Obstacle cylinder/Displacement=0| -0.5"
+               CHECK ${KEPT_FINITE} "meshes.0.t ~ -0.9 1e-9" "meshes.-1.t == 1" "pairs.0.normal_force.1 ~ -0.43227 1e-5" "energy ~ 0.0914300 1e-5") # as with -0.5*t
+
 # A node that closes has come from somewhere: the distance counts (closed forms in the scene).
 add_scene_test(NAME oblique_touch SCENE verification/oblique_touch.prm
                CHECK ${KEPT_FINITE} "meshes.0.pairs.0.tangential_force.0 ~ -1.755617 1e-5" "pairs.0.tangential_force.0 ~ -5 1e-5" "meshes.-1.dissipation ~ 1.0133426 1e-4")

@@ -37,6 +37,7 @@ namespace Amontons
     LoadRecord             record;      // friction: what the error of the increments is measured by
     NewtonReport           last_report; // of the last solve
 
+    bool                         starts_before = false; // loads that are there at t = 0 grow before
     bool                         follow_motion = false; // in the next increment, see PseudoTransient
     std::vector<Diagnosis::Snap> snaps;
     double                       last_speed        = 0; // largest displacement over t in the last increment
@@ -55,8 +56,8 @@ namespace Amontons
     bool
     snapped(const double duration, LA::Vector owned);
 
-    /// The load program starts; the state is where it starts from.
+    /// The load program starts at t; the state is where it starts from.
     void
-    restart();
+    restart(const double t);
   };
 } // namespace Amontons

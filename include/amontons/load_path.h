@@ -29,7 +29,10 @@ namespace Amontons
     LoadProgram
     load_program(const double length) const
     {
-      return LoadProgram(scene, has_history() || model->finite_strain(), length);
+      LoadProgram program(scene, has_history() || model->finite_strain(), length);
+      if (history.starts_before)
+        program.start_before();
+      return program;
     }
 
     Answer<dim>

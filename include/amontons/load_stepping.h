@@ -112,6 +112,8 @@ namespace Amontons
     bool
     try_again(LoadProgram &program, Failures &failures);
     bool
+    starts_before(LoadProgram &program);
+    bool
     may_snap(const LoadProgram &program, Failures &failures) const;
     void
     roll_back();

@@ -54,35 +54,12 @@ namespace Amontons
     bool
     is_loaded_at_rest(const Scene &scene)
     {
-      const auto acts = [](const Expression &e) {
-        return e.depends_on_time() ? e.value(Point<3>(), 0) != 0 : !e.is_zero();
-      };
-      const auto any = [&](const std::array<Expression, 3> &e) {
-        return std::any_of(e.begin(), e.end(), acts);
-      };
-      const auto any_given = [&](const std::array<std::optional<Expression>, 3> &e) {
-        return std::any_of(e.begin(), e.end(), [&](const auto &given) { return given && acts(*given); });
-      };
-      const auto moves = [&](const MotionData &motion) {
-        return any(motion.force) || any(motion.moment) || any_given(motion.displacement) ||
-               any_given(motion.rotation);
-      };
-      return std::any_of(scene.bodies.begin(),
-                         scene.bodies.end(),
-                         [&](const auto &body) {
-                           return any(body.body_force) || (body.rigid && moves(*body.rigid));
-                         }) ||
-             std::any_of(scene.obstacles.begin(),
-                         scene.obstacles.end(),
-                         [&](const auto &obstacle) { return moves(obstacle.motion); }) ||
+      return scene.is_loaded_at_start ||
              std::any_of(scene.conditions.begin(),
                          scene.conditions.end(),
-                         [&](const auto &condition) {
-                           return any(condition.value) || any_given(condition.displacement) ||
-                                  condition.field || (condition.motion && moves(*condition.motion));
-                         }) ||
-             std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const auto &pair) {
-               return pair.initial_gap && acts(*pair.initial_gap);
+                         [](const auto &condition) { return condition.field.has_value(); }) ||
+             std::any_of(scene.pairs.begin(), scene.pairs.end(), [](const auto &pair) {
+               return pair.initial_gap && pair.initial_gap->value(Point<3>(), 0) != 0;
              });
     }
   } // namespace
@@ -189,7 +166,7 @@ namespace Amontons
   double
   WorkDone<dim>::work_of_friction(const Answer<dim> &answer, const NodeValues &bounds_now) const
   {
-    const bool bears = bounds.empty() && is_loaded_at_rest(answer.discretization.scene);
+    const bool bears = bounds.empty() && answer.state.t > 0 && is_loaded_at_rest(answer.discretization.scene);
     double     work  = 0;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       if (const auto &interface = answer.interfaces[i]; interface.pair->has_friction())

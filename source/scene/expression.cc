@@ -215,6 +215,8 @@ namespace Amontons
   double
   Expression::value(const dealii::Point<3> &p, const double t, const double pressure) const
   {
+    if (t < 0)
+      return (growth > 0 ? std::max(0., 1 + t / growth) : 1.) * value(p, 0, pressure);
     if (constant)
       return constant_value;
     const double value = parser->value(p, t, pressure);
@@ -225,6 +227,12 @@ namespace Amontons
              pressure,
              "expressions with finite values where they are used");
     return value;
+  }
+
+  void
+  Expression::grow_before_start(const double duration)
+  {
+    growth = duration;
   }
 
   void

@@ -54,6 +54,43 @@ namespace Amontons
       return places;
     }
 
+    // All that moves or loads bodies and obstacles, but for fields at boundaries: f(expression).
+    template <typename SceneType, typename F>
+    void
+    for_each_load(SceneType &scene, const F &f)
+    {
+      const auto all = [&](auto &expressions) {
+        for (auto &expression : expressions)
+          f(expression);
+      };
+      const auto given = [&](auto &expressions) {
+        for (auto &expression : expressions)
+          if (expression)
+            f(*expression);
+      };
+      const auto motion = [&](auto &data) {
+        given(data.displacement);
+        all(data.force);
+        given(data.rotation);
+        all(data.moment);
+      };
+      for (auto &body : scene.bodies)
+        {
+          all(body.body_force);
+          if (body.rigid)
+            motion(*body.rigid);
+        }
+      for (auto &obstacle : scene.obstacles)
+        motion(obstacle.motion);
+      for (auto &condition : scene.conditions)
+        {
+          given(condition.displacement);
+          all(condition.value);
+          if (condition.motion)
+            motion(*condition.motion);
+        }
+    }
+
     class CornerTimes
     {
     public:
@@ -88,36 +125,11 @@ namespace Amontons
         times.insert(times.end(), more.begin(), more.end());
       }
 
-      template <std::size_t n>
-      void
-      add(const std::array<Expression, n> &expressions)
-      {
-        for (const Expression &expression : expressions)
-          add(expression);
-      }
-
       void
       add(const std::optional<Expression> &expression)
       {
         if (expression)
           add(*expression);
-      }
-
-      template <std::size_t n>
-      void
-      add(const std::array<std::optional<Expression>, n> &expressions)
-      {
-        for (const auto &expression : expressions)
-          add(expression);
-      }
-
-      void
-      add(const MotionData &motion)
-      {
-        add(motion.displacement);
-        add(motion.force);
-        add(motion.rotation);
-        add(motion.moment);
       }
 
       std::vector<double>
@@ -162,23 +174,10 @@ namespace Amontons
   corner_times(const Scene &scene)
   {
     CornerTimes corners(scene);
-    for (const BodyData &body : scene.bodies)
-      {
-        corners.add(body.body_force);
-        if (body.rigid)
-          corners.add(*body.rigid);
-      }
-    for (const ObstacleData &obstacle : scene.obstacles)
-      corners.add(obstacle.motion);
+    for_each_load(scene, [&](const Expression &load) { corners.add(load); });
     for (const ConditionData &condition : scene.conditions)
-      {
-        corners.add(condition.displacement);
-        corners.add(condition.value);
-        if (condition.motion)
-          corners.add(*condition.motion);
-        if (condition.field)
-          corners.add(scene.boundary_fields.corner_times(*condition.field, scene.end_time));
-      }
+      if (condition.field)
+        corners.add(scene.boundary_fields.corner_times(*condition.field, scene.end_time));
     for (const PairData &pair : scene.pairs)
       {
         corners.add(pair.initial_gap);
@@ -186,5 +185,25 @@ namespace Amontons
         corners.add(pair.tresca_bound);
       }
     return corners.inside();
+  }
+
+  bool
+  let_loads_grow_before_start(Scene &scene)
+  {
+    bool       found  = false;
+    const auto places = places_of(scene);
+    for_each_load(scene, [&](Expression &load) {
+      load.grow_before_start(scene.end_time);
+      for (const Point<3> &place : places)
+        try
+          {
+            found = found || load.value(place, 0) != 0;
+          }
+        catch (const InputError &)
+          {
+            // it has no value there, nor need it
+          }
+    });
+    return found;
   }
 } // namespace Amontons

@@ -33,9 +33,18 @@ namespace Amontons
     breakpoints.back() = scene.end_time;
   }
 
+  void
+  LoadProgram::start_before()
+  {
+    t = -breakpoints.back();
+    breakpoints.insert(breakpoints.begin(), 0.);
+  }
+
   double
   LoadProgram::longest() const
   {
+    if (t < 0)
+      return coarser * breakpoints.back() / increments_by_default;
     if (constant_size > 0)
       return coarser * constant_size;
     const auto   end   = std::upper_bound(breakpoints.begin(), breakpoints.end(), t);
@@ -61,7 +70,7 @@ namespace Amontons
   bool
   LoadProgram::at_corner() const
   {
-    return t == 0 || std::any_of(corners.begin(), corners.end(), [&](const double corner) {
+    return t <= 0 || std::any_of(corners.begin(), corners.end(), [&](const double corner) {
              return std::abs(corner - t) <= 1e-12 * breakpoints.back();
            });
   }

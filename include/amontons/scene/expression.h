@@ -26,8 +26,12 @@ namespace Amontons
                const SourceLocation           &where,
                const std::vector<std::string> &variables = {"x", "y", "z", "t"});
 
+    // Before t = 0: the value at t = 0, of which loads have the part 1 + t/duration.
     double
     value(const dealii::Point<3> &p, const double t, const double pressure = 0) const;
+    // This is a load, which can be applied before t = 0.
+    void
+    grow_before_start(const double duration);
     // Throws InputError if the value is negative.
     void
     refuse_negative(const dealii::Point<3> &p, const double t, const double pressure) const;
@@ -58,5 +62,6 @@ namespace Amontons
     std::vector<double>     table_times;
     double                  constant_value = 0;
     bool                    constant       = true;
+    double                  growth         = 0; // time in which it grows before t = 0; 0: it does not
   };
 } // namespace Amontons

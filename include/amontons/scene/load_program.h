@@ -14,4 +14,9 @@ namespace Amontons
   // jumps (see path_corners.h). Increasing.
   std::vector<double>
   corner_times(const Scene &scene);
+
+  // Loads, motions and boundary values may be applied before t = 0, from -end_time on; whether one of them is
+  // there at t = 0.
+  bool
+  let_loads_grow_before_start(Scene &scene);
 } // namespace Amontons

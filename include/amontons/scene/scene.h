@@ -260,6 +260,7 @@ namespace Amontons
     double                       minimum_increment = 1e-4; // of the end time
     std::vector<double>          output_times;             // increasing, in (0, end_time]
     std::vector<double>          corner_times; // in (0, end_time): where loads and motions turn, bend or jump
+    bool                         is_loaded_at_start = false; // some load or motion is not zero at t = 0
     std::vector<BodyData>        bodies;
     std::vector<ObstacleData>    obstacles;
     std::vector<ConditionData>   conditions;

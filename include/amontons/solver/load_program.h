@@ -20,6 +20,11 @@ namespace Amontons
     // may be than the scene says.
     LoadProgram(const Scene &scene, const bool incremental, const double coarser = 1);
 
+    // Before its first increment: it starts at -end_time, and what is there at t = 0 is applied in increments
+    // until then.
+    void
+    start_before();
+
     bool
     is_incremental() const
     {

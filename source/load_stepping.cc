@@ -324,8 +324,14 @@ namespace Amontons
   bool
   LoadStepping<dim>::wants_refinement() const
   {
-    const auto  &error  = evaluation.error;
-    const double target = parameters.refinement.target_error;
+    const auto  &error = evaluation.error;
+    const double whole = parameters.refinement.target_error;
+    // What the increments, chosen for the target, leave of it.
+    const double target =
+        increments.by_target() && report.error_of_increments()
+            ? std::max(whole / 2,
+                       whole - report.error_of_increments()->of(parameters.refinement.target_quantity))
+            : whole;
     // What facets do refinement does not mend.
     const double mendable = error.quantity.value_or(
         std::sqrt(std::max(0., std::pow(error.decisive(), 2) - std::pow(error.facets, 2))));

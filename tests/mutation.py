@@ -46,7 +46,7 @@ CHANGES = [
     # ---- once unnoticed
     ("mean gaps of one rank only", "contact/mortar_integrator.cc", "        trace_gap += other.trace_gap;\n", "", RANKS),
     ("half a face is whole", "contact/covered_shares.cc", "covered_area > 0.999 * face_area", "covered_area > 0.5 * face_area", "^contact/mortar$"),
-    ("nodes come from nowhere", "solver/moving_contact.cc", "old_gap[node_of[i][interfaces[i].coupling.rows[r].node]];", "0.;", FINITE),
+    ("all at once before the start", "scene/expression.cc", "std::max(0., 1 + t / growth)", "1.", "scenes/loads_at_start"),
     ("committed state not transferred", "load_history.cc", "{&known->displacement, &known->traction, &known->committed})", "{&known->displacement, &known->traction})", "scenes/transfer_.*"),
     ("von Mises' shear", "elasticity/linear_elastic.cc", "3 * shear);", "2 * shear);", "^elasticity/linear_elastic$"),
     ("sign of moments", "../include/amontons/output/nodal_forces.h", "c == 0 ? -X[1] * force", "c == 0 ? X[1] * force", "scenes/tied_beam"),

@@ -825,9 +825,9 @@ add_scene_test(NAME slide_off_edge_friction_first SCENE verification/slide_off_e
                CHECK "status is converged" "newton.:.iterations <= 7" "kink(history.:.interface.normal_force_y) <= 0.1" "checks.negative_dissipation <= 1e-9"
                      "meshes.-1.dissipation ~ 48.19 0.01") # 49.5 with 160 increments
 add_scene_test(NAME slide_over_edges_friction_second SCENE verification/slide_over_edges.prm
-               SET "Contact interface/Slave=second" "Contact interface/Friction coefficient=0.3"
+               SET "Contact interface/Slave=second" "Contact interface/Friction coefficient=0.3" "Increments=240"
                CHECK "status is converged" "newton.:.iterations <= 8" "kink(history.:.interface.normal_force_y) <= 0.2" "checks.negative_dissipation <= 1e-9"
-                     "peak(history.:.interface.normal_force_y) ~ 45.8 0.02" "meshes.-1.dissipation ~ 49.1 0.02")
+                     "peak(history.:.interface.normal_force_y) ~ 45.8 0.02" "meshes.-1.dissipation ~ 48.98 0.001") # 47.5, 48.7, 48.97 with 60, 120, 240
 
 # Small strain and finite strain agree to the order of the strain.
 foreach(mu 0 0.3)
@@ -1016,9 +1016,9 @@ endforeach()
 add_scene_test(NAME loads_at_start SCENE verification/rubber_indentation.prm SET "Obstacle cylinder/Displacement=0| -0.5"
                CHECK ${KEPT_FINITE} "meshes.0.t ~ -0.9 1e-9" "meshes.-1.t == 1" "pairs.0.normal_force.1 ~ -0.43227 1e-5" "energy ~ 0.0914300 1e-5") # as with -0.5*t
 
-# A node that closes has come from somewhere: the distance counts (closed forms in the scene).
+# Nodes that close and slip in the same increment (closed forms in the scene).
 add_scene_test(NAME oblique_touch SCENE verification/oblique_touch.prm
-               CHECK ${KEPT_FINITE} "meshes.0.pairs.0.tangential_force.0 ~ -1.755617 1e-5" "pairs.0.tangential_force.0 ~ -5 1e-5" "meshes.-1.dissipation ~ 1.0133426 1e-4")
+               CHECK ${KEPT_FINITE} "meshes.0.pairs.0.tangential_force.0 ~ -5 1e-5" "pairs.0.tangential_force.0 ~ -5 1e-5" "meshes.-1.dissipation ~ 1.5 1e-5")
 
 # ---- Objectivity: what turns as a whole is not strained and does not slip
 

@@ -6,11 +6,12 @@ namespace Amontons
   namespace
   {
     // In each piece of the load path.
-    constexpr double at_first = LoadProgram::increments_at_first, most = LoadProgram::increments_by_default;
+    constexpr double at_first   = LoadProgram::increments_at_first,
+                     by_default = LoadProgram::increments_by_default;
   } // namespace
 
   IncrementChoice::IncrementChoice(const RefinementParameters &parameters, const bool by_target)
-      : parameters(parameters), chooses(by_target), times(by_target ? most / at_first : 1)
+      : parameters(parameters), chooses(by_target), times(by_target ? by_default / at_first : 1)
   {
   }
 
@@ -31,17 +32,17 @@ namespace Amontons
         n        = at_first;
         of_these = errors;
       }
-    times = most / n;
+    times = by_default / n;
     return of_these;
   }
 
-  // As many as make the error half of the target, but not more than by default. One alone, which has no
+  // As many as make the error half of the target, but not without limit. One alone, which has no
   // shorter ones to compare with, takes ten times less.
   double
   IncrementChoice::wanted(const IncrementErrors &errors) const
   {
     const double error = counted(errors) * at_first; // of a single one
-    const double n     = std::min(std::ceil(error / allowed()), most);
+    const double n     = std::min(std::ceil(error / allowed()), parameters.most_increments());
     return n > 1 ? n : 10 * error <= allowed() ? 1 : 2;
   }
 
@@ -53,7 +54,7 @@ namespace Amontons
                              const Repeat          &repeat) const
   {
     constexpr double another_way = 0.1; // of the work
-    const auto       tried       = repeat(most / n);
+    const auto       tried       = repeat(by_default / n);
     if (!tried)
       return {};
     const auto found = error_of_increments(record, *tried).scaled(at_first / n);

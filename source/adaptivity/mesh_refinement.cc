@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/mesh_refinement.h>
+#include <amontons/solver/load_program.h>
 
 #include <deal.II/distributed/solution_transfer.h>
 
@@ -74,9 +75,16 @@ namespace Amontons
   {
     if (target_error >= 0)
       return;
-    target_error = cycles >= 0 ? 0 : 0.01;
+    target_error    = cycles >= 0 ? 0 : 0.01;
+    target_is_given = false;
     if (cycles < 0)
       max_dofs = std::min(max_dofs, has_history ? 10000u : 100000u);
+  }
+
+  double
+  RefinementParameters::most_increments() const
+  {
+    return target_is_given ? 5 * LoadProgram::increments_by_default : LoadProgram::increments_by_default;
   }
 
   namespace

@@ -44,8 +44,7 @@ namespace Amontons
   Tensor<1, dim>
   SlipLaw<dim>::traction(const double pressure, const Tensor<1, dim> &slip) const
   {
-    return (constant + slope * pressure + along * (slip * direction)) * direction +
-           stiffness * (slip - (slip * direction) * direction);
+    return (constant + slope * pressure) * direction + stiffness * (slip - (slip * direction) * direction);
   }
 
   template <int dim>
@@ -67,40 +66,6 @@ namespace Amontons
     return law;
   }
 
-  template <int dim>
-  SlipLaw<dim>
-  linearise_closing(const Tensor<1, dim> &slip,
-                    const double          pressure,
-                    const ShearBound     &bound,
-                    const double          distance)
-  {
-    SlipLaw<dim> law;
-    const double length = slip.norm(), total = std::hypot(length, distance);
-    law.stiffness = bound.value / total;
-    law.along     = law.stiffness * std::pow(distance / total, 2);
-    if (length == 0)
-      return law;
-    law.direction = slip / length;
-    law.slope     = length / total * bound.slope;
-    law.constant = length / total * (bound.value - bound.slope * std::max(0., pressure)) - law.along * length;
-    return law;
-  }
-
-  template <int dim>
-  Tensor<1, dim>
-  ClosingSlip<dim>::where(const Tensor<1, dim> &slip)
-  {
-    rests = !rests && slip * last < 0;
-    last  = slip;
-    return rests ? Tensor<1, dim>() : slip;
-  }
-
-  template SlipLaw<2>
-  linearise_closing(const Tensor<1, 2> &, const double, const ShearBound &, const double);
-  template SlipLaw<3>
-  linearise_closing(const Tensor<1, 3> &, const double, const ShearBound &, const double);
-  template class ClosingSlip<2>;
-  template class ClosingSlip<3>;
   template struct SlipLaw<2>;
   template struct SlipLaw<3>;
   template SlipLaw<2>

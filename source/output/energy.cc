@@ -159,9 +159,8 @@ namespace Amontons
     return result;
   }
 
-  // A node slips against its bound phi, which changes on the way: int |q| |dv| by the trapezoidal rule. (The
-  // traction itself has another direction at the start, where the node stuck.) One that was open by d, and
-  // closed with q = phi v/sqrt(v^2 + d^2) (see linearise_closing): int q dv = phi (sqrt(v^2 + d^2) - d).
+  // (26) of doc/introduction.md: a node slips against its bound phi, which changes on the way. (The
+  // traction itself has another direction at the start, where the node stuck.)
   template <int dim>
   double
   WorkDone<dim>::work_of_friction(const Answer<dim> &answer, const NodeValues &bounds_now) const
@@ -173,16 +172,14 @@ namespace Amontons
         for (const auto &row : interface.coupling.rows)
           {
             const auto  &node  = answer.state.contact[i][row.node];
-            const double bound = bounds_now.at({i, row.node}), r = bound > 0 ? node.shear.norm() / bound : 0;
-            if (r == 0)
+            const double bound = bounds_now.at({i, row.node});
+            if (bound <= 0)
               continue;
             const auto   known = bounds.find({i, row.node});
             const double start = known != bounds.end() ? known->second
                                  : bears               ? bound
                                                        : bound_at(interface, row.node, answer.state.t, 0);
-            const double part  = start == 0 && r < 1 - 1e-9 ? (1 - std::sqrt(1 - r * r)) / (r * r)
-                                                            : (start + bound) / (2 * bound);
-            work += row.area * part * (node.shear * node.slip);
+            work += row.area * (start + bound) / (2 * bound) * (node.shear * node.slip);
           }
     return work;
   }

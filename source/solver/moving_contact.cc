@@ -65,24 +65,10 @@ namespace Amontons
             all.push_back(node);
           }
       }
-    old_gap.assign(all.size(), 0.);
     move(slips.start());
     old_partners = OldPartners<dim>(interfaces);
     slips.remember_partners(all);
-    if (this->any_friction())
-      remember_old_gaps(closed_nodes(start));
     t = start.t;
-  }
-
-  template <int dim>
-  std::vector<bool>
-  MovingContact<dim>::closed_nodes(const SolutionState<dim> &state) const
-  {
-    std::vector<bool> closed(all.size(), false);
-    for (unsigned int k = 0; k < all.size(); ++k)
-      if (const auto *known = state.contact_of(all[k].interface, all[k].node))
-        closed[k] = known->state != ContactStatus::open;
-    return closed;
   }
 
   template <int dim>
@@ -103,21 +89,7 @@ namespace Amontons
           node       = make_contact_node(discretization, interfaces, i, r, scaling, true);
           // test functions only
           node.closing.equation.value = 0;
-          node.old_gap                = old_gap[node_of[i][interfaces[i].coupling.rows[r].node]];
         }
-  }
-
-  // A closed node has no gap to close, whatever a transfer to another mesh has changed about it.
-  template <int dim>
-  void
-  MovingContact<dim>::remember_old_gaps(const std::vector<bool> &closed)
-  {
-    for (unsigned int k = 0; k < all.size(); ++k)
-      {
-        const double h    = interfaces[all[k].interface].slave->mean_size,
-                     none = closed[k] ? 1e-2 * h : 1e-6 * h;
-        old_gap[k]        = !is_opposite(k) ? 1e-3 * h : all[k].gap > none ? all[k].gap : 0.;
-      }
   }
 
   template <int dim>
@@ -313,8 +285,7 @@ namespace Amontons
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
             add(dt[c],
-                law.stiffness * (double(c == d) - n[c] * n[d]) +
-                    (law.along - law.stiffness) * law.direction[c] * law.direction[d],
+                law.stiffness * (double(c == d) - n[c] * n[d] - law.direction[c] * law.direction[d]),
                 dv[d]);
       }
 

@@ -11,7 +11,7 @@ namespace Amontons
       : nodes(nodes), interfaces(interfaces), floating(floating), t(t),
         any_friction(
             std::any_of(nodes.begin(), nodes.end(), [](const auto &node) { return node.frictional; })),
-        states(nodes.size(), ContactStatus::open), laws(nodes.size()), closing_slips(nodes.size())
+        states(nodes.size(), ContactStatus::open), laws(nodes.size())
   {
   }
 
@@ -139,15 +139,8 @@ namespace Amontons
           states[k] = ContactStatus::slip;
         else
           {
-            const double p     = answers[k].pressure - nodes[k].c * answers[k].gap;
-            const auto   limit = bound(k, p);
-            if (nodes[k].old_gap > 0)
-              {
-                states[k] = ContactStatus::slip;
-                laws[k] =
-                    linearise_closing(closing_slips[k].where(answers[k].slip), p, limit, nodes[k].old_gap);
-                continue;
-              }
+            const double p      = answers[k].pressure - nodes[k].c * answers[k].gap;
+            const auto   limit  = bound(k, p);
             const auto   q      = trial(k, answers[k]);
             const double excess = q.norm() - limit.value;
             const bool   turned = !first && old == ContactStatus::slip && q * laws[k].direction < 0;
@@ -417,11 +410,7 @@ namespace Amontons
                                    ? shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, p)
                                    : ShearBound{given_bounds[k], 0.};
           limit.value += limit.slope * std::min(0., p); // a tension that leaves a node closed is no error
-          const auto expected =
-              nodes[k].old_gap > 0
-                  ? limit.value / std::hypot(answers[k].slip.norm(), nodes[k].old_gap) * answers[k].slip
-              : q.norm() > 0 ? limit.value / q.norm() * q
-                             : q;
+          const auto expected = q.norm() > 0 ? limit.value / q.norm() * q : q;
           sum += std::pow(nodes[k].area, 2) * (answers[k].shear - expected).norm_square();
         }
     return std::sqrt(sum);

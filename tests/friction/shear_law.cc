@@ -80,72 +80,10 @@ check_derivative(const Tensor<1, dim> &v, const Tensor<1, dim> &dv, const std::s
     }
 }
 
-// A closing node: q = phi(p) v / sqrt(|v|^2 + d^2). The linearised law has its value and its derivatives.
-template <int dim>
-void
-check_closing(const Tensor<1, dim> &v, const Tensor<1, dim> &dv, const std::string &mu)
-{
-  const auto   pair = pair_with(mu, "");
-  const double p = 4, distance = 0.3;
-  const auto   bound = shear_bound(pair, Point<3>(), 0, p);
-  const auto   exact = [&](const Tensor<1, dim> &slip, const double pressure) {
-    return shear_bound(pair, Point<3>(), 0, pressure).value / std::hypot(slip.norm(), distance) * slip;
-  };
-  const auto        law  = linearise_closing(v, p, bound, distance);
-  const std::string what = "closing, " + std::to_string(dim) + "D, mu = " + mu + ": ";
-  check::is_close((law.traction(p, v) - exact(v, p)).norm(), 0, 1e-12, what + "value", bound.value);
-  double last = 0;
-  for (const double step : {1e-2, 1e-3})
-    {
-      const auto   now   = exact(v + step * dv, p * (1 + step));
-      const double error = (law.traction(p * (1 + step), v + step * dv) - now).norm() / bound.value;
-      check::is_true(error < 1e-9 || (last > 0 && error < 0.02 * last) || (last == 0 && error < step),
-                     what + "derivative is of second order");
-      last = error;
-    }
-}
-
-// A closing node on a spring, stiffness v + phi v/sqrt(v^2 + d^2) = force: Newton's iteration with force <
-// phi and a stiffness that lets it overshoot. The potential is convex, so that there is one solution, found
-// here by bisection.
-void
-check_swinging(const double stiffness, const double force, const double distance)
-{
-  const ShearBound bound{1., 0.};
-  const auto       excess = [&](const double v) {
-    return stiffness * v + bound.value * v / std::hypot(v, distance) - force;
-  };
-  double lower = 0, upper = force / stiffness;
-  for (unsigned int n = 0; n < 200; ++n)
-    (excess((lower + upper) / 2) < 0 ? lower : upper) = (lower + upper) / 2;
-
-  ClosingSlip<2> slip;
-  Tensor<1, 2>   v({force / stiffness, 0.});
-  unsigned int   n = 0;
-  for (; n < 100 && std::abs(excess(v[0])) > 1e-10 * force; ++n)
-    {
-      const auto law = linearise_closing(slip.where(v), 1., bound, distance);
-      // (stiffness + along) v = force - constant along the direction
-      const double q0 = law.traction(1., Tensor<1, 2>())[0];
-      v[0]            = (force - q0) / (stiffness + (law.direction.norm() > 0 ? law.along : law.stiffness));
-    }
-  check::is_true(n < 40, "a closing node comes to rest, after " + std::to_string(n) + " iterations");
-  check::is_close(v[0], lower, 1e-8, "its slip", force / stiffness);
-}
-
 int
 main(int, char **)
 {
-  for (const double distance : {1e-1, 1e-3, 1e-6})
-    for (const double force : {0.01, 0.5, 0.9, 0.99, 1.1})
-      check_swinging(1e-2, force, distance);
   check_bounds();
-  for (const std::string mu : {"0.3", "0.2 + 0.1*p"})
-    {
-      check_closing<2>(Tensor<1, 2>({0.3, 0.}), Tensor<1, 2>({0.2, 0.}), mu);
-      check_closing<2>(Tensor<1, 2>(), Tensor<1, 2>({0.2, 0.}), mu);
-      check_closing<3>(Tensor<1, 3>({0.3, 0.4, 0.}), Tensor<1, 3>({0.2, -0.3, 0.}), mu);
-    }
   for (const std::string mu : {"0.3", "0.2 + 0.1*p"})
     {
       check_derivative<2>(Tensor<1, 2>({0.3, 0.}), Tensor<1, 2>({0.2, 0.}), mu);

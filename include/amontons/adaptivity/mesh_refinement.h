@@ -25,7 +25,8 @@ namespace Amontons
     unsigned int initial_refinements = 3;
     // With friction: replay (the load program starts anew on the refined mesh) | transfer (increments go on
     // from displacements interpolated to it).
-    std::string history = "replay";
+    std::string history         = "replay";
+    bool        target_is_given = true; // else by choose_target()
 
     void
     declare(ParameterHandler &prm) override;
@@ -36,6 +37,11 @@ namespace Amontons
     // them takes many increments.
     void
     choose_target(const bool has_history);
+
+    // In each piece of the load path, for the error of the increments: no more than by default for a target
+    // that nobody has asked for.
+    double
+    most_increments() const;
 
     // After choose_target(): as many as the target takes, if there is one; else none.
     unsigned int

@@ -21,7 +21,7 @@ namespace Amontons
   refuse_negative_bound(const PairData &pair, const Point<3> &X, const double t, const double pressure);
 
   // The law of a slipping node, linearised (doc/introduction.md, (17)): q = (constant + slope p) d +
-  // stiffness (1 - d d^T) v + along d d^T v, where v is the slip (tangential, like d). Unsymmetric where
+  // stiffness (1 - d d^T) v, where v is the slip (tangential, like d). Unsymmetric where
   // slope > 0.
   template <int dim>
   struct SlipLaw
@@ -29,7 +29,6 @@ namespace Amontons
     Tensor<1, dim> direction; // d, unit
     double         constant = 0, slope = 0;
     double         stiffness = 0; // 3D only
-    double         along     = 0; // nodes that close, only
 
     Tensor<1, dim>
     traction(const double pressure, const Tensor<1, dim> &slip) const;
@@ -42,31 +41,4 @@ namespace Amontons
   template <int dim>
   SlipLaw<dim>
   linearise_slip(const Tensor<1, dim> &trial, const double pressure, const ShearBound &bound, const double c);
-
-  // A node that was open by `distance` when the increment began: it touches at some time within it only, so
-  // that friction builds up with its slip over that distance, q = phi(p) v / sqrt(v^2 + distance^2)
-  // (doc/introduction.md, (26)), without stick.
-  template <int dim>
-  SlipLaw<dim>
-  linearise_closing(const Tensor<1, dim> &slip,
-                    const double          pressure,
-                    const ShearBound     &bound,
-                    const double          distance);
-
-  // Where the law of a closing node is linearised. Its derivative is next to nothing for slips beyond the
-  // distance, so that a node that hardly slips in the end swings between large slips to and fro. A node that
-  // turns round is linearised at rest. From there Newton's iteration does not overshoot: the law is concave,
-  // and its tangents lie above it.
-  template <int dim>
-  class ClosingSlip
-  {
-  public:
-    // The slip to linearise at, for that of each iterate.
-    Tensor<1, dim>
-    where(const Tensor<1, dim> &slip);
-
-  private:
-    Tensor<1, dim> last;
-    bool           rests = false;
-  };
 } // namespace Amontons

@@ -17,8 +17,7 @@ namespace Amontons
     double         rounding; // a pressure that is none: 1e-14 times the modulus
     double         area, c;  // c: complementarity parameter, scaling x E/(1 - nu^2) / mean face size
     double         gap;
-    double         old_gap = 0; // finite strain: how far it was open in the last converged state
-    Tensor<1, dim> normal;      // not of unit length on curved surfaces
+    Tensor<1, dim> normal; // not of unit length on curved surfaces
     Point<3>       X;
     // Unit normals of the symmetry planes that it lies on, which supports keep it in; unless it is tied or at
     // a ridge, of those alone that the surface crosses.

@@ -115,10 +115,6 @@ namespace Amontons
 
   private:
     using Rows = std::array<Gradient, dim>; // by component
-    std::vector<bool>
-    closed_nodes(const SolutionState<dim> &state) const;
-    void
-    remember_old_gaps(const std::vector<bool> &closed);
     Rows
     unit_normal_gradient(const unsigned int k) const;
     const RowGradient<dim> &
@@ -139,7 +135,6 @@ namespace Amontons
     std::vector<ContactInterface<dim>>                    &interfaces;
     const double                                           scaling;
     std::vector<std::vector<unsigned int>>                 node_of; // by interface and slave node
-    std::vector<double>                                    old_gap;
     OldPartners<dim>                                       old_partners;
     double                                                 t; // of declared gaps
     IncrementSlip<dim>                                     slips;

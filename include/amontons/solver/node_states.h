@@ -208,7 +208,6 @@ namespace Amontons
     ActiveSetUpdate                           active_set;
     std::vector<ContactStatus>                states;
     std::vector<SlipLaw<dim>>                 laws;
-    std::vector<ClosingSlip<dim>>             closing_slips;
     std::vector<double>                       frozen_bounds, given_bounds;
     bool                                      first        = true; // no update yet: directions are guesses
     bool                                      is_frozen    = false;

@@ -67,12 +67,14 @@ namespace Amontons
   {
     recovery = std::make_unique<StressRecovery<dim>>(model.discretization(), model.elasticity);
     recovery->recover(state.displacement);
+    const FaceLoads<dim> loads(model.discretization(), state.t, model.covered_points());
     error = estimate_error(model.discretization(),
                            *recovery,
                            model.interfaces,
                            fields,
                            state.displacement,
-                           model.finite_strain());
+                           model.finite_strain(),
+                           &loads);
     add_error_of_displacements(model.discretization(), state, error);
     pressure_norm = error.pressure_norm;
     shear_norm    = error.shear_norm;

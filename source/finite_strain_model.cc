@@ -9,7 +9,7 @@ namespace Amontons
                                             TimerOutput                          &timer)
       : Model<dim>(mesh, true, t, timer)
   {
-    this->couple_at_rest();
+    couple_at_rest();
   }
 
   template <int dim>
@@ -18,6 +18,7 @@ namespace Amontons
                                             TimerOutput              &timer)
       : Model<dim>(other.mesh, true, state.t, timer)
   {
+    couple_refined();
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       interfaces[i].search_distance = other.interfaces[i].search_distance;
     move_to(state);
@@ -61,10 +62,50 @@ namespace Amontons
   }
 
   template <int dim>
-  double
-  FiniteStrainModel<dim>::gap_to_cover(const ContactInterface<dim> &, const OverlapPoint<dim> &point) const
+  void
+  FiniteStrainModel<dim>::couple_at_rest()
   {
-    return point.gap;
+    Model<dim>::couple_at_rest();
+    lying.assign(interfaces.size(), {});
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        std::array<std::set<unsigned int>, 2> apart;
+        for (const auto &p : interfaces[i].coupling.points)
+          {
+            const bool lies = std::abs(p.gap) <= 1e-6 * interfaces[i].slave->faces[p.slave_face].size;
+            auto      &of   = lies ? lying[i] : apart;
+            of[0].insert(p.slave_face);
+            of[1].insert(p.master_face);
+          }
+        for (const unsigned int side : {0, 1})
+          for (const unsigned int face : apart[side])
+            lying[i][side].erase(face);
+      }
+  }
+
+  // move_to() follows. What pressures do not act on shows at rest.
+  template <int dim>
+  void
+  FiniteStrainModel<dim>::couple_refined()
+  {
+    const auto &conditions = discretization().scene.conditions;
+    if (std::any_of(conditions.begin(), conditions.end(), [](const ConditionData &condition) {
+          return condition.type == ConditionData::Type::pressure;
+        }))
+      couple_at_rest();
+    else
+      lying.assign(interfaces.size(), {});
+  }
+
+  // Bodies that lay on each other slide along each other: one of the two faces still is one that did. Its gap
+  // is not zero between the nodes where surfaces have bent.
+  template <int dim>
+  bool
+  FiniteStrainModel<dim>::is_covered(const unsigned int interface, const OverlapPoint<dim> &point) const
+  {
+    return std::abs(point.gap) <= 0.05 * interfaces[interface].slave->faces[point.slave_face].size &&
+           (lying[interface][0].count(point.slave_face) > 0 ||
+            lying[interface][1].count(point.master_face) > 0);
   }
 
   template class FiniteStrainModel<2>;

@@ -76,8 +76,6 @@ namespace Amontons
     supports = discretization().make_supports(t);
   }
 
-  // Points of faces where bodies lie on each other: pressure does not act there. Small strain: from the
-  // start.
   template <int dim>
   std::vector<CoveredPoint<dim>>
   Model<dim>::covered_points() const
@@ -93,13 +91,13 @@ namespace Amontons
       const auto [cell, f] = surface.owned[surface.faces[face].owned_index];
       covered.push_back({cell, f, on_unit_cell<dim>(f, xi), weight});
     };
-    for (const auto &interface : interfaces)
-      for (const auto &p : interface.coupling.points)
-        if (std::abs(gap_to_cover(interface, p)) <= 1e-6 * interface.slave->faces[p.slave_face].size)
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      for (const auto &p : interfaces[i].coupling.points)
+        if (is_covered(i, p))
           {
-            add(*interface.slave, p.slave_face, p.xi_slave, p.weight);
-            if (interface.master.surface != nullptr)
-              add(*interface.master.surface, p.master_face, p.xi_master, p.weight);
+            add(*interfaces[i].slave, p.slave_face, p.xi_slave, p.weight);
+            if (interfaces[i].master.surface != nullptr)
+              add(*interfaces[i].master.surface, p.master_face, p.xi_master, p.weight);
           }
     return covered;
   }

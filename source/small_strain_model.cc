@@ -60,11 +60,12 @@ namespace Amontons
   }
 
   template <int dim>
-  double
-  SmallStrainModel<dim>::gap_to_cover(const ContactInterface<dim> &interface,
-                                      const OverlapPoint<dim>     &point) const
+  bool
+  SmallStrainModel<dim>::is_covered(const unsigned int interface, const OverlapPoint<dim> &point) const
   {
-    return gap_grows(interface) ? interface.pair->initial_gap->value(as_3d(point.x_slave), 0) : point.gap;
+    const auto  &here = interfaces[interface];
+    const double gap  = gap_grows(here) ? here.pair->initial_gap->value(as_3d(point.x_slave), 0) : point.gap;
+    return std::abs(gap) <= 1e-6 * here.slave->faces[point.slave_face].size; // before any load
   }
 
   template <int dim>

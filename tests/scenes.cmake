@@ -1012,6 +1012,17 @@ foreach(scene wall_buckling snap_away)
                  "status is converged" "pairs.0.n_slip >= 1")
 endforeach()
 
+# Pressure on a surface that a body is pressed into acts under the contact, on any mesh, and the estimate knows of it; not where bodies lie on each other from the
+# start, wherever they slide. (Force: of a uniform mesh with 16 times as many cells as the first.)
+add_scene_test(NAME fluid_pressure SCENE verification/fluid_pressure.prm
+               CHECK ${KEPT_FINITE} "pairs.0.normal_force.1 ~ -55.953 1e-3" "error_estimate.contact <= 0.01" "dofs <= 3000")
+add_scene_test(NAME fluid_pressure_small SCENE verification/fluid_pressure.prm SET "Kinematics=small strain"
+               CHECK "status is converged" "pairs.0.normal_force.1 ~ -54.017 1e-3" "dofs <= 3000")
+foreach(slave first second)
+  add_scene_test(NAME patch_finite_punch_${slave} SCENE verification/patch_punch.prm SET "Kinematics=finite strain" "Contact interface/Slave=${slave}"
+                 CHECK ${KEPT_FINITE} "reference.errors.nodal_peak_pressure <= 1e-9" "newton.:.iterations <= 10")
+endforeach()
+
 # What is there at t = 0 comes whole in the first increment, however short; where that fails it is applied before, with the same end.
 add_scene_test(NAME loads_at_start SCENE verification/rubber_indentation.prm SET "Obstacle cylinder/Displacement=0| -0.5"
                CHECK ${KEPT_FINITE} "meshes.0.t ~ -0.9 1e-9" "meshes.-1.t == 1" "pairs.0.normal_force.1 ~ -0.43227 1e-5" "energy ~ 0.0914300 1e-5") # as with -0.5*t

@@ -37,10 +37,14 @@ namespace Amontons
     using Model<dim>::timer;
 
     void
-    couple_refined() override
-    {
-    }
-    double
-    gap_to_cover(const ContactInterface<dim> &interface, const OverlapPoint<dim> &point) const override;
+    couple_at_rest() override;
+    void
+    couple_refined() override;
+    bool
+    is_covered(const unsigned int interface, const OverlapPoint<dim> &point) const override;
+
+    // The slave's and the master's faces that lie on the other body at rest, with all that faces it. By
+    // interface; only where there are pressures.
+    std::vector<std::array<std::set<unsigned int>, 2>> lying;
   };
 } // namespace Amontons

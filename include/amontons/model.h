@@ -91,6 +91,10 @@ namespace Amontons
     Constraints                          supports;
     LA::Vector                           loads; // of the last update_loads()
 
+    /// Points of faces where bodies lie on each other, on which pressure does not act.
+    std::vector<CoveredPoint<dim>>
+    covered_points() const;
+
   protected:
     // Surfaces that are not coupled yet.
     Model(const std::shared_ptr<BodyMesh<dim>> &mesh,
@@ -103,11 +107,10 @@ namespace Amontons
     // As far as that can be done before move_to().
     virtual void
     couple_refined() = 0;
-    // Of a point where surfaces face each other: where this is 0, pressure does not act.
-    virtual double
-    gap_to_cover(const ContactInterface<dim> &interface, const OverlapPoint<dim> &point) const = 0;
-    std::vector<CoveredPoint<dim>>
-    covered_points() const;
+    // A point where the surfaces of an interface face each other: they lie on each other, as they did at
+    // rest, and pressure does not act.
+    virtual bool
+    is_covered(const unsigned int interface, const OverlapPoint<dim> &point) const = 0;
 
     TimerOutput &timer;
 

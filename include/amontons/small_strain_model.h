@@ -49,9 +49,8 @@ namespace Amontons
     {
       couple_at_rest();
     }
-    /// Before any load.
-    double
-    gap_to_cover(const ContactInterface<dim> &interface, const OverlapPoint<dim> &point) const override;
+    bool
+    is_covered(const unsigned int interface, const OverlapPoint<dim> &point) const override;
 
     std::vector<double> search_distances; // by pair, of the next coupling; 0: not known yet
   };

@@ -51,15 +51,17 @@ namespace Amontons
     class Estimation
     {
     public:
-      using Cell = typename DoFHandler<dim>::active_cell_iterator;
+      using Cell       = typename DoFHandler<dim>::active_cell_iterator;
+      using Conditions = std::vector<const ConditionData *>;
 
       // displacement: where areas are nominal (see NominalArea).
       Estimation(const Discretization<dim> &discretization,
                  const StressRecovery<dim> &recovery,
+                 const FaceLoads<dim>      *face_loads,
                  const double               largest_displacement,
                  const LA::Vector          *displacement)
-          : discretization(discretization), recovery(recovery), kind(discretization.scene.kind),
-            gauss(discretization.fe.degree + 1),
+          : discretization(discretization), recovery(recovery), face_loads(face_loads),
+            kind(discretization.scene.kind), gauss(discretization.fe.degree + 1),
             gauss_polynomials(Polynomials::generate_complete_Lagrange_basis(
                 QGauss<1>(discretization.fe.degree + 1).get_points())),
             on_face(discretization.fe.degree + 2), values(discretization.mapping,
@@ -313,6 +315,19 @@ namespace Amontons
         return result;
       }
 
+      Tensor<1, dim>
+      load_at(const Conditions     &loads,
+              const Cell           &cell,
+              const unsigned int    f,
+              const Point<dim - 1> &xi,
+              const Tensor<1, dim> &n) const
+      {
+        if (loads.empty())
+          return {};
+        return face_loads->traction(
+            loads, discretization.mapping.transform_unit_to_real_cell(cell, on_unit_cell<dim>(f, xi)), n);
+      }
+
       // eta_F^2 of an owned slave face, and, near the contact, its parts of the squared L2 errors of the
       // pressure and, with friction, of the shear.
       std::tuple<double, double, double>
@@ -331,7 +346,7 @@ namespace Amontons
         const bool is_nominal = !areas.empty() && (interface.pair->tied || kind == ProblemType::plane_stress);
         if (is_nominal)
           areas[f].reinit(cell);
-
+        const auto   loads     = face_loads == nullptr ? Conditions() : face_loads->on(cell, f);
         const double no_stress = stress_of_rounding(cell);
         double       square = 0, pressure_part = 0, shear_part = 0;
         for (unsigned int q = 0; q < on_face.size(); ++q)
@@ -350,7 +365,8 @@ namespace Amontons
               }
 
             const Tensor<1, dim> area     = is_nominal ? areas[f].vector(q, n, interface.pair->tied) : n;
-            const Tensor<1, dim> t        = traction<dim>(sigma[q], area);
+            const Tensor<1, dim> load     = load_at(loads, cell, f, xi, n);
+            const Tensor<1, dim> t        = traction<dim>(sigma[q], area) - load;
             const double         mismatch = p + n * t;
             square += weight * mismatch * mismatch;
             if (!interface.pair->tied)
@@ -359,7 +375,7 @@ namespace Amontons
             if (!parts.near[face])
               continue;
             no_pressure_square += parts.weight * weight * no_stress * no_stress;
-            const Tensor<1, dim> t_star = traction<dim>(smooth[q], area);
+            const Tensor<1, dim> t_star = traction<dim>(smooth[q], area) - load;
             const double         p_star = -(n * t_star);
             if (interface.pair->has_friction())
               {
@@ -416,6 +432,7 @@ namespace Amontons
 
       const Discretization<dim>          &discretization;
       const StressRecovery<dim>          &recovery;
+      const FaceLoads<dim>               *face_loads;
       const ProblemType                   kind;
       const QGauss<dim>                   gauss;
       const TensorProductPolynomials<dim> gauss_polynomials; // Lagrange polynomials of the Gauss points
@@ -442,7 +459,8 @@ namespace Amontons
                  const std::vector<ContactInterface<dim>> &interfaces,
                  const std::vector<SurfaceFields<dim>>    &fields,
                  const LA::Vector                         &displacement,
-                 const bool                                finite_strain)
+                 const bool                                finite_strain,
+                 const FaceLoads<dim>                     *face_loads)
   {
     double largest = 0;
     for (const auto dof : discretization.locally_owned)
@@ -451,8 +469,11 @@ namespace Amontons
     const bool any_nominal =
         discretization.scene.kind == ProblemType::plane_stress ||
         std::any_of(interfaces.begin(), interfaces.end(), [](const auto &i) { return i.pair->tied; });
-    Estimation<dim> estimation(
-        discretization, recovery, largest, any_nominal && finite_strain ? &displacement : nullptr);
+    Estimation<dim> estimation(discretization,
+                               recovery,
+                               face_loads,
+                               largest,
+                               any_nominal && finite_strain ? &displacement : nullptr);
     estimation.add_bulk();
     const auto weights = pair_weights(interfaces, fields);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
@@ -466,12 +487,14 @@ namespace Amontons
                  const std::vector<ContactInterface<2>> &,
                  const std::vector<SurfaceFields<2>> &,
                  const LA::Vector &,
-                 const bool);
+                 const bool,
+                 const FaceLoads<2> *);
   template ErrorEstimate<3>
   estimate_error(const Discretization<3> &,
                  const StressRecovery<3> &,
                  const std::vector<ContactInterface<3>> &,
                  const std::vector<SurfaceFields<3>> &,
                  const LA::Vector &,
-                 const bool);
+                 const bool,
+                 const FaceLoads<3> *);
 } // namespace Amontons

@@ -237,6 +237,65 @@ namespace Amontons
   } // namespace
 
   template <int dim>
+  FaceLoads<dim>::FaceLoads(const Discretization<dim>            &discretization,
+                            const double                          t,
+                            const std::vector<CoveredPoint<dim>> &covered)
+      : discretization(discretization), t(t)
+  {
+    for (const auto &point : covered)
+      covered_areas[{point.cell->active_cell_index(), point.face}] += point.weight;
+  }
+
+  template <int dim>
+  std::vector<const ConditionData *>
+  FaceLoads<dim>::on(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                     const unsigned int                                    face) const
+  {
+    const auto   shape    = cell->face(face);
+    const double straight = dim == 2 ? shape->vertex(1).distance(shape->vertex(0))
+                                     : cross_product_3d(as_3d(shape->vertex(3)) - as_3d(shape->vertex(0)),
+                                                        as_3d(shape->vertex(2)) - as_3d(shape->vertex(1)))
+                                               .norm() /
+                                           2;
+    const auto   covered  = covered_areas.find({cell->active_cell_index(), face});
+    const bool   is_exposed =
+        covered == covered_areas.end() ||
+        covered->second < straight * measure<dim>(discretization.scene.kind, shape->center()) / 2;
+    const auto acts = [&](const ConditionData &condition) {
+      return condition.type == ConditionData::Type::traction ||
+             (condition.type == ConditionData::Type::pressure && is_exposed);
+    };
+    std::vector<const ConditionData *> result;
+    for (const ConditionData &condition : discretization.scene.conditions)
+      if (acts(condition) &&
+          std::any_of(condition.boundaries.begin(), condition.boundaries.end(), [&](const auto &name) {
+            return discretization.geometry.boundary(name, discretization.scene).id ==
+                   cell->face(face)->boundary_id();
+          }))
+        result.push_back(&condition);
+    return result;
+  }
+
+  template <int dim>
+  Tensor<1, dim>
+  FaceLoads<dim>::traction(const std::vector<const ConditionData *> &conditions,
+                           const Point<dim>                         &X,
+                           const Tensor<1, dim>                     &n) const
+  {
+    Tensor<1, dim> result;
+    for (const ConditionData *condition : conditions)
+      if (condition->type == ConditionData::Type::pressure)
+        result -= condition->value[0].value(as_3d(X), t) * n;
+      else
+        for (unsigned int c = 0; c < dim; ++c)
+          result[c] += condition->value[c].value(as_3d(X), t);
+    return result;
+  }
+
+  template class FaceLoads<2>;
+  template class FaceLoads<3>;
+
+  template <int dim>
   LA::Vector
   assemble_loads(const Discretization<dim>            &discretization,
                  const double                          t,

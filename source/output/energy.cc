@@ -159,7 +159,7 @@ namespace Amontons
     return result;
   }
 
-  // (26) of doc/introduction.md: a node slips against its bound phi, which changes on the way. (The
+  // doc/introduction.md, (26): a node slips against its bound phi, which changes on the way. (The
   // traction itself has another direction at the start, where the node stuck.)
   template <int dim>
   double

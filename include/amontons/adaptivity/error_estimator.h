@@ -2,6 +2,7 @@
 #pragma once
 
 #include <amontons/adaptivity/facet_error.h>
+#include <amontons/elasticity/loads.h>
 #include <amontons/elasticity/stress_recovery.h>
 
 #include <deal.II/lac/vector.h>
@@ -75,7 +76,8 @@ namespace Amontons
   // -n . sigma* . n is the recovered normal stress of the slave body; where surfaces are tied the whole
   // traction counts; `shear` likewise, of the pairs with friction. n is the normal of the true surface.
   // Stresses and tractions that are no more than the rounding of the displacements makes them are none, and
-  // have no error. recovery: of the displacement. fields: by interface. Collective.
+  // have no error. What loads put on slave faces is no part of what the contact carries there. recovery: of
+  // the displacement. fields: by interface. Collective.
   template <int dim>
   ErrorEstimate<dim>
   estimate_error(const Discretization<dim>                &discretization,
@@ -83,5 +85,6 @@ namespace Amontons
                  const std::vector<ContactInterface<dim>> &interfaces,
                  const std::vector<SurfaceFields<dim>>    &fields,
                  const LA::Vector                         &displacement,
-                 const bool                                finite_strain);
+                 const bool                                finite_strain,
+                 const FaceLoads<dim>                     *face_loads = nullptr);
 } // namespace Amontons

@@ -4,6 +4,8 @@
 #include <amontons/base/local_matrix.h>
 #include <amontons/discretization/discretization.h>
 
+#include <map>
+
 namespace Amontons
 {
   // A quadrature point of a boundary face of an owned cell where another body lies on it: pressure does not
@@ -31,6 +33,33 @@ namespace Amontons
                  const double                          t,
                  const std::vector<CoveredPoint<dim>> &covered,
                  const LA::Vector                     *u = nullptr);
+
+  // What `pressure` (where a face is not covered for the most part) and `traction` put on faces, which may be
+  // in contact as well. Total forces are left out.
+  template <int dim>
+  class FaceLoads
+  {
+  public:
+    FaceLoads(const Discretization<dim>            &discretization,
+              const double                          t,
+              const std::vector<CoveredPoint<dim>> &covered);
+
+    // Of an owned face.
+    std::vector<const ConditionData *>
+    on(const typename DoFHandler<dim>::active_cell_iterator &cell, const unsigned int face) const;
+
+    // Per area, at the reference point X with the normal n (finite strain: `traction` as if areas were those
+    // of reference).
+    Tensor<1, dim>
+    traction(const std::vector<const ConditionData *> &conditions,
+             const Point<dim>                         &X,
+             const Tensor<1, dim>                     &n) const;
+
+  private:
+    const Discretization<dim>                              &discretization;
+    const double                                            t;
+    std::map<std::pair<unsigned int, unsigned int>, double> covered_areas; // by active cell and face
+  };
 
   // d f/du of the loads f, by owned face under pressure: unsymmetric, and as if no point was covered.
   template <int dim>

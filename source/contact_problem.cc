@@ -3,11 +3,32 @@
 #include <amontons/output/mirror_symmetry.h>
 #include <amontons/output/output_folder.h>
 #include <amontons/output/physics_checks.h>
+#include <amontons/output/terminal.h>
 
 #include <sstream>
 
 namespace Amontons
 {
+  namespace
+  {
+    // The largest gap of the meshes that small strain closes by `Adjust` or takes `Initial gap` instead of,
+    // which finite strain does not; 0: none.
+    template <int dim>
+    double
+    gap_of_small_strain_alone(const ContactInterface<dim> &interface)
+    {
+      double largest = 0;
+      for (const auto &p : interface.coupling.points)
+        {
+          const double gap = interface.pair->tied ? 0. : std::abs((p.x_master - p.x_slave) * p.normal);
+          if (gap > 1e-6 * interface.slave->faces[p.slave_face].size &&
+              (interface.pair->initial_gap || gap <= interface.pair->adjust))
+            largest = std::max(largest, gap);
+        }
+      return largest;
+    }
+  } // namespace
+
   template <int dim>
   ContactProblem<dim>::ContactProblem(const Scene              &scene,
                                       const Parameters         &parameters,
@@ -209,6 +230,14 @@ namespace Amontons
   ContactProblem<dim>::run_with_finite_strain(const bool small_strain_converged)
   {
     report.announce(small_strain.description() + ": finite strain is used" + small_strain.allowance());
+    for (const auto &interface : steps->model->interfaces)
+      if (const double gap = gap_of_small_strain_alone(interface); gap > 0)
+        report.announce(
+            "warning: pair '" + interface.pair->name + "': gaps of the meshes, up to " + short_number(gap) +
+            (interface.pair->initial_gap
+                 ? ", to which finite strain adds 'Initial gap', while small strain has it instead of them"
+                 : ", which 'Adjust' closes with small strain, count with finite strain") +
+            ": move the bodies as they are meant to lie, or say which 'Kinematics'");
     report.restart();
     const bool has_fallback = small_strain_converged && small_strain.error() <= small_strain.too_much;
     if (!has_fallback && mesh->n_refinements > 0)

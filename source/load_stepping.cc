@@ -51,7 +51,7 @@ namespace Amontons
             again = choose_increments();
           }
       }
-    while (again || replay_refined());
+    while (again || replay_refined() || replay_with_all_increments());
     return !control.stop.is_there();
   }
 

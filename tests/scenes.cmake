@@ -1012,6 +1012,13 @@ foreach(scene wall_buckling snap_away)
                  "status is converged" "pairs.0.n_slip >= 1")
 endforeach()
 
+# Contact that grows with friction at finite strain: the target is kept with the increments' part (5 meshes and 4,126 unknowns; where nodes that close did not
+# stick, the shear had a peak at the edge of each increment: 7 meshes, 7,204 unknowns, 14 %).
+add_scene_test(NAME target_of_growing_contact SCENE verification/rubber_indentation.prm
+               SET "Body block/Poisson ratio=0.3" "Contact top/Friction coefficient=0.3" "Obstacle cylinder/Displacement=0| -0.15*t" "Increments=automatic"
+                   "Refinement/Target error=0.1" "Refinement/Initial refinements=3"
+               CHECK ${KEPT_FINITE} "error_estimate.shear <= 0.051" "error_estimate.increments <= 0.05" "dofs <= 5500" "meshes.-1.mesh <= 6")
+
 # Pressure on a surface that a body is pressed into acts under the contact, on any mesh, and the estimate knows of it; not where bodies lie on each other from the
 # start, wherever they slide. (Force: of a uniform mesh with 16 times as many cells as the first.)
 add_scene_test(NAME fluid_pressure SCENE verification/fluid_pressure.prm

@@ -137,6 +137,14 @@ namespace Amontons
     bool
     replay_refined();
     bool
+    replay_with_all_increments()
+    {
+      if (must_stop() || !increments.take_all())
+        return false;
+      report.replay();
+      return true;
+    }
+    bool
     choose_increments();
     bool
     may_transfer() const;

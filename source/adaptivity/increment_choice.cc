@@ -11,7 +11,8 @@ namespace Amontons
   } // namespace
 
   IncrementChoice::IncrementChoice(const RefinementParameters &parameters, const bool by_target)
-      : parameters(parameters), chooses(by_target), times(by_target ? by_default / at_first : 1)
+      : parameters(parameters), chooses(by_target), times(by_target ? by_default / at_first : 1),
+        times_in_the_end(times)
   {
   }
 
@@ -32,8 +33,17 @@ namespace Amontons
         n        = at_first;
         of_these = errors;
       }
-    times = by_default / n;
+    times_in_the_end = by_default / n;
+    times            = mesh_is_last ? times_in_the_end : std::max(1., times_in_the_end);
     return of_these;
+  }
+
+  bool
+  IncrementChoice::take_all()
+  {
+    const bool more = times_in_the_end < times;
+    times           = times_in_the_end;
+    return more;
   }
 
   // As many as make the error half of the target, but not without limit. One alone, which has no

@@ -57,7 +57,15 @@ main(int, char **)
   check::is_close(errors->shear, 0.017 * 4 / 7, 1e-12, "their error");
   check::is_close(errors->n_increments, 7, 0, "their number");
   choice.choose(error_of_shear(1), run, true, fails);
-  check::is_close(choice.length(), 1, 1e-15, "no more than by default");
+  check::is_close(choice.length(), 0.2, 1e-15, "no more than five times as many as by default");
+  parameters.target_is_given = false;
+  choice.choose(error_of_shear(1), run, true, fails);
+  check::is_close(choice.length(), 1, 1e-15, "no more than by default for a target that nobody asked for");
+  parameters.target_is_given = true;
+  choice.choose(error_of_shear(1), run, false, fails);
+  check::is_close(choice.length(), 1, 1e-15, "no more than by default on the way");
+  check::is_true(choice.take_all() && !choice.take_all(), "more once");
+  check::is_close(choice.length(), 0.2, 1e-15, "all in the end");
 
   // Few errors: on the last mesh nothing is to be gained; before, fewer are tried.
   IncrementChoice fewer(parameters, true);
@@ -98,7 +106,7 @@ main(int, char **)
   check::is_close(of_work.own_dissipation, 0.2, 1e-12, "dissipation: of itself");
   IncrementChoice by_dissipation(parameters, true);
   by_dissipation.choose(of_work, with_work, true, fails);
-  check::is_close(by_dissipation.length(), 1, 1e-15, "dissipation: as many as by default");
+  check::is_close(by_dissipation.length(), 0.2, 1e-15, "dissipation: as many as may be");
   return check::result();
 }
 } // namespace test_increment_choice

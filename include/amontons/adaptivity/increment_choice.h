@@ -33,12 +33,17 @@ namespace Amontons
     }
 
     /// errors: of the increments at first, whose load program left the record. Returns what the errors will
-    /// be of the increments that are taken from now on; nothing: on the last mesh the first ones do.
+    /// be of the increments that are taken in the end; nothing: on the last mesh the first ones do. On the
+    /// way there no more than by default are taken: which cells need refinement they tell as well.
     std::optional<IncrementErrors>
     choose(const IncrementErrors &errors,
            const LoadRecord      &record,
            const bool             mesh_is_last,
            const Repeat          &repeat);
+
+    /// The mesh is fine enough: all of them from now on. False: they are.
+    bool
+    take_all();
 
   private:
     double
@@ -55,6 +60,6 @@ namespace Amontons
 
     const RefinementParameters &parameters;
     const bool                  chooses;
-    double                      times = 1;
+    double                      times = 1, times_in_the_end = 1;
   };
 } // namespace Amontons

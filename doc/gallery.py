@@ -136,7 +136,7 @@ def make_picture(program, scene, runs):
 def row(scene, summary):
     title, sentence = described(scene)
     if summary["status"] != "converged":
-        said = re.sub(r" \(results are those of [^)]*\)", "", summary["message"])
+        said = summary["message"]
         sentence += " → " + re.split(r"; (?:'amontons|say )", said)[0] + "."
     picture = f"![{title}](pictures/gallery/{name_of(scene)})"
     return f"| {picture} | [`{scene}`](../parameters/{scene}.prm) **{title}.** {for_table(sentence)} | {summary['dofs']:,} | {rounded(summary['wall_seconds'])} |"

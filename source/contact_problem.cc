@@ -89,6 +89,8 @@ namespace Amontons
     if (report.has_answer() && !steps->is_carried())
       checks = check_physics(steps->answer());
     success = success && obeys_laws(checks);
+    if (steps->ends_early())
+      report.note("results are those of t = " + short_number(steps->history.state.t));
     return report.finish(steps->answer(), ending(success, std::move(checks)));
     //! [run]
   }

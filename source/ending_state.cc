@@ -39,9 +39,9 @@ namespace Amontons
     model->update_loads(history.state);
     evaluation.collect_fields(*model, history.state);
     evaluation.recovery->recover(history.state.displacement);
+    ended_early = true;
     std::ostringstream text;
-    text << "the increment from t = " << t << " to " << failed_time
-         << " failed (results are those of t = " << t << "): " << report.message();
+    text << "the increment from t = " << t << " to " << failed_time << " failed: " << report.message();
     report.fail(text.str());
   }
 

@@ -48,6 +48,12 @@ namespace Amontons
     {
       return mesh_of_state() != model->mesh->n_refinements;
     }
+    /// The state is that before an increment that failed.
+    bool
+    ends_early() const
+    {
+      return ended_early;
+    }
 
     /// Friction, after run(): what the increments do to the answer, for the report.
     void
@@ -169,7 +175,8 @@ namespace Amontons
     NeglectedTermsOfHistory<dim> *neglected;
     const Refinement              refinement;
     IncrementChoice               increments;
-    bool                          measured   = false; // their error, once
-    bool                          falls_back = false; // stopped: the state is history.fallback
+    bool                          measured    = false; // their error, once
+    bool                          falls_back  = false; // stopped: the state is history.fallback
+    bool                          ended_early = false;
   };
 } // namespace Amontons

@@ -52,39 +52,77 @@ namespace Amontons
       return result;
     }
 
-    // int (v_i . N)(v_j . N) dA / int dA over all of the surface of each of the bodies.
+    // Over all of the surface of a body: int (v_i . N)(v_j . N) dA and int v_i . v_j dA of its rigid motions.
     template <int dim>
-    std::vector<FullMatrix<double>>
-    flows_through_surfaces(const Geometry<dim> &geometry, const std::vector<bool> &bodies)
+    struct MotionsOfSurface
+    {
+      LAPACKFullMatrix<double> through{n_rigid_motions<dim>, n_rigid_motions<dim>}, all{through};
+    };
+
+    template <int dim>
+    std::vector<MotionsOfSurface<dim>>
+    motions_of_surfaces(const Geometry<dim> &geometry, const std::vector<bool> &bodies)
     {
       constexpr unsigned int n = n_rigid_motions<dim>;
-      std::vector<double>    sums(bodies.size() * (n * n + 1), 0.);
+      std::vector<double>    sums(bodies.size() * 2 * n * n, 0.);
       for (const auto &cell : geometry.triangulation.active_cell_iterators())
         if (cell->is_locally_owned() && cell->material_id() < bodies.size() && bodies[cell->material_id()])
           for (const auto &face : cell->face_iterators())
             if (face->at_boundary())
               {
-                const Tensor<1, dim>  normal = vector_area<dim>(face);
-                const double          area   = normal.norm();
+                const Tensor<1, dim>  normal  = vector_area<dim>(face);
+                const double          area    = normal.norm();
+                double *const         of_body = &sums[cell->material_id() * 2 * n * n];
                 std::array<double, n> flow{};
                 for (unsigned int c = 0; c < dim; ++c)
                   {
                     const auto v = rigid_motions(geometry, cell->material_id(), face->center(), c);
                     for (unsigned int i = 0; i < n; ++i)
-                      flow[i] += normal[c] / area * v[i];
+                      {
+                        flow[i] += normal[c] / area * v[i];
+                        for (unsigned int j = 0; j < n; ++j)
+                          of_body[n * n + i * n + j] += area * v[i] * v[j];
+                      }
                   }
-                double *const of_body = &sums[cell->material_id() * (n * n + 1)];
                 for (unsigned int i = 0; i < n; ++i)
                   for (unsigned int j = 0; j < n; ++j)
                     of_body[i * n + j] += area * flow[i] * flow[j];
-                of_body[n * n] += area;
               }
       Utilities::MPI::sum(sums, geometry.communicator, sums);
-      std::vector<FullMatrix<double>> result(bodies.size(), FullMatrix<double>(n, n));
+      std::vector<MotionsOfSurface<dim>> result(bodies.size());
       for (unsigned int b = 0; b < bodies.size(); ++b)
         for (unsigned int i = 0; bodies[b] && i < n * n; ++i)
-          result[b](i / n, i % n) = sums[b * (n * n + 1) + i] / sums[b * (n * n + 1) + n * n];
+          {
+            result[b].through(i / n, i % n) = sums[b * 2 * n * n + i];
+            result[b].all(i / n, i % n)     = sums[b * 2 * n * n + n * n + i];
+          }
       return result;
+    }
+
+    // The largest |v . N| over a body's surface against the largest |v|: in the mean that is little for a
+    // long body that moves along its length, but its ends do.
+    template <int dim>
+    double
+    largest_part_through(const Geometry<dim> &geometry, const unsigned int body, const Vector<double> &motion)
+    {
+      double through = 0, all = 0;
+      for (const auto &cell : geometry.triangulation.active_cell_iterators())
+        if (cell->is_locally_owned() && cell->material_id() == body)
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary())
+              {
+                Tensor<1, dim> v;
+                for (unsigned int c = 0; c < dim; ++c)
+                  {
+                    const auto parts = rigid_motions(geometry, body, face->center(), c);
+                    v[c]             = std::inner_product(parts.begin(), parts.end(), motion.begin(), 0.);
+                  }
+                const Tensor<1, dim> normal = vector_area<dim>(face);
+                through                     = std::max(through, std::abs(v * normal) / normal.norm());
+                all                         = std::max(all, v.norm());
+              }
+      return Utilities::MPI::max(through, geometry.communicator) /
+             Utilities::MPI::max(all, geometry.communicator);
     }
 
     // A vertex far from the body's centre along an axis: better inside than where something may touch; among
@@ -195,18 +233,26 @@ namespace Amontons
   std::vector<FullMatrix<double>>
   motions_along_surfaces(const Geometry<dim> &geometry, const std::vector<bool> &bodies)
   {
-    const auto                      flows = flows_through_surfaces(geometry, bodies);
+    auto                            motions = motions_of_surfaces(geometry, bodies);
     std::vector<FullMatrix<double>> result(bodies.size());
     for (unsigned int b = 0; b < bodies.size(); ++b)
       if (bodies[b])
         {
-          LAPACKFullMatrix<double> flow(n_rigid_motions<dim>, n_rigid_motions<dim>);
-          flow = flows[b];
-          Vector<double> sizes;
-          // the normals of quadrilaterals on a sphere are a little off
-          flow.compute_eigenvalues_symmetric(-1, dim == 2 ? 1e-10 : 1e-3, 1e-300, sizes, result[b]);
-          if (sizes.size() == 0)
-            result[b].reinit(0, 0);
+          // Each against its own size: the turn of a slender body about its length is small everywhere. The
+          // normals of quadrilaterals on a sphere are a little off.
+          const double                through = dim == 2 ? 1e-5 : 0.1;
+          Vector<double>              parts;
+          std::vector<Vector<double>> found(n_rigid_motions<dim>, Vector<double>(n_rigid_motions<dim>));
+          motions[b].through.compute_generalized_eigenvalues_symmetric(
+              motions[b].all, -1, through * through, 1e-300, parts, found);
+          const auto leaves = [&](const auto &motion) {
+            return largest_part_through(geometry, b, motion) > 2 * through;
+          };
+          found.erase(std::remove_if(found.begin(), found.end(), leaves), found.end());
+          result[b].reinit(found.empty() ? 0 : n_rigid_motions<dim>, found.size());
+          for (unsigned int k = 0; k < found.size(); ++k)
+            for (unsigned int i = 0; i < n_rigid_motions<dim>; ++i)
+              result[b](i, k) = found[k](i);
         }
     return result;
   }

@@ -163,12 +163,55 @@ check_block()
   check::is_true(motions<dim>(with).n() == (dim == 2 ? 0 : 1), "what holds one holds both" + in);
 }
 
+// How many turns carry a body along all of its own surface.
+template <int dim>
+unsigned int
+n_turns(const BodyData &body)
+{
+  Scene scene = block_on_plane<dim>();
+  scene.pairs.clear();
+  scene.bodies = {body};
+  Geometry<dim> geometry(MPI_COMM_WORLD);
+  make_geometry(scene, geometry);
+  return motions_along_surfaces(geometry, {true})[0].n();
+}
+
+// A turn of a slender body about its length moves its surface little, compared with its size, but through
+// itself.
+void
+check_turns()
+{
+  BodyData body;
+  body.name = "body";
+  for (const double length : {1., 20., 1000.})
+    {
+      body.upper = Point<3>(length, 1.2, 1);
+      body.cells = {{3, 2, 2}};
+      check::is_true(n_turns<3>(body) == 0 && n_turns<2>(body) == 0,
+                     "none of a block of length " + std::to_string(length));
+    }
+  for (const unsigned int refinements : {0, 2})
+    {
+      body.refinements = refinements;
+      body.shape       = "disk";
+      check::is_true(n_turns<2>(body) == 1, "one of a disk");
+      for (const char *const shape : {"cylinder", "half sphere"})
+        for (const double length : {0.1, 1., 100.})
+          {
+            body.shape  = shape;
+            body.length = length;
+            check::is_true(n_turns<3>(body) == 1, "one of a " + body.shape);
+          }
+    }
+}
+
 int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_block<2>();
   check_block<3>();
+  check_turns();
   return check::result();
 }
 } // namespace test_free_slides

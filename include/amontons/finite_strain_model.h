@@ -44,7 +44,7 @@ namespace Amontons
     is_covered(const unsigned int interface, const OverlapPoint<dim> &point) const override;
 
     // The slave's and the master's faces that lie on the other body at rest, with all that faces it. By
-    // interface; only where there are pressures.
+    // interface; after a refinement only where there are pressures.
     std::vector<std::array<std::set<unsigned int>, 2>> lying;
   };
 } // namespace Amontons

@@ -21,8 +21,7 @@ namespace Amontons
   refuse_negative_bound(const PairData &pair, const Point<3> &X, const double t, const double pressure);
 
   // The law of a slipping node, linearised (doc/introduction.md, (17)): q = (constant + slope p) d +
-  // stiffness (1 - d d^T) v, where v is the slip (tangential, like d). Unsymmetric where
-  // slope > 0.
+  // stiffness (1 - d d^T) v, where v is the slip (tangential, like d). Unsymmetric where slope > 0.
   template <int dim>
   struct SlipLaw
   {

@@ -34,7 +34,7 @@ GROUPS = [
      "verification/patch_finite_3d verification/patch_finite_turned verification/patch_finite_turned_3d verification/uniaxial_finite verification/simple_shear_finite "
      "verification/pulled_strip verification/punch_small_and_finite verification/punch_with_flanks"),
     ("In space", "half_space_box hertz_sphere two_spheres crossed_cylinders mindlin_sphere ironing_3d walk/pin_in_lug_3d sphere_on_block_scaling verification/three_spheres "
-     "verification/oblique_drag verification/patch_friction_3d verification/shrink_fit_spheres_3d verification/cap_in_seat_3d"),
+     "verification/oblique_drag verification/lifted_off verification/patch_friction_3d verification/shrink_fit_spheres_3d verification/cap_in_seat_3d"),
     ("Surfaces of CAD, meshes of gmsh", "step_file verification/polygon_roller verification/patch_3d_irregular verification/patch_3d_step"),
     ("Benchmarks, and scenes of other programs", "nafems_roller nafems_roller_friction nafems_punch nafems_punch_friction verification/peers_cylinder verification/peers_shear "
      "verification/peers_sphere verification/peers_sphere_3d"),
@@ -57,7 +57,7 @@ PICTURES |= {
     "mindlin_sphere": ("States",), "verification/compressed_block_3d": ("Bodies",), "verification/oblique_drag": ("States",), "verification/turned_platens": ("Where the work goes",),
     "verification/rings": COARSE, "verification/wavy_gap": ("Contact pressure",), "verification/turned_rings": COARSE, "verification/peers_sphere_3d": ("Pressure on the surface", "Refinement/Cycles=3"),
     "verification/slide_off_edge": ("Deformed mesh", "End time=1.4"), "verification/slide_over_edges": ("Deformed mesh", "End time=0.3", "Increments=18"),
-    "verification/opened_again": ("Deformed mesh", "End time=1"),
+    "verification/opened_again": ("Deformed mesh", "End time=1"), "verification/lifted_off": ("States", "End time=1"),
 }
 
 HEAD = f"""# Gallery

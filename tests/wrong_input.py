@@ -187,6 +187,8 @@ def scenes():
     change("unknown body in a contact", "= lower/top", "= loer/top", "unknown body 'loer'.*lower")
     change("unknown boundary", "lower/bottom", "lower/botom", "no boundary 'botom'.*bottom.*left, right", ranks=3)
     change("unknown boundary of a contact", "= lower/top", "= lower/tpo", "no boundary 'tpo'.*top")
+    case("unknown section", BASE + "subsection Load steps\nend\n", r"unknown section 'Load steps'; allowed")
+    case("misspelt section", BASE.replace("subsection Contact", "subsection Contct"), r"unknown section 'Contct [a-z]+' \(did you mean 'Contact [a-z]+'")
     change("unknown parameter", "set Young modulus", "set Young module", r"unknown entry 'Young module' \(did you mean 'Young modulus'")
     method = "subsection Contact solver\n  set Method = %s\nend"
     case("node to segment on moving surfaces", "set Kinematics = finite strain\n" + method % "node-to-segment" + "\n" + BASE,

@@ -78,7 +78,9 @@ namespace Amontons
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
         {
-          cells.push_back({std::vector<types::global_dof_index>(n), cell->material_id()});
+          cells.push_back({std::vector<types::global_dof_index>(n),
+                           cell->material_id(),
+                           cell->minimum_vertex_distance()});
           cell->get_dof_indices(cells.back().dofs);
         }
     values.reserve(cells.size() * n_values);
@@ -335,8 +337,11 @@ namespace Amontons
   {
     double sum = 0;
     for (unsigned int c = 0; c < cells.size(); ++c)
-      for (unsigned int i = 0; i < cells[c].dofs.size(); ++i)
-        sum += std::pow(diagonal(c, i) * u(cells[c].dofs[i]), 2);
+      {
+        const double rounded = is_finite ? 0.1 * cells[c].size : 0.;
+        for (unsigned int i = 0; i < cells[c].dofs.size(); ++i)
+          sum += std::pow(diagonal(c, i) * (std::abs(u(cells[c].dofs[i])) + rounded), 2);
+      }
     return std::sqrt(Utilities::MPI::sum(sum, discretization.geometry.communicator));
   }
 

@@ -155,7 +155,9 @@ namespace Amontons
           for (const char c : section.prefix + " ")
             if (c == ' ' && (end = name.find(' ', end + 1)) == std::string::npos)
               break;
-          if (end != std::string::npos && section.prefix + name.substr(end) != name)
+          const bool is_misspelt = end != std::string::npos && name.substr(0, end) != section.prefix &&
+                                   !suggestion(name.substr(0, end), {section.prefix}).empty();
+          if (is_misspelt)
             candidates.push_back(section.prefix + name.substr(end));
           allowed.push_back(section.prefix + " NAME");
         }

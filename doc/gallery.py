@@ -25,7 +25,7 @@ GROUPS = [
      "verification/shrink_fit verification/shrink_fit_spheres verification/growing_interference verification/cap_in_seat verification/disk_platen verification/disk_above_block "
      "verification/disk_weight verification/quarter_cylinder verification/two_equal_disks verification/receding_layer verification/ring_contact verification/three_point_bending verification/beam_on_floor"),
     ("Friction", "half_plane_box_friction cattaneo_mindlin verification/cattaneo_mindlin_disks verification/bulk_tension microslip_bar capstan greco walk/pin_in_lug small_scene "
-     "verification/klarbring verification/patch_friction verification/equal_blocks verification/tee verification/oblique_touch verification/opened_again verification/large_increment verification/wedge_self_lock verification/small_shear"),
+     "verification/klarbring verification/patch_friction verification/equal_blocks verification/clamped verification/tee verification/oblique_touch verification/opened_again verification/large_increment verification/wedge_self_lock verification/small_shear"),
     ("Held by contact and friction alone", "floating_slab incline verification/leaning_weight verification/steep_slope verification/tipping verification/tipping_tower "
      "verification/far_gap verification/floating_slab_3d verification/tipping_3d"),
     ("Finite strain", "ironing wall_buckling snap_away nafems_roller_finite verification/rubber_indentation verification/fluid_pressure verification/compressed_rubber verification/compressed_block_3d verification/o_ring verification/o_ring_half verification/thin_ring "

@@ -139,10 +139,7 @@ namespace Amontons
                                     : has_bound ? pair.friction->value(as_3d(point.x_slave), problem.state.t)
                                                 : unlimited));
       }
-    std::vector<double> load;
-    for (const auto &motion : motions)
-      load.push_back(floating.relative_work(motion));
-    return combination(motions, motion_beyond_contact(load, forces, margin));
+    return combination(motions, motion_beyond_contact(floating.relative_work(motions), forces, margin));
   }
 
   template bool

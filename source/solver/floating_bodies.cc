@@ -4,6 +4,7 @@
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
+#include <numeric>
 #include <sstream>
 
 namespace Amontons
@@ -357,28 +358,29 @@ namespace Amontons
   }
 
   template <int dim>
-  double
-  FloatingBodies<dim>::relative_work(const std::vector<double> &q) const
+  std::vector<double>
+  FloatingBodies<dim>::relative_work(const std::vector<std::vector<double>> &motions) const
   {
     std::vector<bool> moves(n_modes / modes_per_body, false);
-    double            work = 0, scale = 0;
-    for (unsigned int i = 0; i < n_modes; ++i)
-      {
-        work += force[i] * q[i];
+    for (const auto &q : motions)
+      for (unsigned int i = 0; i < n_modes; ++i)
         if (std::abs(q[i]) > 1e-6)
           moves[i / modes_per_body] = true;
-      }
+    double scale = 0;
     for (unsigned int i = 0; i < n_modes; ++i)
       if (moves[i / modes_per_body])
         scale = std::max(scale, magnitude[i]);
-    return scale > 0 ? work / scale : 0;
+    std::vector<double> result;
+    for (const auto &q : motions)
+      result.push_back(scale > 0 ? std::inner_product(q.begin(), q.end(), force.begin(), 0.) / scale : 0.);
+    return result;
   }
 
   template <int dim>
   bool
   FloatingBodies<dim>::is_driven(const std::vector<double> &q) const
   {
-    return std::abs(relative_work(q)) > 1e-6;
+    return std::abs(relative_work({q})[0]) > 1e-6;
   }
 
   template <int dim>

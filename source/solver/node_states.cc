@@ -200,10 +200,7 @@ namespace Amontons
   {
     if (!any_friction || !floating.any())
       return {};
-    const auto          motions = floating.free_rigid_modes(holding_equations(nodes, true));
-    std::vector<double> load;
-    for (const auto &motion : motions)
-      load.push_back(floating.relative_work(motion));
+    const auto motions = floating.free_rigid_modes(holding_equations(nodes, true));
 
     std::vector<RigidContact> contacts;
     for (const auto &node : nodes)
@@ -231,7 +228,7 @@ namespace Amontons
             }
           contacts.push_back(contact);
         }
-    return combination(motions, motion_beyond_friction(load, contacts, 1e-5));
+    return combination(motions, motion_beyond_friction(floating.relative_work(motions), contacts, 1e-5));
   }
 
   template <int dim>

@@ -56,10 +56,10 @@ namespace Amontons
     // motions, in the direction that loads drive.
     std::vector<std::vector<double>>
     free_rigid_modes(const std::vector<const LinearEquation *> &equations) const;
-    // Of the loads on a motion of unit length, relative to the largest sum of their magnitudes on any of the
-    // bodies that it moves.
-    double
-    relative_work(const std::vector<double> &motion) const;
+    // Of the loads on each of these motions (of unit length), relative to the largest sum of their magnitudes
+    // on any of the bodies that the motions move: one scale for all of them, as the work is linear in q.
+    std::vector<double>
+    relative_work(const std::vector<std::vector<double>> &motions) const;
     std::string
     describe(const std::vector<double> &motion) const;
     // sum coefficient u for the displacements u of a motion.

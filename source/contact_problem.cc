@@ -126,17 +126,22 @@ namespace Amontons
     mesh->collocated = parameters.newton.collocates();
   }
 
-  // On the present mesh.
+  // On the present mesh. nearby: an answer there that is near: the load comes in one increment, from it.
   template <int dim>
   void
-  ContactProblem<dim>::start(const bool finite_strain)
+  ContactProblem<dim>::start(const bool finite_strain, const SolutionState<dim> *nearby)
   {
     steps.reset();
-    const double t = LoadProgram(scene, scene.has_friction() || finite_strain).next();
+    const double t = nearby ? nearby->t : LoadProgram(scene, scene.has_friction() || finite_strain).next();
     steps          = std::make_unique<LoadStepping<dim>>(parameters,
                                                 make_model(mesh, finite_strain, t, report.timer()),
                                                 report,
                                                 finite_strain ? nullptr : &small_strain.neglected);
+    if (nearby)
+      {
+        steps->history.at_once = true;
+        steps->history.path.push_back({t, nearby->displacement, nearby->traction, nearby->peaks});
+      }
   }
 
   template <int dim>
@@ -214,9 +219,7 @@ namespace Amontons
   bool
   ContactProblem<dim>::choose_kinematics(const bool success)
   {
-    small_strain.look(*steps->model, steps->history.state, success, report.timer(), [this]() {
-      return control.gives_up(mesh->geometry.communicator);
-    });
+    small_strain.look(*steps->model, steps->history.state, success, report.timer(), control);
     if (control.stop.is_there())
       return success;
     if (scene.kinematics == Kinematics::automatic && !small_strain.is_harmless() &&
@@ -226,7 +229,8 @@ namespace Amontons
   }
 
   // Should this fail, small strain may still be the better answer. Where that is none, neither is the mesh
-  // that it was refined to: in sharp corners its cells would be turned inside out.
+  // that it was refined to: in sharp corners its cells would be turned inside out. Where the iteration did not
+  // converge from it, whether there is an equilibrium shows sooner on a coarse mesh.
   template <int dim>
   bool
   ContactProblem<dim>::run_with_finite_strain(const bool small_strain_converged)
@@ -240,9 +244,13 @@ namespace Amontons
                  ? ", to which finite strain adds 'Initial gap', while small strain has it instead of them"
                  : ", which 'Adjust' closes with small strain, count with finite strain") +
             ": move the bodies as they are meant to lie, or say which 'Kinematics'");
+    if (go_on_with_finite_strain())
+      return true;
+    if (control.stop.is_there())
+      return false;
     report.restart();
-    const bool has_fallback = small_strain_converged && small_strain.error() <= small_strain.too_much;
-    if (!has_fallback && mesh->n_refinements > 0)
+    const bool has_fallback = small_strain_converged && !small_strain.is_too_much();
+    if (!(has_fallback && small_strain.knows_change()) && mesh->n_refinements > 0)
       start_on_first_mesh(true);
     else
       start(true);
@@ -256,6 +264,20 @@ namespace Amontons
                     "): the answer is that of small strain");
     report.restart();
     start(false);
+    return steps->run();
+  }
+
+  // From the answer of small strain, at once, where the scene asks for nothing on the way. Should a finer mesh
+  // fail, the increments may find its answer.
+  template <int dim>
+  bool
+  ContactProblem<dim>::go_on_with_finite_strain()
+  {
+    const auto *nearby = small_strain.answer_nearby();
+    if (nearby == nullptr || scene.n_increments > 0 || !scene.output_times.empty())
+      return false;
+    report.restart();
+    start(true, nearby);
     return steps->run();
   }
 
@@ -275,7 +297,7 @@ namespace Amontons
     const std::string advice = small_strain.has_alternative()
                                    ? "; say 'Kinematics = finite strain' or 'auto'"
                                    : "; finite strain needs rotations that are given or held, not free";
-    if (small_strain.error() <= small_strain.too_much)
+    if (!small_strain.is_too_much())
       {
         report.announce("warning: " + small_strain.description() + small_strain.allowance() + advice);
         return true;

@@ -27,7 +27,7 @@ namespace Amontons
     void
     make_mesh();
     void
-    start(const bool finite_strain);
+    start(const bool finite_strain, const SolutionState<dim> *nearby = nullptr);
     void
     start_on_first_mesh(const bool finite_strain);
     bool
@@ -36,6 +36,8 @@ namespace Amontons
     choose_kinematics(const bool success);
     bool
     run_with_finite_strain(const bool small_strain_converged);
+    bool
+    go_on_with_finite_strain();
     bool
     judge_small_strain();
     void

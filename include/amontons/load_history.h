@@ -38,6 +38,7 @@ namespace Amontons
     NewtonReport           last_report; // of the last solve
 
     bool                         starts_before = false; // loads that are there at t = 0 grow before
+    bool                         at_once       = false; // finite strain: one increment, from `path`
     bool                         follow_motion = false; // in the next increment, see PseudoTransient
     std::vector<Diagnosis::Snap> snaps;
     double                       last_speed        = 0; // largest displacement over t in the last increment

@@ -29,7 +29,7 @@ namespace Amontons
     LoadProgram
     load_program(const double length) const
     {
-      LoadProgram program(scene, has_history() || model->finite_strain(), length);
+      LoadProgram program(scene, has_history() || (model->finite_strain() && !history.at_once), length);
       if (history.starts_before)
         program.start_before();
       return program;

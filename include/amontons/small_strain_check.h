@@ -3,6 +3,7 @@
 
 #include <amontons/adaptivity/model_selection.h>
 #include <amontons/model.h>
+#include <amontons/run_control.h>
 #include <amontons/run_parameters.h>
 
 namespace Amontons
@@ -19,13 +20,13 @@ namespace Amontons
     /// After the load program, at its last state. Finite strain is tried where small strain leaves out more
     /// than is allowed, or, if the scene insists on small strain, more than any answer may. Not after a
     /// failure, nor where the bodies have been much farther before: what finite strain changes in the end
-    /// says nothing of the way then, and what is left out decides. gives_up: of the try. Collective.
+    /// says nothing of the way then, and what is left out decides. control: of the run. Collective.
     void
     look(Model<dim>               &model,
          const SolutionState<dim> &state,
          const bool                converged,
          TimerOutput              &timer,
-         const GivesUp            &gives_up);
+         RunControl               &control);
 
     /// Of the relative error: the target, or 1 %; and what an answer may have at most.
     double
@@ -37,6 +38,24 @@ namespace Amontons
     error() const;
     bool
     is_harmless() const;
+    /// The numbers are not those of the scene: more than `too_much` is left out, or, where finite strain was
+    /// tried, forces or displacements change by more, or pressures by half. (At an edge that slides on by
+    /// little they change by much.)
+    bool
+    is_too_much() const;
+    /// Finite strain was tried and converged.
+    bool
+    knows_change() const
+    {
+      return change.has_value();
+    }
+    /// What the iteration from the answer of small strain came to, where that is near (no more than too_much)
+    /// and the path there does not matter; else null. Of the mesh that was looked at.
+    const SolutionState<dim> *
+    answer_nearby() const
+    {
+      return found ? &*found : nullptr;
+    }
     /// No rotation is free: finite strain needs them given or held.
     bool
     has_alternative() const
@@ -56,17 +75,27 @@ namespace Amontons
     }
 
   private:
-    std::optional<double>
+    struct Change
+    {
+      double largest, without_pressures;
+    };
+    std::optional<Change>
     change_by_finite_strain(Model<dim>               &model,
                             const SolutionState<dim> &state,
                             TimerOutput              &timer,
-                            const GivesUp            &gives_up) const;
+                            RunControl               &control);
+    Change
+    change_to(const std::vector<ContactInterface<dim>> &finite_interfaces,
+              const SolutionState<dim>                 &finite_state,
+              const Model<dim>                         &model,
+              const SolutionState<dim>                 &state) const;
 
     const Scene                  &scene;
     const Parameters             &parameters;
     bool                          rotations_are_held = true;
     bool                          tried              = false; // finite strain, and
-    std::optional<double>         change;                     // by it, if it converged
+    std::optional<Change>         change;                     // by it, if it converged
+    std::optional<SolutionState<dim>> found;
     std::map<std::string, double> what_was_seen;
   };
 } // namespace Amontons

@@ -1,5 +1,7 @@
 #include <amontons/adaptivity/model_selection.h>
 
+#include <set>
+
 namespace Amontons
 {
   namespace
@@ -48,11 +50,70 @@ namespace Amontons
 
   namespace
   {
-    // NeglectedTerms::stiffening, with sigma in the mean square, the size L of the body and h = 2
-    // volume/surface. Collective.
+    // Vertices and centres of the coarse faces of a body that are held in all directions.
+    template <int dim>
+    std::vector<Point<dim>>
+    held_points(const Discretization<dim> &discretization, const unsigned int body)
+    {
+      const Scene                 &scene = discretization.scene;
+      std::set<types::boundary_id> held;
+      for (const auto &condition : scene.conditions)
+        if (condition.type == ConditionData::Type::displacement &&
+            (condition.field || std::all_of(condition.displacement.begin(),
+                                            condition.displacement.begin() + dim,
+                                            [](const auto &value) { return value.has_value(); })))
+          for (const auto &name : condition.boundaries)
+            held.insert(discretization.geometry.boundary(name, scene).id);
+      std::vector<Point<dim>> result;
+      for (const auto &cell : discretization.geometry.triangulation.cell_iterators_on_level(0))
+        if (cell->material_id() == body)
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() && held.count(face->boundary_id()) > 0)
+              {
+                result.push_back(face->center());
+                for (unsigned int v = 0; v < face->n_vertices(); ++v)
+                  result.push_back(face->vertex(v));
+              }
+      return result;
+    }
+
+    // By body: how far its points are from what holds them, at most (of the coarse mesh); its size if nothing
+    // does.
+    template <int dim>
+    std::vector<double>
+    unheld_lengths(const Discretization<dim> &discretization)
+    {
+      auto result = discretization.geometry.body_sizes;
+      for (unsigned int b = 0; b < discretization.scene.bodies.size(); ++b)
+        {
+          const auto held = held_points(discretization, b);
+          if (held.empty())
+            continue;
+          double     largest = 0;
+          const auto look    = [&](const Point<dim> &x) {
+            double nearest = std::numeric_limits<double>::max();
+            for (const auto &y : held)
+              nearest = std::min(nearest, x.distance_square(y));
+            largest = std::max(largest, nearest);
+          };
+          for (const auto &cell : discretization.geometry.triangulation.cell_iterators_on_level(0))
+            if (cell->material_id() == b)
+              {
+                look(cell->center());
+                for (unsigned int v = 0; v < cell->n_vertices(); ++v)
+                  look(cell->vertex(v));
+              }
+          result[b] = std::sqrt(largest);
+        }
+      return result;
+    }
+
+    // NeglectedTerms::stiffening, with sigma in the mean square and h = 2 volume/surface. Collective.
     template <int dim>
     double
-    stress_stiffening(const Discretization<dim> &discretization, const StressRecovery<dim> &recovery)
+    stress_stiffening(const Discretization<dim> &discretization,
+                      const StressRecovery<dim> &recovery,
+                      const std::vector<double> &lengths)
     {
       const unsigned int  n = discretization.scene.bodies.size();
       std::vector<double> sums(3 * n, 0.); // by body: volume, surface, integral of the squared stress
@@ -80,7 +141,7 @@ namespace Amontons
           if (volume == 0)
             continue;
           const double stress = std::sqrt(square / volume) / discretization.scene.bodies[b].material.young,
-                       slenderness = discretization.geometry.body_sizes[b] * surface / (2 * volume);
+                       slenderness = lengths[b] * surface / (2 * volume);
           largest                  = std::max(
               largest, 48 / std::pow(numbers::PI, 2) * stress * std::max(0., std::pow(slenderness, 2) - 25));
         }
@@ -99,7 +160,9 @@ namespace Amontons
     largest_energy = std::max(largest_energy, 2 * energy);
     if (const double quadratic = recovery.energy_of_quadratic_strain(); largest_energy > 0)
       terms.strain = std::max(terms.strain, std::sqrt(quadratic / largest_energy));
-    terms.stiffening = std::max(terms.stiffening, stress_stiffening(discretization, recovery));
+    if (lengths.empty())
+      lengths = unheld_lengths(discretization);
+    terms.stiffening = std::max(terms.stiffening, stress_stiffening(discretization, recovery, lengths));
     Place place;
     place.displacement = state.displacement;
     place.motion       = largest_motion(discretization, interfaces, state.displacement);

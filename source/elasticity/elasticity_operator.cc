@@ -338,7 +338,7 @@ namespace Amontons
     double sum = 0;
     for (unsigned int c = 0; c < cells.size(); ++c)
       {
-        const double rounded = is_finite ? 0.1 * cells[c].size : 0.;
+        const double rounded = is_finite ? 0.02 * cells[c].size : 0.;
         for (unsigned int i = 0; i < cells[c].dofs.size(); ++i)
           sum += std::pow(diagonal(c, i) * (std::abs(u(cells[c].dofs[i])) + rounded), 2);
       }

@@ -124,8 +124,8 @@ namespace Amontons
     double
     stored_energy(const LA::Vector &u) const;
 
-    // Norm of diag(K) u: what rounding is measured against. Finite strain: |u| + 0.1 h, as I + grad u is
-    // rounded however small u is (times 1e-14: at five units in the last place).
+    // Norm of diag(K) u: what rounding is measured against. Finite strain: |u| + 0.02 h, as I + grad u is
+    // rounded however small u is (times 1e-14: one unit in the last place).
     double
     rounding_scale(const LA::Vector &u) const;
 

@@ -229,8 +229,8 @@ namespace Amontons
   }
 
   // Should this fail, small strain may still be the better answer. Where that is none, neither is the mesh
-  // that it was refined to: in sharp corners its cells would be turned inside out. Where the iteration did not
-  // converge from it, whether there is an equilibrium shows sooner on a coarse mesh.
+  // that it was refined to: in sharp corners its cells would be turned inside out. Where the iteration did
+  // not converge from it, whether there is an equilibrium shows sooner on a coarse mesh.
   template <int dim>
   bool
   ContactProblem<dim>::run_with_finite_strain(const bool small_strain_converged)
@@ -267,8 +267,8 @@ namespace Amontons
     return steps->run();
   }
 
-  // From the answer of small strain, at once, where the scene asks for nothing on the way. Should a finer mesh
-  // fail, the increments may find its answer.
+  // From the answer of small strain, at once, where the scene asks for nothing on the way. Should a finer
+  // mesh fail, the increments may find its answer.
   template <int dim>
   bool
   ContactProblem<dim>::go_on_with_finite_strain()

@@ -125,9 +125,8 @@ namespace Amontons
         }
       if (largest_force <= 0)
         return {};
-      return {force_change / largest_force,
-              std::sqrt(square_change / square),
-              shift / (largest_force * size)};
+      return {
+          force_change / largest_force, std::sqrt(square_change / square), shift / (largest_force * size)};
     }
 
     template <int dim>

@@ -90,12 +90,12 @@ namespace Amontons
               const Model<dim>                         &model,
               const SolutionState<dim>                 &state) const;
 
-    const Scene                  &scene;
-    const Parameters             &parameters;
-    bool                          rotations_are_held = true;
-    bool                          tried              = false; // finite strain, and
-    std::optional<Change>         change;                     // by it, if it converged
+    const Scene                      &scene;
+    const Parameters                 &parameters;
+    bool                              rotations_are_held = true;
+    bool                              tried              = false; // finite strain, and
+    std::optional<Change>             change;                     // by it, if it converged
     std::optional<SolutionState<dim>> found;
-    std::map<std::string, double> what_was_seen;
+    std::map<std::string, double>     what_was_seen;
   };
 } // namespace Amontons

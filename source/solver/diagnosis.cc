@@ -74,6 +74,17 @@ namespace Amontons
       }
 
       std::string
+      flown(const Failure &failure)
+      {
+        std::ostringstream text;
+        text.precision(2);
+        text << "the iteration moves bodies by " << failure.residual
+             << " times their size: nothing near holds them; take smaller increments, or hold this motion by "
+                "a support";
+        return text.str();
+      }
+
+      std::string
       still_moving(const Failure &failure)
       {
         std::ostringstream text;
@@ -119,6 +130,8 @@ namespace Amontons
             return "the loads drive the rigid " + failure.motion +
                    ", and no node that is closed holds it: the bodies move apart or slide off each other; "
                    "reverse the load, move the bodies together, or hold this motion by a support";
+          case Failure::Kind::flown:
+            return flown(failure);
           case Failure::Kind::beyond_edge:
             return beyond_edge(failure);
           case Failure::Kind::friction_beyond_limit:
@@ -170,6 +183,7 @@ namespace Amontons
           {Kind::entered, "entered"},
           {Kind::beyond_symmetry, "beyond symmetry"},
           {Kind::moves_apart, "moves apart"},
+          {Kind::flown, "flown"},
           {Kind::beyond_edge, "beyond edge"},
           {Kind::friction_beyond_limit, "friction beyond limit"},
           {Kind::friction_exceeded, "friction exceeded"},

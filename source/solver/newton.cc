@@ -43,7 +43,17 @@ namespace Amontons
     }
     const auto equations = holding_equations(problem.contact.nodes());
     floating.set_loads(problem.mechanics.loads());
-    at.report.note = floating.check_loads(equations);
+    try
+      {
+        at.report.note = floating.check_loads(equations);
+      }
+    catch (const InputError &) // later than at rest it is no fault of the input
+      {
+        if (!problem.contact.moves() || u.linfty_norm() == 0)
+          throw;
+        at.report.failure = Diagnosis::moves_apart(at.states, floating.free_rigid_modes(equations));
+        return false;
+      }
     floating.choose_pins(equations);
     guess_states();
     for (unsigned int k = 0; k < at.answers.size(); ++k) // for the first tangent
@@ -339,6 +349,8 @@ namespace Amontons
     auto &failure        = at.report.failure;
     if (!std::isfinite(last.residual))
       failure = Failure{Failure::Kind::not_a_number};
+    else if (const auto far = flown())
+      failure = Failure{Failure::Kind::flown, 0, *far};
     else if (rests && at.states.n_held_beyond_friction() == 0)
       at.report.converged = true;
     else if (drag == nullptr && at.free_modes.empty() && at.states.n_held_beyond_friction() == 0 &&
@@ -391,6 +403,17 @@ namespace Amontons
     const unsigned int n = at.report.iterations.size();
     return problem.mechanics.is_linear() && n > 1 && !at.free_modes.empty() &&
            at.report.iterations[n - 1].residual > 0.5 * at.report.iterations[n - 2].residual;
+  }
+
+  // Finite strain: how many times their size, if that is far beyond what any increment does.
+  template <int dim>
+  std::optional<double>
+  Newton<dim>::flown() const
+  {
+    constexpr double far   = 1e4;
+    const auto      &sizes = problem.discretization.geometry.body_sizes;
+    const double     moved = at.u.linfty_norm() / *std::max_element(sizes.begin(), sizes.end());
+    return problem.mechanics.is_linear() || moved < far ? std::optional<double>() : moved;
   }
 
   template <int dim>

@@ -96,7 +96,7 @@ namespace Amontons
     NeglectedTerms       terms;
     double               largest_energy = 0; // twice the stored one
     std::vector<double>  lengths;            // of NeglectedTerms::stiffening
-    bool                 has_come_back  = false;
+    bool                 has_come_back = false;
     std::optional<Place> farthest, last; // last: unless it is the farthest
   };
 } // namespace Amontons

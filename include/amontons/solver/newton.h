@@ -126,6 +126,8 @@ namespace Amontons
     reach_contact();
     bool
     moves_apart() const;
+    std::optional<double>
+    flown() const;
 
     const ContactEquilibrium<dim> &problem;
     NewtonStep<dim>               &step;

@@ -5,6 +5,36 @@
 
 namespace Amontons
 {
+  namespace
+  {
+    // In space, of a function on a face by its nodal values: cos(2 a)^4, where the line along which it is
+    // constant makes the angle a with the nearest side of the unit face.
+    double
+    alignment(const std::vector<double>       &values,
+              const std::vector<unsigned int> &nodes,
+              const unsigned int               degree,
+              const Quadrature<2>             &quadrature)
+    {
+      Tensor<1, 2> gradient;
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          const auto dN = lagrange_gradients(degree, quadrature.point(q));
+          for (unsigned int i = 0; i < dN.size(); ++i)
+            gradient += quadrature.weight(q) * values[nodes[i]] * dN[i];
+        }
+      const double square = gradient.norm_square();
+      return square > 0 ? std::pow((gradient[0] * gradient[0] - gradient[1] * gradient[1]) / square, 4) : 0.;
+    }
+    double
+    alignment(const std::vector<double> &,
+              const std::vector<unsigned int> &,
+              const unsigned int,
+              const Quadrature<1> &)
+    {
+      return 1;
+    }
+  } // namespace
+
   template <int dim>
   std::vector<double>
   edge_errors(const ContactInterface<dim> &interface,
@@ -14,7 +44,7 @@ namespace Amontons
   {
     const auto         &slave = *interface.slave;
     std::vector<double> result(slave.faces.size(), 0.);
-    if (interface.pair->tied || dim == 3)
+    if (interface.pair->tied)
       return result;
     const auto        presses = [&](const unsigned int i) { return fields.pressure[i] > 0; };
     std::vector<bool> of_edge(slave.nodes.size(), false);
@@ -31,6 +61,7 @@ namespace Amontons
         const auto &nodes = slave.faces[f].nodes;
         if (std::none_of(nodes.begin(), nodes.end(), [&](const unsigned int i) { return of_edge[i]; }))
           continue;
+        const double part = alignment(square, nodes, slave.degree, quadrature);
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
             const auto &xi = quadrature.point(q);
@@ -42,7 +73,7 @@ namespace Amontons
                 s += N[i] * square[nodes[i]];
               }
             slave.face_normal(f, xi, &jacobian);
-            result[f] += quadrature.weight(q) * jacobian * measure<dim>(kind, slave.position(f, xi)) *
+            result[f] += part * quadrature.weight(q) * jacobian * measure<dim>(kind, slave.position(f, xi)) *
                          std::pow(std::sqrt(std::max(0., s)) - p, 2);
           }
       }

@@ -1,4 +1,5 @@
-// Where p^2 is linear, the error at the edge is that of interpolating its square root; elsewhere it is 0.
+// Where p^2 is linear, the error at the edge is that of interpolating its square root; elsewhere it is 0. In
+// space this counts if the edge is parallel to the sides of the faces, and not at 45 degrees.
 #include "contact/contact_scene.h"
 
 #include <amontons/adaptivity/edge_error.h>
@@ -42,12 +43,47 @@ check_error(const double end, const double h)
     }
 }
 
+// p^2 = 0.97 - 2 (X + slope Y)
+void
+check_in_space(const double slope)
+{
+  const unsigned int n = 8;
+  Scene              scene;
+  scene.kind   = ProblemType::three_dimensional;
+  scene.bodies = {block("lower", {0, 0, 0}, {1, 1, 1}, {{1, 1, 1}}),
+                  block("upper", {0, 0, 1}, {1, 1, 2}, {{n, n, 1}})};
+  scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
+  const Problem<3> problem(scene, 1);
+  SurfaceFields<3> fields;
+  const auto      &slave = problem.slave();
+  for (const auto &node : slave.nodes)
+    {
+      fields.pressure.push_back(std::sqrt(std::max(0., 0.97 - 2 * (node.X[0] + slope * node.X[1]))));
+      fields.state.push_back(fields.pressure.back() > 0 ? ContactStatus::slip : ContactStatus::open);
+    }
+  const QIterated<1> on_line(QGauss<1>(4), 100);
+  const auto         p = [&](const double x) { return std::sqrt(std::max(0., 0.97 - 2 * x)); };
+  const auto errors = edge_errors(problem.interfaces[0], fields, scene.kind, QIterated<2>(QGauss<1>(4), 100));
+  double     sum = 0, exact = 0;
+  for (const double error : errors)
+    sum += error;
+  for (const unsigned int cell : {2, 3, 4})
+    for (unsigned int q = 0; q < on_line.size(); ++q)
+      {
+        const double s = on_line.point(q)[0], x = cell / 8., h = 1. / n;
+        exact += on_line.weight(q) * h * std::pow(p(x + s * h) - (1 - s) * p(x) - s * p(x + h), 2);
+      }
+  check::is_close(sum, slope == 0 ? exact : 0., 1e-10, "error at an edge in space", exact);
+}
+
 int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_error(0.97, 1. / 8);
   check_error(1.22, 1. / 8);
+  check_in_space(0);
+  check_in_space(1);
   return check::result();
 }
 } // namespace test_edge_error

@@ -300,7 +300,7 @@ def scenes():
            part="Probe P")
 
     refinement = "subsection Refinement\n  set %s\nend\n"
-    for name, entries, words in [("negative target", "Target error = -0.5", "Target error: found -0.5.*-1 .chosen"), ("dissipation without friction", "Target quantity = dissipation", "dissipation of a scene without friction"),
+    for name, entries, words in [("negative target", "Target error = -0.5", "Target error: found -0.5.*-1 .chosen"), ("target in per cent", "Target error = 5", r"Target error: found 5;.*0.05 is 5 %"), ("dissipation without friction", "Target quantity = dissipation", "dissipation of a scene without friction"),
                                  ("unknown target quantity", "Target quantity = pressure", "approach")]:
         case(name, BASE + refinement % entries, words)
     case("dissipation on several meshes", BASE.replace("= lower/top", "= lower/top\n  set Friction coefficient = 0.3") + refinement % "Target quantity = dissipation\n  set History = transfer", "several meshes")

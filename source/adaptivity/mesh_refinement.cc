@@ -65,9 +65,10 @@ namespace Amontons
   void
   RefinementParameters::check() const
   {
-    if (target_error < 0 && target_error != -1)
-      throw std::invalid_argument("Target error: found " + Utilities::to_string(target_error) +
-                                  "; allowed are -1 (chosen), 0 (none) and positive numbers");
+    if ((target_error < 0 && target_error != -1) || target_error >= 1)
+      throw std::invalid_argument(
+          "Target error: found " + Utilities::to_string(target_error) +
+          "; allowed are -1 (chosen), 0 (none) and numbers between 0 and 1 (0.05 is 5 %)");
   }
 
   void

@@ -250,7 +250,12 @@ namespace Amontons
       add_increments(lines, *summary.increments);
     if (!std::isnan(summary.energy))
       lines.emplace_back("strain energy", measured(summary.energy, work));
-    if (!summary.meshes.empty() && summary.meshes.back().dissipation)
+    // Without friction the work is the strain energy; where meshes were refined in the last increment, that
+    // of the increments before is one of coarser meshes.
+    const bool has_friction = std::any_of(summary.pairs.begin(), summary.pairs.end(), [](const auto &pair) {
+      return pair.stick_size.has_value();
+    });
+    if (has_friction && !summary.meshes.empty() && summary.meshes.back().dissipation)
       {
         lines.emplace_back("external work", measured(*summary.meshes.back().external_work, work));
         lines.emplace_back("work of friction", measured(*summary.meshes.back().dissipation, work));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace Amontons
 {
@@ -149,6 +150,13 @@ namespace Amontons
         return result;
       }
 
+      // The last point of a table.
+      double
+      last() const
+      {
+        return times.empty() ? 0. : *std::max_element(times.begin(), times.end());
+      }
+
     private:
       const bool   looks; // beyond tables: for friction; who says how many increments there are, says where
       const double end_time;
@@ -170,8 +178,8 @@ namespace Amontons
     scene.output_times = read_output_times(top, scene.end_time);
   }
 
-  std::vector<double>
-  corner_times(const Scene &scene)
+  void
+  find_corner_times(Scene &scene)
   {
     CornerTimes corners(scene);
     for_each_load(scene, [&](const Expression &load) { corners.add(load); });
@@ -184,7 +192,15 @@ namespace Amontons
         corners.add(pair.friction);
         corners.add(pair.tresca_bound);
       }
-    return corners.inside();
+    scene.corner_times = corners.inside();
+    if (corners.last() > scene.end_time)
+      {
+        std::ostringstream text;
+        text << "the load program ends at t = " << scene.end_time
+             << " ('End time'), but tables go on to t = " << corners.last()
+             << ": what they say after the end is not applied";
+        scene.notes.push_back(text.str());
+      }
   }
 
   bool

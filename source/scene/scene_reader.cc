@@ -78,7 +78,7 @@ namespace Amontons
       scene.pairs.push_back(read_pair(section));
     for (const SectionInput &section : input.sections("Probe"))
       scene.probes.push_back(read_probe(section));
-    scene.corner_times       = corner_times(scene);
+    find_corner_times(scene);
     scene.is_loaded_at_start = let_loads_grow_before_start(scene);
     check_scene(scene);
     check_groups(groups, input);

@@ -92,8 +92,9 @@ namespace Amontons
         run.scene, run.overrides, parameters.groups(), {make_displacement_field, displacement_field_corners});
     parameters.refinement.choose_target(scene.has_friction() ||
                                         scene.kinematics == Kinematics::finite_strain);
-    const auto notes = prepare_checkpoint(run, scene, parameters, control.checkpoint);
-    const auto save  = [&]() { control.checkpoint.flush(); };
+    auto notes = prepare_checkpoint(run, scene, parameters, control.checkpoint);
+    notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
+    const auto save = [&]() { control.checkpoint.flush(); };
     try
       {
         const RunSummary summary   = scene.kind == ProblemType::three_dimensional

@@ -11,9 +11,9 @@ namespace Amontons
 
   // Times in (0, end_time) at which an expression of a load, a motion, a boundary value or a friction bound
   // has a corner: those of tables, and, with friction and automatic increments, where it turns, bends or
-  // jumps (see path_corners.h). Increasing.
-  std::vector<double>
-  corner_times(const Scene &scene);
+  // jumps (see path_corners.h). Increasing. A note where tables go on after the end.
+  void
+  find_corner_times(Scene &scene);
 
   // Loads, motions and boundary values may be applied before t = 0, from -end_time on; whether one of them is
   // there at t = 0.

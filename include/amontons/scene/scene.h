@@ -254,6 +254,7 @@ namespace Amontons
     ProblemType                  kind       = ProblemType::plane_strain;
     Kinematics                   kinematics = Kinematics::small_strain;
     std::vector<std::string>     entries; // "Section/Name = value" of all that the answer depends on
+    std::vector<std::string>     notes;   // for the user, of what the scene says
     bool                         full_model        = false; // nothing is left out, see model_reduction.h
     double                       end_time          = 1;
     unsigned int                 n_increments      = 0;    // to start with, over the end time; 0: automatic

@@ -174,7 +174,10 @@ namespace Amontons
   bool
   SmallStrainCheck<dim>::is_too_much() const
   {
-    return change ? change->without_pressures > too_much || change->largest > 0.5 : error() > too_much;
+    if (!change)
+      return error() > too_much;
+    return change->without_pressures > too_much ||
+           (change->largest > 0.5 && neglected.largest().contact > too_much);
   }
 
   template <int dim>

@@ -39,8 +39,8 @@ namespace Amontons
     bool
     is_harmless() const;
     /// The numbers are not those of the scene: more than `too_much` is left out, or, where finite strain was
-    /// tried, forces or displacements change by more, or pressures by half. (At an edge that slides on by
-    /// little they change by much.)
+    /// tried, forces or displacements change by more, or pressures by half and the gaps are others. (At an
+    /// edge, where they are infinite, pressures change by much if it slides on by little.)
     bool
     is_too_much() const;
     /// Finite strain was tried and converged.

@@ -28,10 +28,20 @@ namespace Amontons
     return std::numeric_limits<double>::quiet_NaN();
   }
 
+  bool
+  MeshSequence::stands_still() const
+  {
+    constexpr unsigned int n_refinements = 2;
+    if (meshes.size() <= n_refinements)
+      return false;
+    const auto &last = meshes.back(), &before = meshes[meshes.size() - 1 - n_refinements];
+    return last.n_dofs >= 4 * before.n_dofs && std::abs(last.error - before.error) <= 0.01 * before.error;
+  }
+
   double
   MeshSequence::dofs_for(const double target) const
   {
-    const double r = order();
+    const double r = stands_still() ? 0 : order();
     return std::isnan(r) ? r
            : r > 0       ? meshes.back().n_dofs * std::pow(meshes.back().error / target, 1 / r)
                          : std::numeric_limits<double>::infinity();
@@ -40,7 +50,7 @@ namespace Amontons
   bool
   MeshSequence::is_hopeless(const double target, const double max_dofs) const
   {
-    return order() < 0.1 && dofs_for(target) > 10 * max_dofs;
+    return (stands_still() || order() < 0.1) && dofs_for(target) > 10 * max_dofs;
   }
 
   std::string
@@ -54,8 +64,8 @@ namespace Amontons
     if (is_hopeless(target, max_dofs))
       {
         text << "warning: the target error is out of reach: the estimated error "
-             << (order() > 0.005 ? "hardly falls" : "does not fall") << " with the DoFs, most of it is near ("
-             << place << "). "
+             << (!stands_still() && order() > 0.005 ? "hardly falls" : "does not fall")
+             << " with the DoFs, most of it is near (" << place << "). "
              << (touches
                      ? "Where a sharp edge presses, the pressure is infinite, and its mean square does not "
                        "converge; forces, contact sizes and the pressure away from the edge do: round the "

@@ -87,6 +87,16 @@ main(int, char **)
   edge.add(4 * last, 1.);
   check::is_true(std::isinf(edge.dofs_for(0.01)) && edge.is_hopeless(0.01, 1e6), "an error that grows");
 
+  MeshSequence falling, standing;
+  for (const auto &[n, error] :
+       {std::pair(4e3, 1.), std::pair(1e4, 0.35), std::pair(3e4, 0.349), std::pair(7e4, 0.348)})
+    {
+      falling.add(n, 10 * error / std::sqrt(n));
+      standing.add(n, error);
+    }
+  check::is_true(standing.is_hopeless(0.05, 1e6) && !falling.is_hopeless(0.05, 1e6),
+                 "after two refinements an error that stands still is hopeless");
+
   // Numbers with an error of n^-1, on meshes that grow by 1.3 or 2: estimated within a factor.
   for (const double growth : {1.3, 2.})
     {

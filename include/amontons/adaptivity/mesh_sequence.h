@@ -20,12 +20,17 @@ namespace Amontons
     double
     order() const;
 
+    /// Two refinements to four times the DoFs have changed the error by less than 1 %.
+    bool
+    stands_still() const;
+
     /// At this order; infinite where the error does not fall, NaN where the order is not known.
     double
     dofs_for(const double target) const;
 
-    /// The quantity does not converge: an order below 0.1, where smooth contact has 1/2 (3D) and more, and
-    /// contact at an edge with a pressure that is square integrable 1/4 on uniform and more on graded meshes.
+    /// The quantity does not converge: the error stands still, or its order is below 0.1, where smooth
+    /// contact has 1/2 (3D) and more, and contact at an edge with a pressure that is square integrable 1/4 on
+    /// uniform and more on graded meshes.
     bool
     is_hopeless(const double target, const double max_dofs) const;
 

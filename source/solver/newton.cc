@@ -32,6 +32,7 @@ namespace Amontons
     auto &u = problem.state.displacement;
     if (!problem.contact.moves()) // else the first step does it, and the bodies follow
       distribute(problem.supports, at.u, u);
+    start_distance = u.linfty_norm();
     problem.contact.move(u);
     {
       TimerOutput::Scope scope(problem.timer, "assemble stiffness");
@@ -405,15 +406,22 @@ namespace Amontons
            at.report.iterations[n - 1].residual > 0.5 * at.report.iterations[n - 2].residual;
   }
 
-  // Finite strain: how many times their size, if that is far beyond what any increment does.
+  // Finite strain: how many times their size, if that is far beyond what any increment does and supports
+  // prescribe.
   template <int dim>
   std::optional<double>
   Newton<dim>::flown() const
   {
     constexpr double far   = 1e4;
     const auto      &sizes = problem.discretization.geometry.body_sizes;
-    const double     moved = at.u.linfty_norm() / *std::max_element(sizes.begin(), sizes.end());
-    return problem.mechanics.is_linear() || moved < far ? std::optional<double>() : moved;
+    const double     size  = *std::max_element(sizes.begin(), sizes.end()), moved = at.u.linfty_norm();
+    if (problem.mechanics.is_linear() || moved < far * size)
+      return {};
+    double prescribed = 0;
+    for (const auto &line : problem.supports.get_lines())
+      prescribed = std::max(prescribed, std::abs(line.inhomogeneity));
+    prescribed = Utilities::MPI::max(prescribed, problem.discretization.geometry.communicator);
+    return moved < 10 * std::max(start_distance, prescribed) ? std::optional<double>() : moved / size;
   }
 
   template <int dim>

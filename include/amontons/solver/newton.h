@@ -143,6 +143,7 @@ namespace Amontons
     LA::Vector                     last_change; // of u
     LA::Vector                     balance;     // internal - contact forces - loads
     std::optional<Failure>         inversion;   // the last one
-    bool                           may_settle = true;
+    bool                           may_settle     = true;
+    double                         start_distance = 0; // largest displacement then
   };
 } // namespace Amontons

@@ -414,7 +414,7 @@ namespace Amontons
   {
     constexpr double far   = 1e4;
     const auto      &sizes = problem.discretization.geometry.body_sizes;
-    const double     size  = *std::max_element(sizes.begin(), sizes.end()), moved = at.u.linfty_norm();
+    const double     size = *std::max_element(sizes.begin(), sizes.end()), moved = at.u.linfty_norm();
     if (problem.mechanics.is_linear() || moved < far * size)
       return {};
     double prescribed = 0;

@@ -1218,6 +1218,7 @@ add_scene_test(NAME small_strain_history SCENE verification/patch_confined.prm
                CHECK "checks.neglected_strain ~ 0.005 1e-9" "meshes.-1.t == 2")
 # The cylinder has moved to the left by s = 0.6: the nodes that carry it have gaps of (s^2/2 + s x)/R, whose work is F (s^2/2 + 4 a s/(3 pi))/R,
 # against twice the energy of 3.030.
+add_scene_test(NAME auto_pinched SCENE verification/rubber_bush.prm CHECK "status is converged" "notes.0 has small strain is enough" "pairs.0.normal_force.1 ~ -15.83 0.02")
 # From the answer of small strain Newton's method goes to another state, where one leaf has passed through the other.
 add_scene_test(NAME small_strain_of_slender_bodies SCENE verification/two_leaves.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"
                CHECK "status is converged" "checks.change_of_answer <= 0.5" "probes.0.points.0.displacement.1 ~ -2.16 5e-4" "notes.-1 has by 0.0")

@@ -1,6 +1,5 @@
 #include <amontons/adaptivity/model_selection.h>
-
-#include <set>
+#include <amontons/adaptivity/slenderness.h>
 
 namespace Amontons
 {
@@ -48,107 +47,6 @@ namespace Amontons
     }
   } // namespace
 
-  namespace
-  {
-    // Vertices and centres of the coarse faces of a body that are held in all directions.
-    template <int dim>
-    std::vector<Point<dim>>
-    held_points(const Discretization<dim> &discretization, const unsigned int body)
-    {
-      const Scene                 &scene = discretization.scene;
-      std::set<types::boundary_id> held;
-      for (const auto &condition : scene.conditions)
-        if (condition.type == ConditionData::Type::displacement &&
-            (condition.field || std::all_of(condition.displacement.begin(),
-                                            condition.displacement.begin() + dim,
-                                            [](const auto &value) { return value.has_value(); })))
-          for (const auto &name : condition.boundaries)
-            held.insert(discretization.geometry.boundary(name, scene).id);
-      std::vector<Point<dim>> result;
-      for (const auto &cell : discretization.geometry.triangulation.cell_iterators_on_level(0))
-        if (cell->material_id() == body)
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() && held.count(face->boundary_id()) > 0)
-              {
-                result.push_back(face->center());
-                for (unsigned int v = 0; v < face->n_vertices(); ++v)
-                  result.push_back(face->vertex(v));
-              }
-      return result;
-    }
-
-    // By body: how far its points are from what holds them, at most (of the coarse mesh); its size if nothing
-    // does.
-    template <int dim>
-    std::vector<double>
-    unheld_lengths(const Discretization<dim> &discretization)
-    {
-      auto result = discretization.geometry.body_sizes;
-      for (unsigned int b = 0; b < discretization.scene.bodies.size(); ++b)
-        {
-          const auto held = held_points(discretization, b);
-          if (held.empty())
-            continue;
-          double     largest = 0;
-          const auto look    = [&](const Point<dim> &x) {
-            double nearest = std::numeric_limits<double>::max();
-            for (const auto &y : held)
-              nearest = std::min(nearest, x.distance_square(y));
-            largest = std::max(largest, nearest);
-          };
-          for (const auto &cell : discretization.geometry.triangulation.cell_iterators_on_level(0))
-            if (cell->material_id() == b)
-              {
-                look(cell->center());
-                for (unsigned int v = 0; v < cell->n_vertices(); ++v)
-                  look(cell->vertex(v));
-              }
-          result[b] = std::sqrt(largest);
-        }
-      return result;
-    }
-
-    // NeglectedTerms::stiffening, with sigma in the mean square and h = 2 volume/surface. Collective.
-    template <int dim>
-    double
-    stress_stiffening(const Discretization<dim> &discretization,
-                      const StressRecovery<dim> &recovery,
-                      const std::vector<double> &lengths)
-    {
-      const unsigned int  n = discretization.scene.bodies.size();
-      std::vector<double> sums(3 * n, 0.); // by body: volume, surface, integral of the squared stress
-      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
-          {
-            double *const sum    = &sums[3 * cell->material_id()];
-            const double  volume = cell->measure();
-            const auto   &points = recovery.unsmoothed(cell->active_cell_index());
-            double        square = 0;
-            for (const auto &stress : points)
-              for (unsigned int k = 0; k < n_voigt<dim>; ++k)
-                square += (k < 3 ? 1 : 2) * stress[k] * stress[k];
-            sum[0] += volume;
-            sum[2] += volume * square / points.size();
-            for (const auto &face : cell->face_iterators())
-              if (face->at_boundary())
-                sum[1] += face->measure();
-          }
-      Utilities::MPI::sum(sums, discretization.geometry.communicator, sums);
-      double largest = 0;
-      for (unsigned int b = 0; b < n; ++b)
-        {
-          const double volume = sums[3 * b], surface = sums[3 * b + 1], square = sums[3 * b + 2];
-          if (volume == 0)
-            continue;
-          const double stress = std::sqrt(square / volume) / discretization.scene.bodies[b].material.young,
-                       slenderness = lengths[b] * surface / (2 * volume);
-          largest                  = std::max(
-              largest, 48 / std::pow(numbers::PI, 2) * stress * std::max(0., std::pow(slenderness, 2) - 25));
-        }
-      return largest;
-    }
-  } // namespace
-
   template <int dim>
   void
   NeglectedTermsOfHistory<dim>::add(const Discretization<dim>                &discretization,
@@ -160,9 +58,8 @@ namespace Amontons
     largest_energy = std::max(largest_energy, 2 * energy);
     if (const double quadratic = recovery.energy_of_quadratic_strain(); largest_energy > 0)
       terms.strain = std::max(terms.strain, std::sqrt(quadratic / largest_energy));
-    if (lengths.empty())
-      lengths = unheld_lengths(discretization);
-    terms.stiffening = std::max(terms.stiffening, stress_stiffening(discretization, recovery, lengths));
+    terms.stiffening =
+        stress_stiffening(discretization, recovery, interfaces, state.contact, terms.stiffening);
     Place place;
     place.displacement = state.displacement;
     place.motion       = largest_motion(discretization, interfaces, state.displacement);

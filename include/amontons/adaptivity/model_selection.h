@@ -19,11 +19,8 @@ namespace Amontons
     // a pair's force where nothing is opposite any more; and, where surfaces overlap that carry no force, how
     // far, against their motion.
     double contact = 0;
-    // How much stress changes the stiffness of the most slender body, as in a cantilever under the load P:
-    // P over Euler's load, 48/pi^2 (sigma/E) (L/h)^2, L: how far its points are from supports that hold all
-    // directions, at most; its size without any. No error, which it overestimates (contact may hold a body
-    // all along); but where it is small, strings do not stiffen and columns do not buckle. 0 for bodies that
-    // are stout (L < 5 h): for these `strain` is of the same size.
+    // How much stress changes the stiffness of the most slender body, see slenderness.h. No error, which it
+    // overestimates; but where it is small, strings do not stiffen and columns do not buckle.
     double stiffening = 0;
 
     double
@@ -95,8 +92,7 @@ namespace Amontons
 
     NeglectedTerms       terms;
     double               largest_energy = 0; // twice the stored one
-    std::vector<double>  lengths;            // of NeglectedTerms::stiffening
-    bool                 has_come_back = false;
+    bool                 has_come_back  = false;
     std::optional<Place> farthest, last; // last: unless it is the farthest
   };
 } // namespace Amontons

@@ -289,9 +289,6 @@ namespace Amontons
       {
         if (scene.kinematics == Kinematics::automatic)
           report.announce(small_strain.description() + ": small strain is enough" + small_strain.allowance());
-        else if (small_strain.neglected.largest().stiffening > 1)
-          report.announce("warning: stress may stiffen or buckle a slender body, which small strain leaves "
-                          "out ('Kinematics = auto' looks)");
         return true;
       }
     const std::string advice = small_strain.has_alternative()

@@ -166,7 +166,7 @@ namespace Amontons
   bool
   SmallStrainCheck<dim>::is_harmless() const
   {
-    return (!tried && neglected.largest().largest() <= allowed_error()) ||
+    return (!tried && std::max(neglected.largest().largest(), stiffening) <= allowed_error()) ||
            (change && change->largest <= allowed_error());
   }
 
@@ -175,7 +175,7 @@ namespace Amontons
   SmallStrainCheck<dim>::is_too_much() const
   {
     if (!change)
-      return error() > too_much;
+      return error() > too_much || stiffening > 1;
     return change->without_pressures > too_much ||
            (change->largest > 0.5 && neglected.largest().contact > too_much);
   }
@@ -189,7 +189,7 @@ namespace Amontons
     text.precision(2);
     text << "small strain leaves out " << terms.strain << " of the strain and " << terms.contact
          << " in the contact";
-    if (terms.stiffening > allowed_error())
+    if (stiffening > allowed_error())
       text << ", and what stress does to the stiffness of slender bodies";
     if (neglected.came_back())
       text << " on a way that comes back";
@@ -226,16 +226,38 @@ namespace Amontons
     const NeglectedTerms &terms     = neglected.largest();
     const bool            automatic = scene.kinematics == Kinematics::automatic;
     const double          bound     = automatic ? allowed_error() : too_much;
+    const GivesUp         gives_up  = [&]() { return control.gives_up(model.mesh->geometry.communicator); };
     rotations_are_held              = holds_all_rotations(model.discretization());
-    tried                           = converged && rotations_are_held && !neglected.came_back() &&
-            (terms.largest() > bound || (automatic && terms.stiffening > bound));
+    const bool may_try              = converged && rotations_are_held && !neglected.came_back();
+    stiffening = converged && terms.largest() <= bound ? stiffening_at(model, state, bound, timer, gives_up)
+                                                       : terms.stiffening;
+    tried      = may_try && (terms.largest() > bound || (automatic && stiffening > bound));
     if (tried)
       change = change_by_finite_strain(model, state, timer, control);
     what_was_seen = {{"neglected_strain", terms.strain},
                      {"neglected_contact", terms.contact},
-                     {"neglected_stiffening", terms.stiffening}};
+                     {"neglected_stiffening", stiffening}};
     if (tried)
       what_was_seen["change_of_answer"] = change ? change->largest : unknown;
+  }
+
+  template <int dim>
+  double
+  SmallStrainCheck<dim>::stiffening_at(Model<dim>               &model,
+                                       const SolutionState<dim> &state,
+                                       const double              allowed,
+                                       TimerOutput              &timer,
+                                       const GivesUp            &gives_up) const
+  {
+    const double most = neglected.largest().stiffening;
+    if (most <= allowed)
+      return most;
+    const auto               mechanics = model.mechanics(state);
+    const ContactSolver<dim> solver    = {
+           parameters.newton, parameters.linear_solver, model.discretization(), timer, gives_up};
+    // A local stress, as at a corner, makes |lambda| a few times as large as its strain.
+    return solver.stress_stiffening(*mechanics, model.interfaces, model.supports, state, allowed / 6)
+        .value_or(0);
   }
 
   // The largest relative change of contact forces and, unless the total force is all that is asked for, of

@@ -38,9 +38,9 @@ namespace Amontons
     error() const;
     bool
     is_harmless() const;
-    /// The numbers are not those of the scene: more than `too_much` is left out, or, where finite strain was
-    /// tried, forces or displacements change by more, or pressures by half and the gaps are others. (At an
-    /// edge, where they are infinite, pressures change by much if it slides on by little.)
+    /// The numbers are not those of the scene: more than `too_much` is left out, or bodies buckle, or, where
+    /// finite strain was tried, forces or displacements change by more, or pressures by half and the gaps are
+    /// others. (At an edge, where they are infinite, pressures change by much if it slides on by little.)
     bool
     is_too_much() const;
     /// Finite strain was tried and converged.
@@ -75,6 +75,13 @@ namespace Amontons
     }
 
   private:
+    // How much stress changes the stiffness, at the state: where it may be as much as `allowed`, what it is.
+    double
+    stiffening_at(Model<dim>               &model,
+                  const SolutionState<dim> &state,
+                  const double              allowed,
+                  TimerOutput              &timer,
+                  const GivesUp            &gives_up) const;
     struct Change
     {
       double largest, without_pressures;
@@ -96,6 +103,7 @@ namespace Amontons
     bool                              tried              = false; // finite strain, and
     std::optional<Change>             change;                     // by it, if it converged
     std::optional<SolutionState<dim>> found;
+    double                            stiffening = 0;
     std::map<std::string, double>     what_was_seen;
   };
 } // namespace Amontons

@@ -58,8 +58,7 @@ namespace Amontons
     largest_energy = std::max(largest_energy, 2 * energy);
     if (const double quadratic = recovery.energy_of_quadratic_strain(); largest_energy > 0)
       terms.strain = std::max(terms.strain, std::sqrt(quadratic / largest_energy));
-    terms.stiffening =
-        stress_stiffening(discretization, recovery, interfaces, state.contact, terms.stiffening);
+    terms.stiffening = std::max(terms.stiffening, most_stiffening(discretization, recovery));
     Place place;
     place.displacement = state.displacement;
     place.motion       = largest_motion(discretization, interfaces, state.displacement);

@@ -155,6 +155,40 @@ namespace Amontons
   }
   //! [solve]
 
+  template <int dim>
+  std::optional<double>
+  ContactSolver<dim>::stress_stiffening(Mechanics<dim>                     &mechanics,
+                                        std::vector<ContactInterface<dim>> &interfaces,
+                                        const Constraints                  &supports,
+                                        SolutionState<dim>                  state,
+                                        const double                        most_strain) const
+  {
+    TimerOutput::Scope                   scope(timer, "contact iteration");
+    FixedContact<dim>                    contact(discretization, interfaces, state, parameters.scaling);
+    const ContactEquilibrium<dim>        problem  = {parameters,
+                                                     solver_parameters,
+                                                     discretization,
+                                                     mechanics,
+                                                     contact,
+                                                     interfaces,
+                                                     supports,
+                                                     state,
+                                                     timer,
+                                                     nullptr,
+                                                     gives_up};
+    const auto                           quiet    = [](const auto &) {};
+    const typename Newton<dim>::Observer observer = quiet;
+    EliminatedStep<dim>                  step(problem);
+    Newton<dim>                          newton(
+        problem, step, GridTools::minimal_cell_diameter(discretization.geometry.triangulation), observer);
+    if (!newton.prepare())
+      return {};
+    newton.linearise();
+    if (!newton.now().free_modes.empty())
+      return {};
+    return step.stress_stiffening(newton.now(), most_strain);
+  }
+
   template struct ContactSolver<2>;
   template struct ContactSolver<3>;
 } // namespace Amontons

@@ -19,8 +19,8 @@ namespace Amontons
     // a pair's force where nothing is opposite any more; and, where surfaces overlap that carry no force, how
     // far, against their motion.
     double contact = 0;
-    // How much stress changes the stiffness of the most slender body, see slenderness.h. No error, which it
-    // overestimates; but where it is small, strings do not stiffen and columns do not buckle.
+    // How much stress may change the stiffness, at most: see slenderness.h. No error; but where it is small,
+    // strings do not stiffen and columns do not buckle.
     double stiffening = 0;
 
     double

@@ -39,6 +39,13 @@ namespace Amontons
     bool
     settle(Iterate<dim> &now, const LA::Vector *springs) override;
 
+    /// Of the displacement of the state, with the constraints of the last linearise(): the largest |lambda|
+    /// of K_sigma v = lambda K v, what the stress adds to the stiffness against the stiffness, in the space
+    /// of a few steps of Lanczos' method: -1 where the bodies buckle, much where strings are taut.
+    /// most_strain: see geometric_forces(). Collective.
+    double
+    stress_stiffening(const Iterate<dim> &now, const double most_strain);
+
   private:
     ContactCompliance<dim>
     compliance(const Iterate<dim> &at, const BaseSolution<dim> &base);

@@ -24,5 +24,14 @@ namespace Amontons
           SolutionState<dim>                   &state,
           const typename Newton<dim>::Observer &observer,
           const bool                            follow_motion = false) const;
+
+    /// Small strain, at a state in equilibrium: EliminatedStep::stress_stiffening(); nothing where a rigid
+    /// motion is free. Collective.
+    std::optional<double>
+    stress_stiffening(Mechanics<dim>                     &mechanics,
+                      std::vector<ContactInterface<dim>> &interfaces,
+                      const Constraints                  &supports,
+                      SolutionState<dim>                  state,
+                      const double                        most_strain) const;
   };
 } // namespace Amontons

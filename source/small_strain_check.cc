@@ -231,7 +231,7 @@ namespace Amontons
     const bool may_try              = converged && rotations_are_held && !neglected.came_back();
     stiffening = converged && terms.largest() <= bound ? stiffening_at(model, state, bound, timer, gives_up)
                                                        : terms.stiffening;
-    tried      = may_try && (terms.largest() > bound || (automatic && stiffening > bound));
+    tried      = may_try && (terms.largest() > bound || stiffening > bound);
     if (tried)
       change = change_by_finite_strain(model, state, timer, control);
     what_was_seen = {{"neglected_strain", terms.strain},

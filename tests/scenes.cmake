@@ -1218,6 +1218,10 @@ add_scene_test(NAME small_strain_history SCENE verification/patch_confined.prm
                CHECK "checks.neglected_strain ~ 0.005 1e-9" "meshes.-1.t == 2")
 # The cylinder has moved to the left by s = 0.6: the nodes that carry it have gaps of (s^2/2 + s x)/R, whose work is F (s^2/2 + 4 a s/(3 pi))/R,
 # against twice the energy of 3.030.
+# Half of Euler's load; 3 (tan k - k)/k^3 3.64e-3 at the tip.
+add_scene_test(NAME auto_column_of_blocks SCENE verification/tied_column.prm
+               CHECK "status is converged" "checks.neglected_stiffening ~ 0.5 0.01" "probes.0.points.0.displacement.0 ~ 7.23e-3 0.01" "notes.0 has finite strain is used")
+add_scene_test(NAME small_strain_of_a_column SCENE verification/tied_column.prm FAILS SET "Kinematics=small strain" CHECK "status has not converged" "message has kinematics")
 add_scene_test(NAME auto_pinched SCENE verification/rubber_bush.prm CHECK "status is converged" "notes.0 has small strain is enough" "pairs.0.normal_force.1 ~ -15.83 0.02")
 # From the answer of small strain Newton's method goes to another state, where one leaf has passed through the other.
 add_scene_test(NAME small_strain_of_slender_bodies SCENE verification/two_leaves.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"

@@ -2,8 +2,7 @@
 #include <amontons/elasticity/geometric_forces.h>
 #include <amontons/solver/condensed_friction.h>
 #include <amontons/solver/eliminated_step.h>
-
-#include <deal.II/lac/lapack_full_matrix.h>
+#include <amontons/solver/stability.h>
 
 namespace Amontons
 {
@@ -220,22 +219,14 @@ namespace Amontons
     return open;
   }
 
-  // Vectors that are orthogonal in the energy of K, so that Ritz values are the eigenvalues of v_i . K_sigma
-  // v_j.
   template <int dim>
   double
   EliminatedStep<dim>::stress_stiffening(const Iterate<dim> &now, const double most_strain)
   {
-    constexpr unsigned int n_steps        = 8;
-    const auto            &discretization = problem.discretization;
-    const auto            &bodies         = problem.mechanics.bodies();
-    const LA::Vector       stressed       = problem.state.displacement; // readable
-    LA::Vector             readable       = discretization.make_relevant_vector();
-    const auto             forces         = [&](const LA::Vector &v) {
-      readable = v;
-      return geometric_forces(bodies, discretization, stressed, readable, most_strain);
-    };
-    LA::Vector start = now.u;
+    const auto      &discretization = problem.discretization;
+    const auto      &bodies         = problem.mechanics.bodies();
+    const LA::Vector stressed       = problem.state.displacement; // readable
+    LA::Vector       readable = discretization.make_relevant_vector(), start = now.u;
     distribute(now.constraints->trial(), start, readable);
     // What the constraints make of a motion from there.
     const auto motion = [&](const LA::Vector &v) {
@@ -245,57 +236,28 @@ namespace Amontons
       moved -= start;
       return moved;
     };
-    const auto answer = [&](const LA::Vector &force) {
+    LargestRitzValue<LA::Vector> lanczos;
+    lanczos.forces = [&](const LA::Vector &v) {
+      readable = v;
+      return geometric_forces(bodies, discretization, stressed, readable, most_strain);
+    };
+    lanczos.energies = [&](const LA::Vector &v) {
+      readable = v;
+      return bodies.internal_forces(readable);
+    };
+    lanczos.answer = [&](const LA::Vector &force) {
       LA::Vector push = condense(force, now.constraints->test(), force), v(push);
       zero_constrained(now.constraints->test(), discretization.locally_owned, push);
       v = 0;
       if (push.l2_norm() > 0)
-        solver.solve(
-            system.matrix(), v, push, 0.1 * push.l2_norm()); // of any space the Ritz values are right
+        solver.solve(system.matrix(), v, push, 0.1 * push.l2_norm()); // Ritz values are right in any space
       return motion(v);
     };
-
-    // Smooth, and different in all places.
-    LA::Vector next = discretization.make_owned_vector();
+    LA::Vector smooth = discretization.make_owned_vector(); // and different in all places
     for (const auto i : discretization.locally_owned)
-      next(i) = std::sin(0.37 * i) + 0.3 * std::cos(0.011 * i);
-    next.compress(VectorOperation::insert);
-    next = answer(forces(motion(next)));
-
-    std::vector<LA::Vector> basis, energies;
-    FullMatrix<double>      ritz(n_steps);
-    double                  found = 0;
-    for (unsigned int k = 0; k < n_steps; ++k)
-      {
-        for (unsigned int twice = 0; twice < 2; ++twice)
-          for (unsigned int j = 0; j < k; ++j)
-            next.add(-(next * energies[j]), basis[j]);
-        readable            = next;
-        LA::Vector   energy = bodies.internal_forces(readable);
-        const double square = next * energy;
-        if (!(square > 0))
-          break;
-        next /= std::sqrt(square);
-        energy /= std::sqrt(square);
-        basis.push_back(next);
-        energies.push_back(energy);
-        const LA::Vector         force = forces(next);
-        LAPACKFullMatrix<double> block(k + 1);
-        for (unsigned int i = 0; i <= k; ++i)
-          {
-            ritz(i, k) = ritz(k, i) = basis[i] * force;
-            for (unsigned int j = 0; j <= k; ++j)
-              block(i, j) = ritz(i, j);
-          }
-        block.compute_eigenvalues();
-        const double before = found;
-        for (unsigned int i = 0; i <= k; ++i)
-          found = std::max(found, std::abs(block.eigenvalue(i)));
-        if ((k > 2 && found - before <= 0.02 * found) || (k > 1 && found < most_strain))
-          break;
-        next = answer(force);
-      }
-    return found;
+      smooth(i) = std::sin(0.37 * i) + 0.3 * std::cos(0.011 * i);
+    smooth.compress(VectorOperation::insert);
+    return lanczos.find(lanczos.answer(lanczos.forces(motion(smooth))), most_strain);
   }
 
   // The part of the bounds of friction that does not depend on pressures, and its slope.

@@ -114,4 +114,56 @@ namespace Amontons
     mode.shape /= mode.shape.linfty_norm();
     return mode;
   }
+
+  namespace
+  {
+    double
+    largest_eigenvalue(const FullMatrix<double> &ritz, const unsigned int n)
+    {
+      LAPACKFullMatrix<double> block(n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          block(i, j) = ritz(i, j);
+      block.compute_eigenvalues();
+      double result = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        result = std::max(result, std::abs(block.eigenvalue(i)));
+      return result;
+    }
+  } // namespace
+
+  template <typename Vector>
+  double
+  LargestRitzValue<Vector>::find(Vector next, const double noteworthy) const
+  {
+    constexpr unsigned int n_steps = 8;
+    std::vector<Vector>    basis, basis_energies;
+    FullMatrix<double>     ritz(n_steps);
+    double                 found = 0;
+    for (unsigned int k = 0; k < n_steps; ++k)
+      {
+        for (unsigned int twice = 0; twice < 2; ++twice)
+          for (unsigned int j = 0; j < k; ++j)
+            next.add(-(next * basis_energies[j]), basis[j]);
+        Vector       energy = energies(next);
+        const double square = next * energy;
+        if (!(square > 0))
+          break;
+        next /= std::sqrt(square);
+        energy /= std::sqrt(square);
+        basis.push_back(next);
+        basis_energies.push_back(energy);
+        const Vector force = forces(next);
+        for (unsigned int i = 0; i <= k; ++i)
+          ritz(i, k) = ritz(k, i) = basis[i] * force;
+        const double before = found;
+        found               = largest_eigenvalue(ritz, k + 1);
+        if ((k > 2 && found - before <= 0.02 * found) || (k > 1 && found < noteworthy))
+          break;
+        next = answer(force);
+      }
+    return found;
+  }
+
+  template struct LargestRitzValue<LA::Vector>;
 } // namespace Amontons

@@ -21,4 +21,19 @@ namespace Amontons
   find_unstable_mode(const std::function<bool(LA::Vector &y, const LA::Vector &x)> &solve,
                      const LA::Vector                                              &damping,
                      const unsigned int                                             n_steps = 12);
+
+  // The largest |lambda| of S v = lambda K v, both symmetric and K positive, by a few steps of Lanczos'
+  // method for K^-1 S: vectors orthogonal in the energy of K, so that Ritz values are the eigenvalues of v_i
+  // . S v_j.
+  template <typename Vector>
+  struct LargestRitzValue
+  {
+    std::function<Vector(const Vector &v)>     forces;   // S v
+    std::function<Vector(const Vector &v)>     energies; // K v
+    std::function<Vector(const Vector &force)> answer;   // about K^-1 force
+
+    // noteworthy: less is not looked at more closely.
+    double
+    find(Vector start, const double noteworthy) const;
+  };
 } // namespace Amontons

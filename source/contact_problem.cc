@@ -274,7 +274,8 @@ namespace Amontons
   ContactProblem<dim>::go_on_with_finite_strain()
   {
     const auto *nearby = small_strain.answer_nearby();
-    if (nearby == nullptr || scene.n_increments > 0 || !scene.output_times.empty())
+    if (nearby == nullptr || scene.n_increments > 0 || !scene.output_times.empty() ||
+        !scene.corner_times.empty())
       return false;
     report.restart();
     start(true, nearby);

@@ -157,6 +157,13 @@ namespace Amontons
 
   template <int dim>
   double
+  SmallStrainCheck<dim>::allowed_change() const
+  {
+    return stiffening > too_much ? 0.1 * allowed_error() : allowed_error();
+  }
+
+  template <int dim>
+  double
   SmallStrainCheck<dim>::error() const
   {
     return change ? change->largest : neglected.largest().largest();
@@ -167,7 +174,7 @@ namespace Amontons
   SmallStrainCheck<dim>::is_harmless() const
   {
     return (!tried && std::max(neglected.largest().largest(), stiffening) <= allowed_error()) ||
-           (change && change->largest <= allowed_error());
+           (change && change->largest <= allowed_change());
   }
 
   template <int dim>
@@ -209,7 +216,7 @@ namespace Amontons
   SmallStrainCheck<dim>::allowance() const
   {
     std::ostringstream text;
-    text << " (allowed are " << allowed_error() << ")";
+    text << " (allowed are " << (change ? allowed_change() : allowed_error()) << ")";
     return text.str();
   }
 
@@ -228,10 +235,9 @@ namespace Amontons
     const double          bound     = automatic ? allowed_error() : too_much;
     const GivesUp         gives_up  = [&]() { return control.gives_up(model.mesh->geometry.communicator); };
     rotations_are_held              = holds_all_rotations(model.discretization());
-    const bool may_try              = converged && rotations_are_held && !neglected.came_back();
-    stiffening = converged && terms.largest() <= bound ? stiffening_at(model, state, bound, timer, gives_up)
-                                                       : terms.stiffening;
-    tried      = may_try && (terms.largest() > bound || stiffening > bound);
+    const bool is_telling           = converged && !neglected.came_back();
+    stiffening                      = is_telling ? stiffening_at(model, state, bound, timer, gives_up) : 0;
+    tried = is_telling && rotations_are_held && (terms.largest() > bound || stiffening > bound);
     if (tried)
       change = change_by_finite_strain(model, state, timer, control);
     what_was_seen = {{"neglected_strain", terms.strain},
@@ -256,8 +262,12 @@ namespace Amontons
     const ContactSolver<dim> solver    = {
            parameters.newton, parameters.linear_solver, model.discretization(), timer, gives_up};
     // A local stress, as at a corner, makes |lambda| a few times as large as its strain.
-    return solver.stress_stiffening(*mechanics, model.interfaces, model.supports, state, allowed / 6)
-        .value_or(0);
+    const auto with_strains_to = [&](const double most_strain) {
+      return solver.stress_stiffening(*mechanics, model.interfaces, model.supports, state, most_strain)
+          .value_or(0);
+    };
+    const double found = with_strains_to(allowed / 6);
+    return found > too_much ? std::max(found, with_strains_to(too_much / 6)) : found;
   }
 
   // The largest relative change of contact forces and, unless the total force is all that is asked for, of

@@ -1222,6 +1222,21 @@ add_scene_test(NAME small_strain_history SCENE verification/patch_confined.prm
 add_scene_test(NAME auto_column_of_blocks SCENE verification/tied_column.prm
                CHECK "status is converged" "checks.neglected_stiffening ~ 0.5 0.01" "probes.0.points.0.displacement.0 ~ 7.23e-3 0.01" "notes.0 has finite strain is used")
 add_scene_test(NAME small_strain_of_a_column SCENE verification/tied_column.prm FAILS SET "Kinematics=small strain" CHECK "status has not converged" "message has kinematics")
+# Down and back: the arch has snapped through, which only the increments on the way show.
+add_scene_test(NAME auto_of_a_way_back SCENE snap_away.prm SET Kinematics=auto Increments=automatic "Obstacle indenter/Displacement=0|table(0:0, 0.5:-4.5, 1:0)"
+               CHECK "status is converged" "probes.0.points.0.displacement.1 ~ -4.288 1e-3" "notes.0 has on a way that comes back")
+# Small strain leaves out 4.4 times what it keeps: finite strain from the first mesh on.
+add_scene_test(NAME auto_leaves_small_strain SCENE verification/two_leaves.prm SET Kinematics=auto "Refinement/Cycles=-1" "Refinement/Target error=0.03"
+               CHECK "status is converged" "probes.0.points.0.displacement.1 ~ -2.157 1e-3" "linear_solves <= 60")
+# Beyond Euler's load, and something turns freely, which finite strain does not have.
+add_scene_test(NAME auto_without_alternative SCENE verification/tied_column.prm FAILS
+               SET "Boundary condition load/Type=platen" "Boundary condition load/Value=" "Boundary condition load/Force=0.0001*t|-3*t" "Boundary condition load/Displacement=free|free"
+                   "Boundary condition load/Rotation=free" "Boundary condition load/Reference point=0.5, 10"
+               CHECK "status has not converged" "checks.neglected_stiffening >= 1")
+foreach(half_width 1.01 1.03)
+  add_scene_test(NAME edge_beyond_nodes_${half_width} SCENE verification/edge_beyond_nodes.prm SET "Obstacle support/Half width=${half_width}"
+                 CHECK "status is converged" "pairs.0.peak_pressure <= 5" "pairs.0.normal_force.1 ~ 1 1e-8")
+endforeach()
 add_scene_test(NAME auto_pinched SCENE verification/rubber_bush.prm CHECK "status is converged" "notes.0 has small strain is enough" "pairs.0.normal_force.1 ~ -15.83 0.02")
 # From the answer of small strain Newton's method goes to another state, where one leaf has passed through the other.
 add_scene_test(NAME small_strain_of_slender_bodies SCENE verification/two_leaves.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"

@@ -67,6 +67,10 @@ namespace Amontons
     description() const;
     std::string
     allowance() const;
+    /// Of the answer by finite strain. What is soft may move by much beside what moves farther, or is pressed
+    /// harder: a tenth of the error where stress makes anything much softer or stiffer.
+    double
+    allowed_change() const;
     /// neglected_strain, neglected_contact, neglected_stiffening(, change_of_answer): when it was looked.
     const std::map<std::string, double> &
     checks() const

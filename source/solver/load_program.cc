@@ -24,6 +24,8 @@ namespace Amontons
         if (scene.n_increments == 0)
           constant_size = 0;
       }
+    else if (scene.kinematics == Kinematics::automatic) // what small strain leaves out there counts, too
+      breakpoints.insert(breakpoints.end(), scene.corner_times.begin(), scene.corner_times.end());
     std::sort(breakpoints.begin(), breakpoints.end());
     const double same = 1e-12 * scene.end_time;
     breakpoints.erase(std::unique(breakpoints.begin(),

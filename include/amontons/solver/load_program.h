@@ -5,9 +5,10 @@
 
 namespace Amontons
 {
-  // Times to land on are the end time and `Output times`; with history (friction) also the corners of the
-  // load path. Between two of them increments are equal, and no longer than the present size. A failed
-  // increment is halved; after easy ones the size doubles again, up to what the scene started with.
+  // Times to land on are the end time and `Output times`; with history (friction) and where the kinematics
+  // are to be chosen also the corners of the load path. Between two of them increments are equal, and no
+  // longer than the present size. A failed increment is halved; after easy ones the size doubles again, up to
+  // what the scene started with.
   class LoadProgram
   {
   public:

@@ -319,7 +319,7 @@ namespace Amontons
   LoadStepping<dim>::may_refine() const
   {
     if (neglected != nullptr && scene.kinematics == Kinematics::automatic && evaluation.recovery &&
-        evaluation.recovery->energy_of_quadratic_strain() > 2 * report.energy())
+        report.energy() > 0 && evaluation.recovery->energy_of_quadratic_strain() > 2 * report.energy())
       return false; // finite strain takes over
     return model->mesh->n_refinements < parameters.refinement.most_cycles();
   }

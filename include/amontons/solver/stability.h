@@ -23,8 +23,8 @@ namespace Amontons
                      const unsigned int                                             n_steps = 12);
 
   // The largest |lambda| of S v = lambda K v, both symmetric and K positive, by a few steps of Lanczos'
-  // method for K^-1 S: vectors orthogonal in the energy of K, so that Ritz values are the eigenvalues of v_i
-  // . S v_j.
+  // method for K^-1 S: vectors v_i that are orthogonal in the energy of K, so that Ritz values are the
+  // eigenvalues of the matrix of all products (v_i, S v_j).
   template <typename Vector>
   struct LargestRitzValue
   {

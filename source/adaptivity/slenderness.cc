@@ -15,13 +15,7 @@ namespace Amontons
     {
       Tensor<2, 3> result;
       for (const auto &stress : points)
-        for (unsigned int k = 0; k < n_voigt<dim>; ++k)
-          {
-            const auto [i, j] = voigt_indices[k];
-            result[i][j] += stress[k] / points.size();
-            if (i != j)
-              result[j][i] += stress[k] / points.size();
-          }
+        result += as_tensor(stress) / double(points.size());
       return result;
     }
   } // namespace

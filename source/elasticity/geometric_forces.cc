@@ -13,13 +13,8 @@ namespace Amontons
     Tensor<2, 3>
     limited(const Voigt<dim> &stress, const double most)
     {
-      Tensor<2, 3> sigma;
-      for (unsigned int k = 0; k < n_voigt<dim>; ++k)
-        {
-          const auto [i, j] = voigt_indices[k];
-          sigma[i][j] = sigma[j][i] = stress[k];
-        }
-      const double size = sigma.norm();
+      const auto   sigma = as_tensor(stress);
+      const double size  = sigma.norm();
       return size > most ? most / size * sigma : sigma;
     }
 

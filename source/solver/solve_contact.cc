@@ -103,6 +103,29 @@ namespace Amontons
       newton.iterate();
       return newton.finish();
     }
+
+    template <int dim>
+    ContactEquilibrium<dim>
+    equilibrium(const ContactSolver<dim>           &solver,
+                Mechanics<dim>                     &mechanics,
+                ContactKinematics<dim>             &contact,
+                std::vector<ContactInterface<dim>> &interfaces,
+                const Constraints                  &supports,
+                SolutionState<dim>                 &state,
+                Penalty<dim>                       *penalty)
+    {
+      return {solver.parameters,
+              solver.solver_parameters,
+              solver.discretization,
+              mechanics,
+              contact,
+              interfaces,
+              supports,
+              state,
+              solver.timer,
+              penalty,
+              solver.gives_up};
+    }
   } // namespace
 
   //! [solve]
@@ -120,17 +143,8 @@ namespace Amontons
     const auto problem_with = [&](ContactKinematics<dim> &contact) -> ContactEquilibrium<dim> {
       if (parameters.has_penalty())
         penalty.emplace(parameters.penalty, parameters.scaling, contact, state);
-      return {parameters,
-              solver_parameters,
-              discretization,
-              mechanics,
-              contact,
-              interfaces,
-              supports,
-              state,
-              timer,
-              penalty ? &*penalty : nullptr,
-              gives_up};
+      return equilibrium(
+          *this, mechanics, contact, interfaces, supports, state, penalty ? &*penalty : nullptr);
     };
     const double smallest_cell = GridTools::minimal_cell_diameter(discretization.geometry.triangulation);
     if (mechanics.is_linear())
@@ -163,21 +177,10 @@ namespace Amontons
                                         SolutionState<dim>                  state,
                                         const double                        most_strain) const
   {
-    TimerOutput::Scope                   scope(timer, "contact iteration");
-    FixedContact<dim>                    contact(discretization, interfaces, state, parameters.scaling);
-    const ContactEquilibrium<dim>        problem  = {parameters,
-                                                     solver_parameters,
-                                                     discretization,
-                                                     mechanics,
-                                                     contact,
-                                                     interfaces,
-                                                     supports,
-                                                     state,
-                                                     timer,
-                                                     nullptr,
-                                                     gives_up};
-    const auto                           quiet    = [](const auto &) {};
-    const typename Newton<dim>::Observer observer = quiet;
+    TimerOutput::Scope scope(timer, "contact iteration");
+    FixedContact<dim>  contact(discretization, interfaces, state, parameters.scaling);
+    const auto problem = equilibrium<dim>(*this, mechanics, contact, interfaces, supports, state, nullptr);
+    const typename Newton<dim>::Observer observer = [](const auto &) {};
     EliminatedStep<dim>                  step(problem);
     Newton<dim>                          newton(
         problem, step, GridTools::minimal_cell_diameter(discretization.geometry.triangulation), observer);

@@ -2,6 +2,8 @@
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
+#include <complex>
+
 namespace Amontons
 {
   namespace
@@ -25,18 +27,29 @@ namespace Amontons
       result.compress(VectorOperation::insert);
       return result;
     }
-    // Of the real ones of the leading n x n block; 0: none is negative.
-    double
-    most_negative_eigenvalue(const FullMatrix<double> &H, const unsigned int n)
+
+    // Of the leading n x n block.
+    std::vector<std::complex<double>>
+    eigenvalues(const FullMatrix<double> &H, const unsigned int n)
     {
       LAPACKFullMatrix<double> block(n, n);
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
           block(i, j) = H(i, j);
       block.compute_eigenvalues();
-      double result = 0;
+      std::vector<std::complex<double>> result;
       for (unsigned int k = 0; k < n; ++k)
-        if (const auto value = block.eigenvalue(k); value.imag() == 0)
+        result.push_back(block.eigenvalue(k));
+      return result;
+    }
+
+    // Of the real ones; 0: none is negative.
+    double
+    most_negative_eigenvalue(const FullMatrix<double> &H, const unsigned int n)
+    {
+      double result = 0;
+      for (const auto &value : eigenvalues(H, n))
+        if (value.imag() == 0)
           result = std::min(result, value.real());
       return result;
     }
@@ -115,23 +128,6 @@ namespace Amontons
     return mode;
   }
 
-  namespace
-  {
-    double
-    largest_eigenvalue(const FullMatrix<double> &ritz, const unsigned int n)
-    {
-      LAPACKFullMatrix<double> block(n);
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          block(i, j) = ritz(i, j);
-      block.compute_eigenvalues();
-      double result = 0;
-      for (unsigned int i = 0; i < n; ++i)
-        result = std::max(result, std::abs(block.eigenvalue(i)));
-      return result;
-    }
-  } // namespace
-
   template <typename Vector>
   double
   LargestRitzValue<Vector>::find(Vector next, const double noteworthy) const
@@ -156,8 +152,9 @@ namespace Amontons
         const Vector force = forces(next);
         for (unsigned int i = 0; i <= k; ++i)
           ritz(i, k) = ritz(k, i) = basis[i] * force;
-        const double before = found;
-        found               = largest_eigenvalue(ritz, k + 1);
+        const double before = found; // the largest grows with the space
+        for (const auto &value : eigenvalues(ritz, k + 1))
+          found = std::max(found, std::abs(value));
         if ((k > 2 && found - before <= 0.02 * found) || (k > 1 && found < noteworthy))
           break;
         next = answer(force);

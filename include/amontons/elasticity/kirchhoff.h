@@ -20,6 +20,20 @@ namespace Amontons
     return {{s[0][0], s[1][1], s[2][2], s[0][1], s[0][2], s[1][2]}};
   }
 
+  // Of 4 (plane) or 6 components.
+  template <std::size_t n>
+  Tensor<2, 3>
+  as_tensor(const std::array<double, n> &stress)
+  {
+    Tensor<2, 3> result;
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const auto [i, j] = voigt_indices[k];
+        result[i][j] = result[j][i] = stress[k];
+      }
+    return result;
+  }
+
   // det(I + h) - 1 = tr h + (sum of the principal minors of h) + det h: small strains keep their digits.
   template <typename TensorType>
   double

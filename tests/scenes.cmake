@@ -1233,6 +1233,10 @@ add_scene_test(NAME auto_without_alternative SCENE verification/tied_column.prm 
                SET "Boundary condition load/Type=platen" "Boundary condition load/Value=" "Boundary condition load/Force=0.0001*t|-3*t" "Boundary condition load/Displacement=free|free"
                    "Boundary condition load/Rotation=free" "Boundary condition load/Reference point=0.5, 10"
                CHECK "status has not converged" "checks.neglected_stiffening >= 1")
+foreach(half_width 1.01 1.03)
+  add_scene_test(NAME edge_beyond_nodes_${half_width} SCENE verification/edge_beyond_nodes.prm SET "Obstacle support/Half width=${half_width}"
+                 CHECK "status is converged" "pairs.0.peak_pressure <= 5" "pairs.0.normal_force.1 ~ 1 1e-8")
+endforeach()
 add_scene_test(NAME auto_pinched SCENE verification/rubber_bush.prm CHECK "status is converged" "notes.0 has small strain is enough" "pairs.0.normal_force.1 ~ -15.83 0.02")
 # From the answer of small strain Newton's method goes to another state, where one leaf has passed through the other.
 add_scene_test(NAME small_strain_of_slender_bodies SCENE verification/two_leaves.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"

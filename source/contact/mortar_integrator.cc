@@ -334,16 +334,13 @@ namespace Amontons
 
   namespace
   {
-    // A node of which next to nothing is covered leaves its share to the others, as if supports owned it: a
-    // force on so small an area is rounding. (Dropping it would break the patch test.) Where surfaces slide,
-    // the pressure of a node would grow without bound before it goes: it leaves earlier, and comes back
-    // later, so that no node comes and goes within an iteration.
+    // A node of which next to nothing is covered leaves its share to the others, as if supports owned it: the
+    // pressure of a force on so small an area says nothing. (Dropping it would break the patch test.) Where
+    // surfaces slide, it comes back later than it leaves, so that no node comes and goes within an iteration.
     double
     smallest_share(const bool moved, const std::vector<bool> &carried, const unsigned int node)
     {
-      if (!moved)
-        return 1e-3;
-      return node < carried.size() && carried[node] ? 0.02 : 0.1;
+      return moved && !(node < carried.size() && carried[node]) ? 0.1 : 0.02;
     }
   } // namespace
 

@@ -294,6 +294,38 @@ namespace Amontons
             slips[r] - (slips[r] * rows[r].normal) / rows[r].normal.norm_square() * rows[r].normal;
     }
 
+    // A row's force acts at its node, but for the shares of nodes without a row that have left them: those
+    // stay there, so that moments are right, and such nodes are closed where the row of most of their force
+    // is.
+    template <int dim>
+    void
+    add_nodal_forces(const Discretization<dim>   &discretization,
+                     const ContactInterface<dim> &interface,
+                     const NodalContacts<dim>    &contact,
+                     SurfaceFields<dim>          &fields)
+    {
+      const bool          axisymmetric = discretization.scene.kind == ProblemType::axisymmetric;
+      std::vector<double> largest(fields.force.size(), 0.);
+      for (const auto &row : interface.coupling.rows)
+        {
+          const auto &node    = contact[row.node];
+          const auto  density = -(node.shear + node.pressure * row.normal);
+          fields.force[row.node] += row.area * density;
+          for (const auto &[j, trace] : row.traces)
+            if (fields.area[j] == 0 && !(axisymmetric && is_on_axis(*interface.slave, j)))
+              {
+                const Tensor<1, dim> share = trace * density;
+                fields.force[j] += share;
+                fields.force[row.node] -= share;
+                if (share.norm() > largest[j])
+                  {
+                    largest[j]      = share.norm();
+                    fields.state[j] = node.state;
+                  }
+              }
+        }
+    }
+
     // Hanging nodes have no row: what is shown there is interpolated; they are closed where a parent is.
     template <int dim>
     void
@@ -370,7 +402,6 @@ namespace Amontons
         fields.gap[row.node]        = node.gap;
         fields.area[row.node]       = row.area;
         fields.state[row.node]      = node.state;
-        fields.force[row.node]      = -row.area * (node.shear + node.pressure * row.normal);
         fields.normal_force -= row.area * node.pressure * row.normal;
         fields.tangential_force -= row.area * node.shear;
         pressures.push_back(node.pressure);
@@ -378,6 +409,7 @@ namespace Amontons
         for (unsigned int c = 0; c < dim; ++c)
           tangential[c][r] = -node.shear[c];
       }
+    add_nodal_forces(discretization, interface, contact, fields);
     add_slips(discretization, interface, displacement, fields);
     fill_hanging_nodes(slave, fields);
     if (discretization.scene.kind == ProblemType::axisymmetric) // nodal traces: no row on the axis

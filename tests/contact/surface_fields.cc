@@ -104,6 +104,26 @@ check_plane(const unsigned int degree)
   check::is_close(fields.symmetry_factor, 1, 0, what + ": no symmetry");
 }
 
+// The master ends at x = 0.55, a tenth of a face beyond a node of the slave: the next one leaves its share.
+void
+check_edge(const unsigned int degree)
+{
+  Scene scene     = blocks(2);
+  scene.bodies[0] = block("lower", {-0.5, 0, 0}, {0.55, 1, 0}, {{3, 1, 1}});
+  const Problem<2>  problem(scene, degree);
+  const auto        fields = fields_of(problem);
+  const std::string what   = "beyond an edge, degree " + std::to_string(degree);
+  double            force = 0, moment = 0;
+  for (unsigned int i = 0; i < fields.force.size(); ++i)
+    {
+      force += fields.force[i][1];
+      moment += fields.force[i][1] * problem.slave().nodes[i].X[0];
+    }
+  check::is_close(problem.coupling().slivers.size(), 1, 0, what + ": a node leaves its share");
+  check::is_close(force, 3 * 0.55, 1e-10, what + ": force of the nodes");
+  check::is_close(moment, 3 * 0.55 * 0.55 / 2, 1e-10, what + ": moment of the nodes");
+}
+
 // Cut at x = 0: the centre is there, and the other half is not meshed.
 void
 check_half(const unsigned int degree)
@@ -159,6 +179,7 @@ main(int argc, char **argv)
   for (const unsigned int degree : {1, 2})
     {
       check_plane(degree);
+      check_edge(degree);
       check_half(degree);
       check_axisymmetric(degree);
       check_space(degree);

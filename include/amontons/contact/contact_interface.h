@@ -95,7 +95,8 @@ namespace Amontons
     std::vector<Tensor<1, dim>> slip;     // tangential displacement of the slave relative to the master
     std::vector<ContactStatus>  state;
     std::vector<Tensor<1, dim>> displacement;
-    std::vector<Tensor<1, dim>> force; // on the slave body: the terms of normal_force + tangential_force
+    std::vector<Tensor<1, dim>>
+        force; // on the slave body: nodal forces; their sum is normal_force + tangential_force
     std::vector<bool>
         is_covered; // the other side is opposite; elsewhere pressure and traction are continuations
     std::vector<double> bound; // friction: of the tangential traction, projected as the pressure is

@@ -563,6 +563,7 @@ add_scene_test(NAME leaning_weight_slides SCENE verification/leaning_weight.prm 
 add_scene_test(NAME load_after_the_end SCENE verification/clamped.prm SET "End time=0.5" CHECK "notes.0 has but tables go on to t = 2" "pairs.0.normal_force.1 ~ -600 1e-6")
 add_scene_test(NAME clamped_by_a_force SCENE verification/clamped.prm SET "Boundary condition pull/Value=350*table(1: 0, 2: 1)|0" CHECK "status is converged" "pairs.0.tangential_force.0 ~ 350 1e-6" "checks.force_balance <= 1e-8")
 add_scene_test(NAME clamped_beyond_the_limit SCENE verification/clamped.prm FAILS SET "Boundary condition pull/Value=370*table(1: 0, 2: 1)|0" CHECK "status has not converged" "failure has friction")
+add_scene_test(NAME clamped_beyond_the_limit_finite SCENE verification/clamped.prm FAILS SET "Kinematics=finite strain" Increments=4 "Boundary condition pull/Value=370*table(1: 0, 2: 1)|0" CHECK "status has not converged" "failure has friction")
 
 # NAFEMS R0094-1 and -2 with mu = 0.1. The stick zone ends between two nodes, 0.2 apart; shear has its peak there, on one node.
 add_scene_test(NAME roller_friction_20_increments SCENE nafems_roller_friction.prm

@@ -141,6 +141,11 @@ namespace Amontons
             return "friction cannot hold the rigid " + failure.motion +
                    ": where the nodes that slipped least were held to see whether others would stick, at " +
                    failure.where + ", the shear exceeds its bound" + what_to_change;
+          case Failure::Kind::friction_at_limit:
+            return "friction probably cannot hold the rigid " + failure.motion +
+                   ": no states in equilibrium were found, and the loads are at most 2 % below what friction "
+                   "could bear if the bodies were rigid" +
+                   what_to_change;
           case Failure::Kind::friction_slides:
             return "friction probably cannot hold the rigid " + failure.motion +
                    ": all nodes that could hold it slipped time and again, and no states in equilibrium were "
@@ -187,6 +192,7 @@ namespace Amontons
           {Kind::beyond_edge, "beyond edge"},
           {Kind::friction_beyond_limit, "friction beyond limit"},
           {Kind::friction_exceeded, "friction exceeded"},
+          {Kind::friction_at_limit, "friction at its limit"},
           {Kind::friction_slides, "friction slides"},
           {Kind::no_states, "no states"},
           {Kind::still_moving, "still moving"},
@@ -227,16 +233,32 @@ namespace Amontons
                  : at + " the iteration did not find the equilibrium, damped motion did" + work;
     }
 
+    namespace
+    {
+      template <int dim>
+      std::optional<Failure>
+      failure_of(const Failure::Kind kind, const NodeStates<dim> &states, const std::vector<double> &motion)
+      {
+        if (motion.empty())
+          return {};
+        Failure failure{kind};
+        failure.motion = states.describe({motion});
+        return failure;
+      }
+    } // namespace
+
     template <int dim>
     std::optional<Failure>
     friction_beyond_limit(const NodeStates<dim> &states)
     {
-      const auto motion = states.beyond_friction();
-      if (motion.empty())
-        return {};
-      Failure failure{Failure::Kind::friction_beyond_limit};
-      failure.motion = states.describe({motion});
-      return failure;
+      return failure_of(Failure::Kind::friction_beyond_limit, states, states.beyond_friction());
+    }
+
+    template <int dim>
+    std::optional<Failure>
+    friction_at_limit(const NodeStates<dim> &states)
+    {
+      return failure_of(Failure::Kind::friction_at_limit, states, states.beyond_friction(0.98));
     }
 
     template <int dim>
@@ -315,6 +337,8 @@ namespace Amontons
     moves_apart(const NodeStates<3> &, const std::vector<std::vector<double>> &);
     template std::optional<Failure>
     friction_beyond_limit(const NodeStates<2> &);
+    template std::optional<Failure>
+    friction_at_limit(const NodeStates<2> &);
     template Failure
     friction_exceeded(const NodeStates<2> &);
     template Failure
@@ -327,6 +351,8 @@ namespace Amontons
     surfaces_cross(const Failure::Kind, const std::vector<Point<3>> &);
     template std::optional<Failure>
     friction_beyond_limit(const NodeStates<3> &);
+    template std::optional<Failure>
+    friction_at_limit(const NodeStates<3> &);
     template Failure
     friction_exceeded(const NodeStates<3> &);
     template Failure

@@ -202,12 +202,16 @@ namespace Amontons
       return FullMatrix<double>();
     LAPACKFullMatrix<double> matrix(n_modes, n_modes);
     matrix = S;
-    Vector<double>     values;
-    FullMatrix<double> vectors;
-    const double       largest = std::max(S.linfty_norm(), 1e-300);
-    matrix.compute_eigenvalues_symmetric(
-        -largest, relative_threshold * largest + 1e-290, 1e-300, values, vectors);
-    return values.size() == 0 ? FullMatrix<double>() : vectors;
+    matrix.compute_svd(); // syevx gives up at times where eigenvalues at 0 are many
+    const double largest = std::max(S.linfty_norm(), 1e-300);
+    unsigned int rank    = 0;
+    while (rank < n_modes && matrix.singular_value(rank) > relative_threshold * largest + 1e-290)
+      ++rank;
+    FullMatrix<double> vectors(rank < n_modes ? n_modes : 0, n_modes - rank);
+    for (unsigned int k = 0; k < vectors.n(); ++k)
+      for (unsigned int i = 0; i < n_modes; ++i)
+        vectors(i, k) = matrix.get_svd_vt()(n_modes - 1 - k, i);
+    return vectors;
   }
 
   template <int dim>

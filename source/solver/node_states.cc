@@ -196,7 +196,7 @@ namespace Amontons
 
   template <int dim>
   std::vector<double>
-  NodeStates<dim>::beyond_friction() const
+  NodeStates<dim>::beyond_friction(const double share) const
   {
     if (!any_friction || !floating.any())
       return {};
@@ -214,7 +214,7 @@ namespace Amontons
               const auto &friction = interfaces[node.interface].pair->friction;
               if (!friction || !friction->is_constant())
                 return {};
-              contact.friction = friction->value(node.X, t);
+              contact.friction = share * friction->value(node.X, t);
               contact.sliding.assign(dim, {});
               for (const auto &motion : motions)
                 {

@@ -51,10 +51,12 @@ namespace Amontons
     auto                  &report          = newton.report();
     const unsigned int     first           = report.iterations.size();
     double                 residual        = 0;
-    const auto             no_balance_here = Diagnosis::friction_beyond_limit(newton.now().states);
-    report.converged                       = false;
-    report.moved                           = true;
-    damping                                = lumped_damping(problem.discretization);
+    auto                   no_balance_here = Diagnosis::friction_beyond_limit(newton.now().states);
+    if (!no_balance_here)
+      no_balance_here = Diagnosis::friction_at_limit(newton.now().states);
+    report.converged = false;
+    report.moved     = true;
+    damping          = lumped_damping(problem.discretization);
     steps.emplace(first_step);
     newton.set_drag(&drag);
     while (report.goes_on())

@@ -28,6 +28,12 @@ namespace Amontons
     std::optional<Failure>
     friction_beyond_limit(const NodeStates<dim> &states);
 
+    /// None if contact forces might balance the loads with coefficients that are 2 % lower: at finite strain
+    /// rough surfaces bear a little more than plane ones.
+    template <int dim>
+    std::optional<Failure>
+    friction_at_limit(const NodeStates<dim> &states);
+
     template <int dim>
     Failure
     friction_exceeded(const NodeStates<dim> &states);

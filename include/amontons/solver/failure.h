@@ -24,10 +24,11 @@ namespace Amontons
       beyond_edge,           // what holds the bodies would have to lie beyond the edge of the contact
       friction_beyond_limit, // limit analysis: no contact forces within the bounds balance the loads
       friction_exceeded,     // where nodes are held against their bound nothing else changes
-      friction_slides,       // all nodes that could hold a motion slipped time and again
-      no_states,             // none of the above, after many iterations
-      still_moving,          // damped motion that does not come to rest
-      motion_lost,           // damped motion whose steps become too short
+      friction_at_limit, // no states in equilibrium; with coefficients 2 % lower there are no forces, either
+      friction_slides,   // all nodes that could hold a motion slipped time and again
+      no_states,         // none of the above, after many iterations
+      still_moving,      // damped motion that does not come to rest
+      motion_lost,       // damped motion whose steps become too short
       multipliers_unsettled, // of AugmentedLagrangian
       bounds_unsettled,      // of FixedPointFriction
       seed_unsettled         // states or friction forces of SeedIteration

@@ -102,9 +102,10 @@ namespace Amontons
     describe(const std::vector<std::vector<double>> &motions) const;
 
     // A rigid motion that friction cannot hold in whatever states, empty if there is none or Coulomb's
-    // coefficients are no constants: see motion_beyond_friction in friction/limit_load.h.
+    // coefficients are no constants: see motion_beyond_friction in friction/limit_load.h. `share`: of the
+    // coefficients.
     std::vector<double>
-    beyond_friction() const;
+    beyond_friction(const double share = 1) const;
 
     // What the iteration leaves, by interface and slave node.
     std::vector<NodalContacts<dim>>

@@ -44,6 +44,7 @@ namespace Amontons
     state.committed   = LA::Vector();
     state.committed_t = t;
     state.committed_contact.clear();
+    state.before_touch.clear();
     last_converged = SolutionState<dim>();
   }
 

@@ -74,7 +74,7 @@ namespace Amontons
     auto       program = load_program(increments.length());
     Failures   failures;
     const auto n_known = history.path.size(); // on the mesh before
-    history.restart(program.time());
+    begin_history(program);
     evaluation.restart();
     if (neglected != nullptr)
       *neglected = NeglectedTermsOfHistory<dim>();
@@ -285,7 +285,7 @@ namespace Amontons
          << "): it is applied before, from t = " << program.time() << " on";
     report.announce(text.str());
     report.drop_last_solve();
-    history.restart(program.time());
+    begin_history(program);
     go_back();
     return true;
   }
@@ -423,6 +423,8 @@ namespace Amontons
     if (!may_transfer()) // there is none, or the history starts anew on the refined mesh
       history.last_converged = SolutionState<dim>();
     model->refine(history.fields());
+    history.state.committed_contact.clear(); // of the nodes before
+    history.state.before_touch.clear();
     evaluation.recovery.reset();
     history.last_converged.contact.clear(); // of the nodes before, see go_back()
     model->move_to(history.state);

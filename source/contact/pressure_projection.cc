@@ -2,6 +2,7 @@
 #include <amontons/contact/face_lattice.h>
 #include <amontons/contact/pressure_projection.h>
 
+#include <functional>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -56,20 +57,54 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  std::vector<double>
-  project(const ContactInterface<dim> &interface,
-          const std::vector<double>   &row_values,
-          const bool                   nonnegative)
+  std::map<unsigned int, std::vector<unsigned int>>
+  nodes_between(const ContactSurface<dim> &slave, const std::vector<bool> &linear)
   {
-    const auto &coupling = interface.coupling;
-    const auto  expand   = [&](const unsigned int node) {
-      std::vector<std::pair<unsigned int, double>> terms;
-      if (const auto sliver = coupling.slivers.find(node); sliver != coupling.slivers.end())
-        for (const unsigned int other : sliver->second)
-          terms.emplace_back(other, 1. / sliver->second.size());
-      else
-        terms.emplace_back(node, 1.);
-      return terms;
+    std::map<unsigned int, std::vector<unsigned int>> result;
+    if (slave.degree < 2)
+      return result;
+    const auto place = lattice<dim - 1>(slave.degree);
+    for (const auto &face : slave.faces)
+      for (unsigned int k = 0; k < place.size(); ++k)
+        {
+          // Vertices of the smallest part of the face (edge, face) that the node is in the middle of.
+          std::vector<unsigned int> around;
+          for (unsigned int j = 0; j < place.size(); ++j)
+            {
+              bool is_vertex = true;
+              for (unsigned int d = 0; d < dim - 1; ++d)
+                is_vertex =
+                    is_vertex && place[j][d] != 0.5 && (place[k][d] == 0.5 || place[j][d] == place[k][d]);
+              if (is_vertex)
+                around.push_back(face.unknowns[j]);
+            }
+          if (around.size() > 1 && linear[face.unknowns[k]] &&
+              std::all_of(around.begin(), around.end(), [&](const unsigned int i) { return linear[i]; }))
+            result[face.unknowns[k]] = around;
+        }
+    return result;
+  }
+
+  template <int dim>
+  std::vector<double>
+  project(const ContactInterface<dim>                             &interface,
+          const std::vector<double>                               &row_values,
+          const bool                                               nonnegative,
+          const std::map<unsigned int, std::vector<unsigned int>> &means)
+  {
+    using Terms                                       = std::vector<std::pair<unsigned int, double>>;
+    const auto                              &coupling = interface.coupling;
+    const std::function<Terms(unsigned int)> expand   = [&](const unsigned int node) {
+      for (const auto *const known : {&coupling.slivers, &means})
+        if (const auto mean = known->find(node); mean != known->end())
+          {
+            Terms terms;
+            for (const unsigned int other : mean->second)
+              for (const auto &[i, a] : expand(other))
+                terms.emplace_back(i, a / mean->second.size());
+            return terms;
+          }
+      return Terms{{node, 1.}};
     };
     std::map<unsigned int, unsigned int> unknown; // by slave node
     for (const auto &entry : coupling.trace_mass)
@@ -132,9 +167,19 @@ namespace Amontons
   }
 
   template std::vector<double>
-  project(const ContactInterface<2> &, const std::vector<double> &, const bool);
+  project(const ContactInterface<2> &,
+          const std::vector<double> &,
+          const bool,
+          const std::map<unsigned int, std::vector<unsigned int>> &);
+  template std::map<unsigned int, std::vector<unsigned int>>
+  nodes_between(const ContactSurface<2> &, const std::vector<bool> &);
   template std::vector<double>
-  project(const ContactInterface<3> &, const std::vector<double> &, const bool);
+  project(const ContactInterface<3> &,
+          const std::vector<double> &,
+          const bool,
+          const std::map<unsigned int, std::vector<unsigned int>> &);
+  template std::map<unsigned int, std::vector<unsigned int>>
+  nodes_between(const ContactSurface<3> &, const std::vector<bool> &);
   template std::vector<double>
   control_to_nodal(const ContactSurface<2> &, const std::vector<double> &);
   template std::vector<double>

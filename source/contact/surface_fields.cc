@@ -434,10 +434,14 @@ namespace Amontons
     fields.is_covered = covered_nodes(interface, discretization.scene.kind == ProblemType::axisymmetric);
     if (interface.pair->has_friction())
       fields.bound = control_to_nodal(slave, project(interface, bounds, true));
+    std::vector<bool> sticks(n);
+    for (unsigned int i = 0; i < n; ++i)
+      sticks[i] = !interface.pair->tied && fields.state[i] == ContactStatus::stick;
+    const auto between = nodes_between(slave, sticks);
     if (interface.pair->tied || interface.pair->has_friction())
       for (unsigned int c = 0; c < dim; ++c)
         {
-          const auto values = control_to_nodal(slave, project(interface, tangential[c]));
+          const auto values = control_to_nodal(slave, project(interface, tangential[c], false, between));
           for (unsigned int i = 0; i < n; ++i)
             fields.traction[i][c] = values[i];
         }

@@ -87,10 +87,11 @@ namespace Amontons
       if (start.committed.size() == discretization.dof_handler.n_dofs())
         for (unsigned int k = 0; k < all.size(); ++k)
           if (all[k].frictional)
-            result[k] = all[k].jump(start.committed);
+            result[k] =
+                all[k].jump(start.committed) + start.motion_before_touch(all[k].interface, all[k].node);
       return result;
     }
 
-    const std::vector<Tensor<1, dim>> origins; // jumps that the increment started from
+    const std::vector<Tensor<1, dim>> origins; // jumps that slip starts from
   };
 } // namespace Amontons

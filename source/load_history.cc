@@ -18,6 +18,15 @@ namespace Amontons
   }
 
   template <int dim>
+  void
+  LoadHistory<dim>::forget_nodes()
+  {
+    last_converged.contact.clear();
+    state.committed_contact.clear();
+    state.before_touch.clear();
+  }
+
+  template <int dim>
   bool
   LoadHistory<dim>::snapped(const double duration, LA::Vector owned)
   {
@@ -43,8 +52,7 @@ namespace Amontons
     snaps.clear();
     state.committed   = LA::Vector();
     state.committed_t = t;
-    state.committed_contact.clear();
-    state.before_touch.clear();
+    forget_nodes();
     last_converged = SolutionState<dim>();
   }
 

@@ -328,14 +328,13 @@ namespace Amontons
   bool
   LoadStepping<dim>::wants_refinement() const
   {
-    const auto  &error = evaluation.error;
-    const double whole = parameters.refinement.target_error;
+    const auto  &error    = evaluation.error;
+    const auto  &quantity = parameters.refinement.target_quantity;
+    const double whole    = parameters.refinement.target_error;
     // What the increments, chosen for the target, leave of it.
-    const double target =
-        increments.by_target() && report.error_of_increments()
-            ? std::max(whole / 2,
-                       whole - report.error_of_increments()->of(parameters.refinement.target_quantity))
-            : whole;
+    const double target = increments.by_target() && report.error_of_increments()
+                              ? std::max(whole / 2, whole - report.error_of_increments()->of(quantity))
+                              : whole;
     // What facets do refinement does not mend.
     const double mendable = error.quantity.value_or(
         std::sqrt(std::max(0., std::pow(error.decisive(), 2) - std::pow(error.facets, 2))));
@@ -343,8 +342,8 @@ namespace Amontons
     const double believed  = model->mesh->n_refinements == 0 ? target / 5 : target;
     const bool   is_enough = target > 0 && (mendable <= believed ||
                                           history.meshes.is_hopeless(target, parameters.refinement.max_dofs));
-    // A stick zone may be smaller than the faces of the first meshes.
-    const bool may_appear = parameters.refinement.target_quantity == "stick size" && error.contact > target;
+    // A zone may be smaller than the faces of the first meshes.
+    const bool may_appear = quantity.find(" size") != std::string::npos && error.contact > target;
     return may_refine() && !is_enough && (may_appear || !history.quantity.is_zero());
   }
 
@@ -423,10 +422,8 @@ namespace Amontons
     if (!may_transfer()) // there is none, or the history starts anew on the refined mesh
       history.last_converged = SolutionState<dim>();
     model->refine(history.fields());
-    history.state.committed_contact.clear(); // of the nodes before
-    history.state.before_touch.clear();
     evaluation.recovery.reset();
-    history.last_converged.contact.clear(); // of the nodes before, see go_back()
+    history.forget_nodes();
     model->move_to(history.state);
     restore_contact();
     history.fallback      = history.state;

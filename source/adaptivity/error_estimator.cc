@@ -125,7 +125,7 @@ namespace Amontons
                               weight_of_pair};
         facets_of.push_back(facet_error(interface, fields, modulus));
         facets_of.back().pressure *= weight_of_pair;
-        const auto          is_unseen = faces_of_unseen_contact(interface, fields);
+        const auto          is_unseen = faces_of_unseen_contact(interface, fields, parts.gap);
         std::vector<double> face_squares(4 * n, 0.);
         for (unsigned int f = 0; f < slave.faces.size(); ++f)
           if (slave.faces[f].rank == my_rank() &&

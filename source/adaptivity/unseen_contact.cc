@@ -9,7 +9,9 @@ namespace Amontons
   // are, by as much as the nodes beside.
   template <int dim>
   std::vector<bool>
-  faces_of_unseen_contact(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+  faces_of_unseen_contact(const ContactInterface<dim> &interface,
+                          const SurfaceFields<dim>    &fields,
+                          const std::vector<double>   &gap_errors)
   {
     const auto       &slave = *interface.slave;
     std::vector<bool> unseen(slave.faces.size(), false);
@@ -37,13 +39,13 @@ namespace Amontons
     for (unsigned int f = 0; f < unseen.size(); ++f)
       {
         const double range = largest[f] - smallest[f];
-        unseen[f]          = range > 1e-6 * slave.faces[f].size && smallest[f] < 0.01 * range;
+        unseen[f] = gap_errors[f] > 0 || (range > 1e-6 * slave.faces[f].size && smallest[f] < 0.01 * range);
       }
     return unseen;
   }
 
   template std::vector<bool>
-  faces_of_unseen_contact(const ContactInterface<2> &, const SurfaceFields<2> &);
+  faces_of_unseen_contact(const ContactInterface<2> &, const SurfaceFields<2> &, const std::vector<double> &);
   template std::vector<bool>
-  faces_of_unseen_contact(const ContactInterface<3> &, const SurfaceFields<3> &);
+  faces_of_unseen_contact(const ContactInterface<3> &, const SurfaceFields<3> &, const std::vector<double> &);
 } // namespace Amontons

@@ -8,8 +8,11 @@ namespace Amontons
   // Of a pair that touches nowhere, by slave face: whether it may touch all the same, between the points
   // where the gap is known. The gap g varies by r over the points of a face; beyond the outermost one, at
   // most 5 % of a face from its end, a smooth one falls by about r/400 (quadratic). So g < r/100 says that
-  // nobody knows. All false if something touches.
+  // nobody knows. Nor where a declared gap dips so far between them that its errors (gap_error.h, by face)
+  // count. All false if something touches.
   template <int dim>
   std::vector<bool>
-  faces_of_unseen_contact(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
+  faces_of_unseen_contact(const ContactInterface<dim> &interface,
+                          const SurfaceFields<dim>    &fields,
+                          const std::vector<double>   &gap_errors);
 } // namespace Amontons

@@ -11,7 +11,7 @@ namespace Amontons
   /// that was open in both of its ends, and came nearer by a from the gap g + a while it moved by s along the
   /// surface, is taken to touch after s g/a more (at most s; nothing if g > 2a, as it does not touch then).
   /// Where contact grows, gap and motion are proportional to each other, also near its edge, where both grow
-  /// with the power 3/2 of the distance: doc/introduction.md, (26).
+  /// with the power 3/2 of the distance: doc/introduction.md, "The load program".
   template <int dim>
   std::vector<std::vector<Tensor<1, dim>>>
   motion_before_touch(const SolutionState<dim> &state);

@@ -32,6 +32,11 @@ namespace Amontons
     {
       return contact.empty() ? nullptr : &contact[pair][node];
     }
+    const NodalContact<dim> *
+    committed_contact_of(const unsigned int pair, const unsigned int node) const
+    {
+      return committed_contact.empty() ? nullptr : &committed_contact[pair][node];
+    }
     dealii::Tensor<1, dim>
     motion_before_touch(const unsigned int pair, const unsigned int node) const
     {

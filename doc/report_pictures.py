@@ -19,7 +19,7 @@ SEEN = 0.15  # of a pixel: what is nearer to the line between its neighbours is 
 
 # Of the pages: run (scene and entries), then names of pictures with their titles.
 PAGES = [
-    ("walk/pin_in_lug", ["Increments=20"], {
+    ("walk/pin_in_lug", [], {
         "walk_pressure": "Contact pressure", "walk_shear": "Shear traction", "walk_around": "Around the contact", "walk_errors": "Relative errors"}),
     ("walk/pin_in_lug", ["Refinement/Cycles=0"], {"walk_coarse_mesh": "Deformed mesh"}),
     ("walk/pin_in_lug_3d", [], {"walk_3d_bodies": "Bodies", "walk_3d_pressure": "Pressure on the surface", "walk_3d_states": "States"}),

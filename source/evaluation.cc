@@ -40,11 +40,13 @@ namespace Amontons
     for (unsigned int i = 0; i < model.interfaces.size(); ++i)
       {
         const auto &interface = model.interfaces[i];
-        fields.push_back(make_surface_fields(model.discretization(),
-                                             interface,
-                                             state.contact[i],
-                                             unused_shears(interface, state.contact[i], state.t),
-                                             state.displacement));
+        fields.push_back(
+            make_surface_fields(model.discretization(),
+                                interface,
+                                state.contact[i],
+                                unused_shears(interface, state.contact[i], state.t),
+                                state.displacement,
+                                state.was_open.empty() ? std::vector<bool>() : state.was_open[i]));
       }
   }
 

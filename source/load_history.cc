@@ -18,15 +18,6 @@ namespace Amontons
   }
 
   template <int dim>
-  void
-  LoadHistory<dim>::forget_nodes()
-  {
-    last_converged.contact.clear();
-    state.committed_contact.clear();
-    state.before_touch.clear();
-  }
-
-  template <int dim>
   bool
   LoadHistory<dim>::snapped(const double duration, LA::Vector owned)
   {
@@ -52,7 +43,8 @@ namespace Amontons
     snaps.clear();
     state.committed   = LA::Vector();
     state.committed_t = t;
-    forget_nodes();
+    state.committed_contact.clear();
+    state.was_open.clear();
     last_converged = SolutionState<dim>();
   }
 

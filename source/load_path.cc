@@ -3,7 +3,6 @@
 #include <amontons/base/points.h>
 #include <amontons/friction/shear_law.h>
 #include <amontons/load_path.h>
-#include <amontons/solver/before_touch.h>
 
 namespace Amontons
 {
@@ -35,7 +34,7 @@ namespace Amontons
   bool
   LoadPath<dim>::run(LoadProgram &program)
   {
-    begin_history(program);
+    history.restart(program.time());
     while (!program.finished())
       {
         start_increment(program.next());
@@ -53,23 +52,6 @@ namespace Amontons
           begin_next(program);
       }
     return true;
-  }
-
-  // At rest.
-  template <int dim>
-  void
-  LoadPath<dim>::begin_history(const LoadProgram &program)
-  {
-    history.restart(program.time());
-    if (!program.is_incremental() || !has_history())
-      return;
-    if (model->finite_strain())
-      couple_moved(model->discretization(),
-                   model->supports,
-                   model->discretization().make_relevant_vector(),
-                   program.time(),
-                   model->interfaces);
-    history.state.committed_contact = contact_at_rest(model->interfaces, model->finite_strain());
   }
 
   template <int dim>
@@ -193,10 +175,14 @@ namespace Amontons
   void
   LoadPath<dim>::begin_next(const LoadProgram &program)
   {
-    if (history.state.committed_contact.empty() || program.at_corner() || history.last_report.moved)
-      history.state.before_touch.clear();
-    else
-      history.state.before_touch = motion_before_touch(history.state);
+    auto &was_open = history.state.was_open;
+    was_open.resize(model->interfaces.size());
+    for (unsigned int i = 0; i < was_open.size(); ++i)
+      {
+        was_open[i].resize(history.state.contact[i].size(), false);
+        for (unsigned int n = 0; n < was_open[i].size(); ++n)
+          was_open[i][n] = was_open[i][n] || history.state.contact[i][n].state == ContactStatus::open;
+      }
     history.state.committed         = history.state.displacement;
     history.state.committed_t       = history.state.t;
     history.state.committed_contact = history.state.contact;

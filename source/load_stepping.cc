@@ -74,7 +74,7 @@ namespace Amontons
     auto       program = load_program(increments.length());
     Failures   failures;
     const auto n_known = history.path.size(); // on the mesh before
-    begin_history(program);
+    history.restart(program.time());
     evaluation.restart();
     if (neglected != nullptr)
       *neglected = NeglectedTermsOfHistory<dim>();
@@ -166,7 +166,7 @@ namespace Amontons
     combine_with_difference(model->discretization(),
                             model->interfaces,
                             evaluation.fields,
-                            history.state.t,
+                            {history.state.t, increments.length()},
                             history.coarser,
                             evaluation.error);
     evaluation.judge_by_history();
@@ -285,7 +285,7 @@ namespace Amontons
          << "): it is applied before, from t = " << program.time() << " on";
     report.announce(text.str());
     report.drop_last_solve();
-    begin_history(program);
+    history.restart(program.time());
     go_back();
     return true;
   }
@@ -411,7 +411,7 @@ namespace Amontons
       }
     store_contact();
     history.work.leave_mesh(answer());
-    history.coarser.t = history.state.t;
+    history.coarser.place = {history.state.t, increments.length()};
     history.coarser.traction =
         surface_tractions(model->discretization(), model->interfaces, evaluation.fields);
     history.coarser.recovered = evaluation.error.recovered;
@@ -423,7 +423,8 @@ namespace Amontons
       history.last_converged = SolutionState<dim>();
     model->refine(history.fields());
     evaluation.recovery.reset();
-    history.forget_nodes();
+    history.last_converged.contact.clear(); // of the nodes before, see go_back()
+    history.state.was_open.clear();
     model->move_to(history.state);
     restore_contact();
     history.fallback      = history.state;

@@ -691,12 +691,12 @@ add_scene_test(NAME transfer_finite SCENE cattaneo_mindlin.prm
 add_scene_test(NAME transfer_microslip_bar SCENE microslip_bar.prm READ_BACK SET "Refinement/History=transfer"
                CHECK ${LAWS} "probes.0.points.0.displacement.0 ~ 0.05 2e-3" "meshes.-1.dissipation ~ 0.833333 2e-3")
 add_scene_test(NAME transfer_nafems_roller SCENE nafems_roller_friction.prm SET "Refinement/History=transfer" "Increments=5"
-               CHECK ${LAWS} "pairs.0.peak_pressure ~ 3668.4 2e-3" "contact.pair=roller,state=stick.X <= 2.2" # 3668.4 with Cycles = 6
+               CHECK ${LAWS} "pairs.0.peak_pressure ~ 3663 2e-3" "contact.pair=roller,state=stick.X <= 2.2"
                      "contact.pair=roller,state=slip.X >= 2.1")
-# Nodes stick one after the other, each where it touched: no saw-tooth of edges and middles of faces, nor of increments (kinks of 1.7, peak 1.33 before; degree 1 with h/8 and 160 increments: 0.562).
+# Nodes stick one after the other: no saw-tooth of vertices and middles of faces (kinks of 1.4, peak of 1.04 without means; degree 1 with h/8 and 160 increments: 0.562).
 foreach(kinematics small finite)
-  add_scene_test(NAME growing_stick_${kinematics} SCENE verification/growing_stick.prm SET "Kinematics=${kinematics} strain"
-                 CHECK "status is converged" "kink(contact.state=stick.tx) <= 0.35" "peak(contact.state=stick.tx) <= 0.65" "checks.coulomb_cone <= 1e-6")
+  add_scene_test(NAME growing_stick_${kinematics} SCENE verification/growing_stick.prm SET "Kinematics=${kinematics} strain" "Increments=40"
+                 CHECK "status is converged" "kink(contact.state=stick.tx) <= 0.8" "peak(contact.state=stick.tx) <= 0.7" "checks.coulomb_cone <= 1e-6")
 endforeach()
 
 # Corner on corner: refused where no normal finds the other side, whichever is the slave; beside it nothing touches.
@@ -834,9 +834,9 @@ add_scene_test(NAME slide_off_edge_friction_first SCENE verification/slide_off_e
                CHECK "status is converged" "newton.:.iterations <= 7" "kink(history.:.interface.normal_force_y) <= 0.1" "checks.negative_dissipation <= 1e-9"
                      "meshes.-1.dissipation ~ 48.19 0.01") # 49.5 with 160 increments
 add_scene_test(NAME slide_over_edges_friction_second SCENE verification/slide_over_edges.prm
-               SET "Contact interface/Slave=second" "Contact interface/Friction coefficient=0.3" "Increments=60"
+               SET "Contact interface/Slave=second" "Contact interface/Friction coefficient=0.3" "Increments=240"
                CHECK "status is converged" "newton.:.iterations <= 8" "kink(history.:.interface.normal_force_y) <= 0.2" "checks.negative_dissipation <= 1e-9"
-                     "peak(history.:.interface.normal_force_y) ~ 45.8 0.02" "meshes.-1.dissipation ~ 49.005 0.005") # 49.0045 with 960; 47.66 with 60 that counted all motion before the touch
+                     "peak(history.:.interface.normal_force_y) ~ 45.8 0.02" "meshes.-1.dissipation ~ 48.98 0.001") # 47.5, 48.7, 48.97 with 60, 120, 240
 
 # Small strain and finite strain agree to the order of the strain.
 foreach(mu 0 0.3)

@@ -52,9 +52,6 @@ namespace Amontons
     std::vector<LA::Vector *>
     fields();
 
-    /// What is known of the nodes of a mesh that has been refined.
-    void
-    forget_nodes();
     /// After an increment that converged, before it is committed: whether its bodies moved on from where they
     /// had no equilibrium, which the snaps say from now on. owned: to work in. Collective.
     bool

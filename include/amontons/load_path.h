@@ -44,8 +44,6 @@ namespace Amontons
 
   protected:
     void
-    begin_history(const LoadProgram &program);
-    void
     set_time(const double t);
     void
     start_increment(const double t);

@@ -75,7 +75,6 @@ namespace Amontons
     using LoadPath<dim>::iterate;
     using LoadPath<dim>::must_stop;
     using LoadPath<dim>::commit;
-    using LoadPath<dim>::begin_history;
     using LoadPath<dim>::begin_next;
     using LoadPath<dim>::repeat_with;
     using LoadPath<dim>::store_contact;

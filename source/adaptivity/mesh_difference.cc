@@ -136,14 +136,14 @@ namespace Amontons
   combine_with_difference(const Discretization<dim>                &discretization,
                           const std::vector<ContactInterface<dim>> &interfaces,
                           const std::vector<SurfaceFields<dim>>    &fields,
-                          const double                              t,
+                          const PlaceInHistory                     &place,
                           CoarserTractions<dim>                    &before,
                           ErrorEstimate<dim>                       &error)
   {
     double pressure = error.recovered.pressure * before.pressure.of_this,
            shear    = error.recovered.shear * before.shear.of_this;
     if (error.pressure_norm > 0 && before.traction.size() == discretization.dof_handler.n_dofs() &&
-        before.t == t)
+        before.place.t == place.t && before.place.increment_length == place.increment_length)
       {
         const LA::Vector      now = surface_tractions(discretization, interfaces, fields);
         Squares               squares;
@@ -192,14 +192,14 @@ namespace Amontons
   combine_with_difference(const Discretization<2> &,
                           const std::vector<ContactInterface<2>> &,
                           const std::vector<SurfaceFields<2>> &,
-                          const double,
+                          const PlaceInHistory &,
                           CoarserTractions<2> &,
                           ErrorEstimate<2> &);
   template void
   combine_with_difference(const Discretization<3> &,
                           const std::vector<ContactInterface<3>> &,
                           const std::vector<SurfaceFields<3>> &,
-                          const double,
+                          const PlaceInHistory &,
                           CoarserTractions<3> &,
                           ErrorEstimate<3> &);
 } // namespace Amontons

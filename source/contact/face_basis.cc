@@ -13,9 +13,9 @@ namespace Amontons
     {
       Assert(degree == 1 || degree == 2, dealii::ExcNotImplemented());
       if (degree == 1)
-        values = {1 - x, x};
+        values = {{1 - x, x}};
       else
-        values = {(1 - x) * (1 - x), 2 * x * (1 - x), x * x};
+        values = {{(1 - x) * (1 - x), 2 * x * (1 - x), x * x}};
     }
 
     // Product over the directions of the first n factors f[direction][index], the first index fastest.

@@ -370,7 +370,8 @@ namespace Amontons
                       const ContactInterface<dim> &interface,
                       const NodalContacts<dim>    &contact,
                       const std::vector<double>   &unused_shears,
-                      const LA::Vector            &displacement)
+                      const LA::Vector            &displacement,
+                      const std::vector<bool>     &was_open)
   {
     const auto        &slave = *interface.slave;
     const unsigned int n     = slave.nodes.size();
@@ -434,10 +435,13 @@ namespace Amontons
     fields.is_covered = covered_nodes(interface, discretization.scene.kind == ProblemType::axisymmetric);
     if (interface.pair->has_friction())
       fields.bound = control_to_nodal(slave, project(interface, bounds, true));
-    std::vector<bool> sticks(n);
-    for (unsigned int i = 0; i < n; ++i)
-      sticks[i] = !interface.pair->tied && fields.state[i] == ContactStatus::stick;
-    const auto between = nodes_between(slave, sticks);
+    // What a node touched at stays with it as long as it sticks; as the edge of the contact passes vertices
+    // and middles of faces in other ways, the shear then goes up and down between them on any mesh.
+    std::vector<bool> touched_alone(n, false);
+    for (unsigned int i = 0; i < was_open.size(); ++i)
+      touched_alone[i] = was_open[i] && !interface.pair->tied && fields.state[i] == ContactStatus::stick &&
+                         interface.coupling.slivers.count(i) == 0;
+    const auto between = nodes_between(slave, touched_alone);
     if (interface.pair->tied || interface.pair->has_friction())
       for (unsigned int c = 0; c < dim; ++c)
         {
@@ -455,7 +459,8 @@ namespace Amontons
                       const ContactInterface<2> &,
                       const NodalContacts<2> &,
                       const std::vector<double> &,
-                      const LA::Vector &);
+                      const LA::Vector &,
+                      const std::vector<bool> &);
   template double
   value_on_face(const ContactSurface<3> &, const std::vector<double> &, const unsigned int, const Point<2> &);
   template SurfaceFields<3>
@@ -463,5 +468,6 @@ namespace Amontons
                       const ContactInterface<3> &,
                       const NodalContacts<3> &,
                       const std::vector<double> &,
-                      const LA::Vector &);
+                      const LA::Vector &,
+                      const std::vector<bool> &);
 } // namespace Amontons

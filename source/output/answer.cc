@@ -38,7 +38,9 @@ namespace Amontons
     std::string
     percent(const double fraction)
     {
-      return std::isfinite(fraction) ? short_number(100 * fraction) + " %" : "unknown";
+      if (!std::isfinite(fraction))
+        return "unknown";
+      return short_number(std::abs(fraction) < 1e-12 ? 0 : 100 * fraction) + " %"; // rounding
     }
 
     std::string

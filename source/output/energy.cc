@@ -173,9 +173,6 @@ namespace Amontons
           {
             const auto  &node  = answer.state.contact[i][row.node];
             const double bound = bounds_now.at({i, row.node});
-            if (const auto *old = answer.state.committed_contact_of(i, row.node);
-                old != nullptr && old->state == ContactStatus::slip && node.state == ContactStatus::open)
-              work += row.area / 2 * std::max(0., old->shear * node.slip);
             if (bound <= 0)
               continue;
             const auto   known = bounds.find({i, row.node});

@@ -59,6 +59,12 @@ namespace Amontons
     }
 
     std::string
+    known(const double number)
+    {
+      return std::isfinite(number) ? short_number(number) : "-";
+    }
+
+    std::string
     increment_table(const RunSummary &summary)
     {
       std::vector<HtmlRow> rows;
@@ -71,6 +77,7 @@ namespace Amontons
                         text_of(mesh.iterations),
                         text_of(mesh.krylov_iterations),
                         short_number(mesh.error_estimate.contact),
+                        known(mesh.error_estimate.shear),
                         short_number(mesh.error_estimate.bulk),
                         short_number(mesh.seconds)});
       const HtmlRow head = {"increment",
@@ -81,6 +88,7 @@ namespace Amontons
                             "iterations",
                             "krylov",
                             "pressure error",
+                            "shear error",
                             "stress error",
                             "seconds"};
       return rows.empty() ? "" : html_table(head, rows);
@@ -110,6 +118,7 @@ namespace Amontons
                           text_of(most),
                           text_of(krylov),
                           short_number(last->error_estimate.contact),
+                          known(last->error_estimate.shear),
                           short_number(last->error_estimate.bulk),
                           short_number(last->seconds)});
         }
@@ -121,6 +130,7 @@ namespace Amontons
                          "most in one",
                          "krylov",
                          "pressure error",
+                         "shear error",
                          "stress error",
                          "seconds"},
                         rows);

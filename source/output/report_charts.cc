@@ -221,22 +221,32 @@ namespace Amontons
     chart.y_label = "error";
     chart.log_x = chart.log_y = true;
 
-    std::vector<double>                        dofs, contact, bulk;
-    std::map<std::string, std::vector<double>> errors;
+    // Of a mesh that other increments were taken on again, the last answer.
+    std::vector<const MeshSummary *> meshes;
     for (const MeshSummary &mesh : summary.meshes)
       if (mesh.t == summary.meshes.back().t)
         {
-          dofs.push_back(mesh.dofs);
-          contact.push_back(mesh.error_estimate.contact);
-          bulk.push_back(mesh.error_estimate.bulk);
-          if (mesh.reference)
-            for (const auto &[name, error] : mesh.reference->errors)
-              {
-                errors[name].resize(dofs.size() - 1, unknown);
-                errors[name].push_back(std::abs(error));
-              }
+          if (!meshes.empty() && meshes.back()->dofs == mesh.dofs)
+            meshes.pop_back();
+          meshes.push_back(&mesh);
         }
+    std::vector<double>                        dofs, contact, shear, bulk;
+    std::map<std::string, std::vector<double>> errors;
+    for (const MeshSummary *const mesh : meshes)
+      {
+        dofs.push_back(mesh->dofs);
+        contact.push_back(mesh->error_estimate.contact);
+        shear.push_back(mesh->error_estimate.shear);
+        bulk.push_back(mesh->error_estimate.bulk);
+        if (mesh->reference)
+          for (const auto &[name, error] : mesh->reference->errors)
+            {
+              errors[name].resize(dofs.size() - 1, unknown);
+              errors[name].push_back(std::abs(error));
+            }
+      }
     add_error_curve(chart, "pressure, estimated", dofs, contact);
+    add_error_curve(chart, "shear, estimated", dofs, shear);
     add_error_curve(chart, "stress, estimated", dofs, bulk);
     for (auto &[name, values] : errors)
       {

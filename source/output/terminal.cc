@@ -15,6 +15,7 @@ namespace Amontons
   namespace
   {
     constexpr unsigned int line_width = 100, label_width = 34;
+    constexpr unsigned int most_tables = 12; // of iterations; after as many increments each gets a line
 
     // Breaks the text between words; lines after the first start with `indent` blanks.
     std::string
@@ -146,7 +147,7 @@ namespace Amontons
   void
   Terminal::scene(const Scene &scene, const unsigned int n_ranks)
   {
-    brief = planned_increments(scene) > 12;
+    brief = planned_increments(scene) > most_tables;
     paragraph(describe_scene(scene, n_ranks));
   }
 
@@ -159,6 +160,11 @@ namespace Amontons
   {
     if (brief && increment == increment_number && static_cast<int>(mesh) == mesh_shown && t < increment_end)
       show_iterations(); // it was cut back
+    if (!brief && increment > most_tables)
+      {
+        brief      = true;
+        mesh_shown = -1;
+      }
     const std::string size = format("mesh %u: %llu cells, %llu DoFs", mesh, cells, dofs);
     heading                = format("Increment %u to t = %g, ", increment, t) + size;
     increment_number       = increment;

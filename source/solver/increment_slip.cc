@@ -39,8 +39,7 @@ namespace Amontons
 
   template <int dim>
   void
-  IncrementSlip<dim>::remember_partners(const std::vector<SlaveNode<dim>> &nodes,
-                                        const SolutionState<dim>          &start)
+  IncrementSlip<dim>::remember_partners(const std::vector<SlaveNode<dim>> &nodes)
   {
     old.assign(nodes.size(), Partners());
     std::vector<std::vector<std::set<unsigned int>>> beside; // by interface and slave node, of its faces
@@ -64,7 +63,7 @@ namespace Amontons
         const Tensor<1, dim> normal      = is_opposite ? node.normal : slave.nodes[node.node].normal;
         old[k].place                     = make_place(slave, around, normal / normal.norm());
         if (is_opposite)
-          old[k].weights = aligned(old[k].place, node, start.motion_before_touch(node.interface, node.node));
+          old[k].weights = aligned(old[k].place, node);
       }
   }
 
@@ -97,14 +96,12 @@ namespace Amontons
   // w - beta
   template <int dim>
   typename IncrementSlip<dim>::Rows
-  IncrementSlip<dim>::aligned(const Place          &place,
-                              const SlaveNode<dim> &node,
-                              const Tensor<1, dim> &before_touch) const
+  IncrementSlip<dim>::aligned(const Place &place, const SlaveNode<dim> &node) const
   {
     Rows weights;
     for (unsigned int c = 0; c < dim; ++c)
       weights[c] = node.components[c].equation.coefficients;
-    const Tensor<1, dim> jump = position_jump(weights, committed) + before_touch;
+    const Tensor<1, dim> jump = position_jump(weights, committed);
     for (const auto &[dofs, gamma] : place.gamma)
       for (unsigned int c = 0; c < dim; ++c)
         weights[c][dofs[c]] -= gamma * jump;
@@ -128,7 +125,7 @@ namespace Amontons
   typename IncrementSlip<dim>::Rows
   IncrementSlip<dim>::weights(const unsigned int k, const SlaveNode<dim> &node) const
   {
-    return old[k].weights ? *old[k].weights : aligned(old[k].place, node, {});
+    return old[k].weights ? *old[k].weights : aligned(old[k].place, node);
   }
 
   // z; without old partners less z_old, which has turned with the slave's normal.

@@ -12,11 +12,18 @@ namespace Amontons
     double of_this = 1, of_coarser = std::numeric_limits<double>::infinity();
   };
 
+  /// Answers are compared at the same time and after increments of the same length: else what increments
+  /// change would count as errors of the mesh.
+  struct PlaceInHistory
+  {
+    double t = 0, increment_length = 0;
+  };
+
   /// Pressure and tangential traction of the mesh before, as a field that goes along to the refined one.
   template <int dim>
   struct CoarserTractions
   {
-    double          t = 0;
+    PlaceInHistory  place;
     LA::Vector      traction; // p n + shear on the slave nodes' DoFs, of all pairs; empty: none known
     RecoveredErrors recovered;
     RecoveryFactors pressure, shear; // of the last comparison
@@ -35,7 +42,7 @@ namespace Amontons
   combine_with_difference(const Discretization<dim>                &discretization,
                           const std::vector<ContactInterface<dim>> &interfaces,
                           const std::vector<SurfaceFields<dim>>    &fields,
-                          const double                              t,
+                          const PlaceInHistory                     &place,
                           CoarserTractions<dim>                    &before,
                           ErrorEstimate<dim>                       &error);
 

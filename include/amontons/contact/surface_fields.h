@@ -7,14 +7,17 @@ namespace Amontons
 {
   // contact: by slave node. unused_shears: by coupling row, what is left of the bound of friction, >= 0.
   // `displacement` readable at relevant DoFs. Symmetry planes and
-  // the axis give the centre of the contact where the slave touches them; else the centre of force.
+  // the axis give the centre of the contact where the slave touches them; else the centre of force. was_open:
+  // by slave node, at the end of an increment before (empty: none was). Where such nodes stick, the traction
+  // of quadratic faces is linear between their vertices.
   template <int dim>
   SurfaceFields<dim>
   make_surface_fields(const Discretization<dim>   &discretization,
                       const ContactInterface<dim> &interface,
                       const NodalContacts<dim>    &contact,
                       const std::vector<double>   &unused_shears,
-                      const LA::Vector            &displacement);
+                      const LA::Vector            &displacement,
+                      const std::vector<bool>     &was_open = {});
 
   // Value at a point of a slave face of a field given by nodal values (Lagrange interpolation).
   template <int dim>

@@ -87,11 +87,10 @@ namespace Amontons
       if (start.committed.size() == discretization.dof_handler.n_dofs())
         for (unsigned int k = 0; k < all.size(); ++k)
           if (all[k].frictional)
-            result[k] =
-                all[k].jump(start.committed) + start.motion_before_touch(all[k].interface, all[k].node);
+            result[k] = all[k].jump(start.committed);
       return result;
     }
 
-    const std::vector<Tensor<1, dim>> origins; // jumps that slip starts from
+    const std::vector<Tensor<1, dim>> origins; // jumps that the increment started from
   };
 } // namespace Amontons

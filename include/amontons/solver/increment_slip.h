@@ -2,7 +2,6 @@
 #pragma once
 
 #include <amontons/solver/contact_nodes.h>
-#include <amontons/solver/solution_state.h>
 
 #include <optional>
 #include <set>
@@ -30,7 +29,7 @@ namespace Amontons
 
     /// The nodes, by which others are numbered from now on, and their interfaces as coupled in that state.
     void
-    remember_partners(const std::vector<SlaveNode<dim>> &nodes, const SolutionState<dim> &start);
+    remember_partners(const std::vector<SlaveNode<dim>> &nodes);
 
     /// The displacement of that state.
     const LA::Vector &
@@ -69,7 +68,7 @@ namespace Amontons
                const std::set<unsigned int> &beside,
                const Tensor<1, dim>         &normal);
     Rows
-    aligned(const Place &place, const SlaveNode<dim> &node, const Tensor<1, dim> &before_touch) const;
+    aligned(const Place &place, const SlaveNode<dim> &node) const;
     Rows
     weights(const unsigned int k, const SlaveNode<dim> &node) const;
     Tensor<1, dim>

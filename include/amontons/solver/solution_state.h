@@ -16,9 +16,8 @@ namespace Amontons
     LA::Vector                      committed;
     double                          committed_t = 0;   // its time
     std::vector<NodalContacts<dim>> committed_contact; // at that time; empty: none
-    /// By pair and slave node: how far a node that was open then moves along the surface before it touches,
-    /// see approach.h. Empty: not known.
-    std::vector<std::vector<dealii::Tensor<1, dim>>> before_touch;
+    /// By pair and slave node: it was open at the end of an increment before, on this mesh. Empty: none was.
+    std::vector<std::vector<bool>> was_open;
     /// A field on the slave nodes' DoFs (zero elsewhere) that carries the states from one mesh to the next:
     /// along the normal (p/peak)^2, continued to negative values beyond the contact; along the surface the
     /// trial shear over its bound, a node slipping where this exceeds 1.
@@ -31,16 +30,6 @@ namespace Amontons
     contact_of(const unsigned int pair, const unsigned int node) const
     {
       return contact.empty() ? nullptr : &contact[pair][node];
-    }
-    const NodalContact<dim> *
-    committed_contact_of(const unsigned int pair, const unsigned int node) const
-    {
-      return committed_contact.empty() ? nullptr : &committed_contact[pair][node];
-    }
-    dealii::Tensor<1, dim>
-    motion_before_touch(const unsigned int pair, const unsigned int node) const
-    {
-      return before_touch.empty() ? dealii::Tensor<1, dim>() : before_touch[pair][node];
     }
   };
 } // namespace Amontons

@@ -38,9 +38,7 @@ namespace Amontons
     std::string
     percent(const double fraction)
     {
-      if (!std::isfinite(fraction))
-        return "unknown";
-      return short_number(std::abs(fraction) < 1e-12 ? 0 : 100 * fraction) + " %"; // rounding
+      return std::isfinite(fraction) ? short_number(100 * fraction) + " %" : "unknown";
     }
 
     std::string

@@ -67,6 +67,8 @@ namespace Amontons
     for (const auto &face : slave.faces)
       for (unsigned int k = 0; k < place.size(); ++k)
         {
+          if (!linear[face.unknowns[k]])
+            continue;
           // Vertices of the smallest part of the face (edge, face) that the node is in the middle of.
           std::vector<unsigned int> around;
           for (unsigned int j = 0; j < place.size(); ++j)
@@ -78,7 +80,7 @@ namespace Amontons
               if (is_vertex)
                 around.push_back(face.unknowns[j]);
             }
-          if (around.size() > 1 && linear[face.unknowns[k]] &&
+          if (around.size() > 1 &&
               std::all_of(around.begin(), around.end(), [&](const unsigned int i) { return linear[i]; }))
             result[face.unknowns[k]] = around;
         }

@@ -2,7 +2,9 @@
 # `cmake --preset package` they run on every amd64; with AVX2 their version, their name and their description say that they need it.
 set(CPACK_PACKAGE_NAME amontons)
 set(CPACK_PACKAGE_VENDOR Amontons)
-set(CPACK_PACKAGE_CONTACT "The maintainers of Amontons") # see AUTHORS, which knows no address
+# The maintainers have no common address (AUTHORS): who publishes a package is to say "NAME <ADDRESS>" here.
+set(AMONTONS_PACKAGE_CONTACT "The maintainers of Amontons" CACHE STRING "Maintainer of the Debian packages, NAME <ADDRESS>")
+set(CPACK_PACKAGE_CONTACT "${AMONTONS_PACKAGE_CONTACT}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "contact between elastic bodies, with friction")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -37,9 +39,14 @@ set(CPACK_COMPONENT_LIBRARY_DESCRIPTION
   "The program amontons as a static library, for find_package(Amontons) in\n\
 CMake.\n\
 ${AMONTONS_NEEDS}")
+# What Debian asks of each package: changes in its own format, compressed.
+string(TIMESTAMP AMONTONS_PACKAGE_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
 foreach(package amontons libamontons-dev)
+  set(changelog ${CMAKE_BINARY_DIR}/packaging/${package}/changelog)
+  file(WRITE ${changelog} "${package} (${CPACK_DEBIAN_PACKAGE_VERSION}) unstable; urgency=medium\n\n  * See /usr/share/doc/amontons/CHANGELOG.md.\n\n -- ${CPACK_PACKAGE_CONTACT}  ${AMONTONS_PACKAGE_DATE}\n")
+  execute_process(COMMAND gzip -9nf ${changelog})
   string(REPLACE libamontons-dev library part ${package})
   string(REPLACE amontons program part ${part})
-  install(FILES packaging/copyright DESTINATION share/doc/${package} COMPONENT ${part})
+  install(FILES packaging/copyright ${changelog}.gz DESTINATION share/doc/${package} COMPONENT ${part})
 endforeach()
 include(CPack)

@@ -189,17 +189,15 @@ namespace Amontons
     });
     if (parameters.report)
       control.try_to([&]() {
-        std::vector<std::pair<std::string, MeshPicture>> pressure_maps;
-        for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
-          pressure_maps.emplace_back(answer.interfaces[i].pair->name,
-                                     make_pressure_picture(answer.interfaces[i], answer.fields[i]));
         const auto tractions = reference ? reference->tractions() : ReferenceTractions();
-        write_report(folder + "/report.html",
-                     summary,
-                     pressure_curves(table, summary.pairs, dim, tractions),
-                     picture,
-                     pressure_maps,
-                     body_pictures);
+        const auto curves    = pressure_curves(table, summary.pairs, dim, tractions);
+        std::map<std::string, MeshPicture> pressure_maps;
+        for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
+          for (const PressureCurve &curve : curves)
+            if (curve.pair == answer.interfaces[i].pair->name)
+              pressure_maps[curve.pair] =
+                  make_pressure_picture(answer.interfaces[i], answer.fields[i], curve.axes);
+        write_report(folder + "/report.html", summary, curves, picture, pressure_maps, body_pictures);
       });
     control.try_to([&]() { write_summary(summary, folder + "/summary.json"); }); // all is there
   }

@@ -227,8 +227,10 @@ namespace Amontons
     text += "; " + count(scene.pairs.size(), "contact pair", "contact pairs");
     for (std::size_t p = 0; p < scene.pairs.size(); ++p)
       text += (p == 0 ? " - " : ", ") + pair_text(scene.pairs[p]);
+    const unsigned int n_increments = planned_increments(scene);
     text += "; " + count(scene.conditions.size(), "condition", "conditions") + "; " +
-            count(planned_increments(scene), "increment", "increments") +
+            (scene.n_increments == 0 && n_increments > 1 ? "automatic increments"
+                                                         : count(n_increments, "increment", "increments")) +
             " to t = " + short_number(scene.end_time) + "; " + count(n_ranks, "process", "processes") + ".";
     return text;
   }

@@ -14,7 +14,9 @@ namespace Amontons
         "0;overflow-x:auto}.pictures{display:flex;flex-wrap:wrap;align-items:flex-start;gap:18px}"
         "svg{max-width:100%;height:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums}"
         "th,td{padding:3px 14px 3px 0;text-align:left;vertical-align:top;border-bottom:1px solid #eef0f2}"
-        "th{font-weight:600;color:#555}td.n,th.n{text-align:right}.status{display:inline-block;padding:1px "
+        "th{font-weight:600;color:#555}td.n,th.n{text-align:right}td.n{white-space:nowrap}td.t{min-width:"
+        "28em}.status{display:inline-"
+        "block;padding:1px "
         "10px;"
         "border-radius:10px;color:#fff;background:#b3402a;font-size:13px}.good{background:#2a8a55}"
         "details{margin-top:10px}summary{cursor:pointer;color:#555}.sub{color:#666}pre{white-space:pre-wrap;"
@@ -35,7 +37,13 @@ namespace Amontons
       {
         html += "</tr>\n<tr>";
         for (std::size_t c = 0; c < row.size(); ++c)
-          html += (c == 0 ? "<td>" : "<td class=\"n\">") + escaped(row[c]) + "</td>";
+          {
+            const bool is_text = row[c].size() > 40; // not a number: it needs room, and lines
+            html += (c == 0    ? "<td>"
+                     : is_text ? "<td class=\"t\">"
+                               : "<td class=\"n\">") +
+                    escaped(row[c]) + "</td>";
+          }
       }
     return html + "</tr></table>\n";
   }

@@ -83,26 +83,20 @@ namespace Amontons
 
   template <>
   MeshPicture
-  make_pressure_picture(const ContactInterface<2> &, const SurfaceFields<2> &)
+  make_pressure_picture(const ContactInterface<2> &,
+                        const SurfaceFields<2> &,
+                        const std::array<unsigned int, 2> &)
   {
     return {};
   }
 
   template <>
   MeshPicture
-  make_pressure_picture(const ContactInterface<3> &interface, const SurfaceFields<3> &fields)
+  make_pressure_picture(const ContactInterface<3>         &interface,
+                        const SurfaceFields<3>            &fields,
+                        const std::array<unsigned int, 2> &axes)
   {
-    // Seen against the mean normal: the two coordinates beside its largest component.
-    const auto  &slave = *interface.slave;
-    Tensor<1, 3> normal;
-    for (const auto &row : interface.coupling.rows)
-      normal += row.area * row.normal;
-    unsigned int along = 0;
-    for (unsigned int d = 1; d < 3; ++d)
-      if (std::abs(normal[d]) > std::abs(normal[along]))
-        along = d;
-    const unsigned int first = along == 0 ? 1 : 0, second = along == 2 ? 1 : 2;
-
+    const auto            &slave = *interface.slave;
     std::set<unsigned int> opposite;
     for (const auto &point : interface.coupling.points)
       opposite.insert(point.slave_face);
@@ -114,8 +108,8 @@ namespace Amontons
         for (unsigned int q = 0; q + 1 < outline.size(); ++q)
           {
             const Point<3> X = slave.position(f, outline.point(q));
-            cell.outline.push_back(X[first]);
-            cell.outline.push_back(X[second]);
+            for (const unsigned int axis : axes)
+              cell.outline.push_back(X[axis]);
           }
         cell.value = std::max(0., value_on_face(slave, fields.pressure, f, Point<2>(0.5, 0.5)));
         picture.push_back(cell);

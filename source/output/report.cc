@@ -203,12 +203,12 @@ namespace Amontons
   } // namespace
 
   void
-  write_report(const std::string                                      &file,
-               const RunSummary                                       &summary,
-               const std::vector<PressureCurve>                       &curves,
-               const MeshPicture                                      &mesh,
-               const std::vector<std::pair<std::string, MeshPicture>> &pressure_maps,
-               const std::vector<std::string>                         &bodies)
+  write_report(const std::string                        &file,
+               const RunSummary                         &summary,
+               const std::vector<PressureCurve>         &curves,
+               const MeshPicture                        &mesh,
+               const std::map<std::string, MeshPicture> &pressure_maps,
+               const std::vector<std::string>           &bodies)
   {
     std::vector<std::string> pressures, history, convergence;
     const auto               add = [](std::vector<std::string> &svgs, const Chart &chart) {
@@ -220,11 +220,14 @@ namespace Amontons
         add(pressures, pressure_chart(curve, summary.units));
         add(pressures, shear_chart(curve, summary.units));
         add(pressures, state_map(curve, summary.units));
+        if (const auto found = pressure_maps.find(curve.pair);
+            found != pressure_maps.end() && !found->second.empty())
+          pressures.push_back(svg_mesh(found->second,
+                                       Window(),
+                                       with_unit("Pressure on the surface (middles of faces), " + curve.pair,
+                                                 summary.units.pressure()),
+                                       axis_names(curve, summary.units)));
       }
-    for (const auto &[pair, picture] : pressure_maps)
-      if (!picture.empty())
-        pressures.push_back(svg_mesh(
-            picture, Window(), with_unit("Pressure on the surface, " + pair, summary.units.pressure())));
     for (const Chart &chart : history_charts(summary))
       add(history, chart);
     add(convergence, iteration_chart(summary));

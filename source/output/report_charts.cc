@@ -32,13 +32,19 @@ namespace Amontons
         }
     }
 
-    // The two axes beside the largest component of the mean normal.
+    // The two axes beside the largest component of the mean normal, of what carries pressure if anything
+    // does.
     std::array<unsigned int, 2>
     axes_of_surface(const std::vector<ContactNode> &nodes)
     {
-      Tensor<1, 3> normal;
+      Tensor<1, 3> normal, of_all;
       for (const ContactNode &node : nodes)
-        normal += node.area * std::max(0., node.pressure) * node.normal;
+        {
+          normal += node.area * std::max(0., node.pressure) * node.normal;
+          of_all += node.area * node.normal;
+        }
+      if (normal.norm() == 0)
+        normal = of_all;
       unsigned int across = 0;
       for (unsigned int d = 1; d < 3; ++d)
         if (std::abs(normal[d]) > std::abs(normal[across]))
@@ -75,7 +81,6 @@ namespace Amontons
                const std::vector<double>      &tangential_force)
     {
       const Tensor<1, 3> force = direction_of(tangential_force);
-      curve.axes               = axes_of_surface(nodes);
       for (std::size_t i = 0; i < nodes.size(); ++i)
         {
           const ContactNode &node = nodes[i];
@@ -119,6 +124,7 @@ namespace Amontons
       Point<3> centre;
       for (std::size_t d = 0; d < pair.centre.size(); ++d)
         centre[d] = pair.centre[d];
+      curve.axes = axes_of_surface(nodes);
       if (!nodes.empty())
         fill_computed(curve, nodes, centre);
       if (!nodes.empty() && !std::isnan(nodes.front().bound))

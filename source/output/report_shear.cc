@@ -98,6 +98,15 @@ namespace Amontons
     }
   } // namespace
 
+  std::array<std::string, 2>
+  axis_names(const PressureCurve &curve, const Units &units)
+  {
+    std::array<std::string, 2> names;
+    for (unsigned int d = 0; d < 2; ++d)
+      names[d] = with_unit(std::string(1, "xyz"[curve.axes[d]]), units.length);
+    return names;
+  }
+
   Chart
   shear_chart(const PressureCurve &curve, const Units &units)
   {
@@ -135,14 +144,14 @@ namespace Amontons
     Chart chart;
     if (curve.shear.empty() || !curve.radial)
       return chart;
-    const char *const names[] = {"x", "y", "z"};
-    chart.title               = "States, " + curve.pair;
-    chart.x_label             = with_unit(names[curve.axes[0]], units.length);
-    chart.y_label             = with_unit(names[curve.axes[1]], units.length);
-    chart.is_map              = true;
-    chart.width               = 530;
-    const double ratio        = extent(curve, 0) > 0 ? extent(curve, 1) / extent(curve, 0) : 1;
-    chart.height              = 82 + std::lround(440 * std::clamp(ratio, 0.3, 1.));
+    const auto names   = axis_names(curve, units);
+    chart.title        = "States, " + curve.pair;
+    chart.x_label      = names[0];
+    chart.y_label      = names[1];
+    chart.is_map       = true;
+    chart.width        = 530;
+    const double ratio = extent(curve, 0) > 0 ? extent(curve, 1) / extent(curve, 0) : 1;
+    chart.height       = 82 + std::lround(440 * std::clamp(ratio, 0.3, 1.));
     chart.curves.push_back(needles(curve));
     add_states(chart, curve, [&](const std::size_t i) { return curve.places[i]; });
     return chart;

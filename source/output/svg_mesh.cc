@@ -11,7 +11,7 @@ namespace Amontons
 {
   namespace
   {
-    constexpr double margin = 12, top = 34, largest = 420, bar_room = 90;
+    constexpr double margin = 12, top = 34, largest = 420, bar_room = 90, axes_room = 52;
     constexpr int    n_colours = n_bar_colours;
 
     struct Box
@@ -71,8 +71,10 @@ namespace Amontons
     class Painter
     {
     public:
-      Painter(const Box &box, const double scale, const double lowest, const double highest)
-          : box(box), scale(scale), lowest(lowest), highest(highest)
+      // left: of the picture, in pixels.
+      Painter(
+          const Box &box, const double left, const double scale, const double lowest, const double highest)
+          : box(box), left(left), scale(scale), lowest(lowest), highest(highest)
       {
       }
 
@@ -103,11 +105,39 @@ namespace Amontons
         return result;
       }
 
+      // Below and at the left of the picture.
+      std::string
+      axes(const std::array<std::string, 2> &names) const
+      {
+        const double x0 = px(box.lower[0]), x1 = px(box.upper[0]), y0 = py(box.lower[1]),
+                     y1 = py(box.upper[1]);
+        std::string svg =
+            line_between(x0, y0, x1, y0, "#444") + line_between(x0, y0, x0, y1, "#444") +
+            text_at((x0 + x1) / 2, y0 + 34, names[0], "text-anchor=\"middle\"") +
+            text_at(16,
+                    (y0 + y1) / 2,
+                    names[1],
+                    "text-anchor=\"middle\" transform=\"rotate(-90 16 " + pixels((y0 + y1) / 2) + ")\"");
+        for (const double tick : nice_ticks(box.lower[0], box.upper[0], ticks_along(x1 - x0), false))
+          svg += line_between(px(tick), y0, px(tick), y0 + 4, "#444") +
+                 text_at(px(tick), y0 + 17, short_number(tick), "text-anchor=\"middle\"");
+        for (const double tick : nice_ticks(box.lower[1], box.upper[1], ticks_along(y0 - y1), false))
+          svg += line_between(x0 - 4, py(tick), x0, py(tick), "#444") +
+                 text_at(x0 - 7, py(tick) + 4, short_number(tick), "text-anchor=\"end\"");
+        return svg;
+      }
+
     private:
+      static unsigned int
+      ticks_along(const double length)
+      {
+        return std::max(1, static_cast<int>(length / 60));
+      }
+
       double
       px(const double x) const
       {
-        return margin + scale * (x - box.lower[0]);
+        return left + scale * (x - box.lower[0]);
       }
 
       double
@@ -140,14 +170,17 @@ namespace Amontons
       }
 
       const Box                     box;
-      const double                  scale, lowest, highest;
+      const double                  left, scale, lowest, highest;
       std::map<int, std::string>    with_edges, without_edges;
       std::set<std::pair<int, int>> drawn;
     };
   } // namespace
 
   std::string
-  svg_mesh(const MeshPicture &picture, const Window &window, const std::string &title)
+  svg_mesh(const MeshPicture                &picture,
+           const Window                     &window,
+           const std::string                &title,
+           const std::array<std::string, 2> &axes)
   {
     const Box box = visible_box(picture, window), whole = visible_box(picture, Window());
     if (box.size() <= 0 || (window.half_width > 0 && box.size() > 0.7 * whole.size()))
@@ -165,22 +198,25 @@ namespace Amontons
           lowest  = std::min<double>(lowest, cell.value);
           highest = std::max<double>(highest, cell.value);
         }
-    Painter painter(box, scale, lowest, highest);
+    const bool   has_axes = !axes[0].empty();
+    const double left     = has_axes ? axes_room : margin;
+    Painter      painter(box, left, scale, lowest, highest);
     for (const CellPicture *cell : cells)
       painter.draw(*cell);
 
-    const std::string w = pixels(2 * margin + std::max(width + bar_room, 8.6 * title.size())),
-                      h = pixels(std::max(height, 160.) + top + margin);
+    const std::string w = pixels(left + margin + std::max(width + bar_room, 8.6 * title.size())),
+                      h = pixels(std::max(height + (has_axes ? axes_room : margin), 160 + margin) + top);
     std::string id; // of this picture among those of a page
     for (const char c : title)
       id += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
     return svg_of(w,
                   h,
-                  "<clipPath id=\"" + id + "\"><rect x=\"" + pixels(margin) + "\" y=\"" + pixels(top) +
+                  "<clipPath id=\"" + id + "\"><rect x=\"" + pixels(left) + "\" y=\"" + pixels(top) +
                       "\" width=\"" + pixels(width) + "\" height=\"" + pixels(height) +
-                      "\"/></clipPath>\n<text x=\"" + pixels(margin) +
+                      "\"/></clipPath>\n<text x=\"" + pixels(left) +
                       "\" y=\"20\" font-size=\"14\" font-weight=\"600\">" + escaped(title) +
                       "</text>\n<g clip-path=\"url(#" + id + ")\">\n" + painter.svg() + "</g>\n" +
-                      colour_bar(margin + width + 14, top, std::max(height, 120.), lowest, highest));
+                      (has_axes ? painter.axes(axes) : "") +
+                      colour_bar(left + width + 14, top, std::max(height, 120.), lowest, highest));
   }
 } // namespace Amontons

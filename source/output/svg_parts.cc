@@ -98,6 +98,20 @@ namespace Amontons
   }
 
   std::string
+  text_at(const double x, const double y, const std::string &text, const std::string &attributes)
+  {
+    return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" " + attributes + ">" + escaped(text) +
+           "</text>\n";
+  }
+
+  std::string
+  line_between(const double x0, const double y0, const double x1, const double y1, const std::string &colour)
+  {
+    return "<line x1=\"" + pixels(x0) + "\" y1=\"" + pixels(y0) + "\" x2=\"" + pixels(x1) + "\" y2=\"" +
+           pixels(y1) + "\" stroke=\"" + colour + "\"/>\n";
+  }
+
+  std::string
   colour_bar(const double x, const double top, const double height, const double lowest, const double highest)
   {
     std::string  svg;

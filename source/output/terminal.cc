@@ -170,6 +170,7 @@ namespace Amontons
     increment_number       = increment;
     increment_end          = t;
     iterations.clear();
+    notes_said.clear();
     if (!brief)
       {
         line("");
@@ -234,6 +235,7 @@ namespace Amontons
   Terminal::note(const std::string &text)
   {
     line("  note: " + wrap(text, 8));
+    notes_said.insert(text);
   }
 
   void
@@ -243,8 +245,10 @@ namespace Amontons
       show_iterations();
     line("");
     for (const auto &[label, text] : answer_lines(summary))
-      if (label == "note")
+      if (label == "note" && notes_said.count(text) == 0)
         note(text);
+      else if (label == "note")
+        continue;
       else if (text.empty())
         line(label);
       else

@@ -52,6 +52,21 @@ check_values()
   check::is_close(check::count(svg_mesh(none, Window(), "none"), ">0</text>"), 1, 0, "the bar says zero");
 }
 
+// 8 x 4 with its lower left corner at (2, 0): x = 4 lies at a quarter, y = 2 at half of the height.
+void
+check_axes()
+{
+  const MeshPicture faces = {rectangle(2, 0, 8, 4, 1)};
+  const std::string svg   = svg_mesh(faces, Window(), "faces", {{"x [mm]", "z [mm]"}});
+  for (const char *const text : {">x [mm]</text>",
+                                 ">z [mm]</text>",
+                                 "x=\"157.0\" y=\"261.0\" text-anchor=\"middle\">4</text>",
+                                 "y=\"143.0\" text-anchor=\"end\">2</text>"})
+    check::contains(svg, text);
+  check::is_true(svg_mesh(faces, Window(), "faces").find("text-anchor") == std::string::npos,
+                 "no axes unless named");
+}
+
 void
 check_chart_of_zeros()
 {
@@ -65,6 +80,7 @@ main(int, char **)
 {
   check_pictures();
   check_values();
+  check_axes();
   check_chart_of_zeros();
   return check::result();
 }

@@ -184,6 +184,23 @@ check_brief_lines()
   check::is_true(found == wanted, found);
 }
 
+// What was said after the last increment is not said again with the answer, what was said before it is.
+void
+check_notes()
+{
+  std::ostringstream text;
+  Terminal           terminal(MPI_COMM_WORLD, false, &text);
+  RunSummary         summary;
+  summary.notes = {"early", "late", "new"};
+  terminal.note("early");
+  terminal.mesh(1, 1, 0, 10, 20);
+  terminal.note("late");
+  terminal.answer(summary);
+  for (const char *const note : {"early", "late", "new"})
+    check::is_close(
+        check::count(text.str(), std::string("note: ") + note + "\n"), note[0] == 'e' ? 2 : 1, 0, note);
+}
+
 int
 main(int argc, char **argv)
 {
@@ -198,6 +215,7 @@ main(int argc, char **argv)
   check_answer();
   check_lines();
   check_brief_lines();
+  check_notes();
   return check::result();
 }
 } // namespace test_terminal

@@ -33,11 +33,13 @@ namespace Amontons
                       const LA::Vector          &displacement,
                       const double               rounding);
 
-  // The slave faces of a 3D pair that lie opposite of the other side, with their pressure, as seen along the
-  // contact's normal; empty in 2D.
+  // The slave faces of a 3D pair that lie opposite of the other side, with the pressure in their middles, by
+  // two of their coordinates X; empty in 2D.
   template <int dim>
   MeshPicture
-  make_pressure_picture(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
+  make_pressure_picture(const ContactInterface<dim>       &interface,
+                        const SurfaceFields<dim>          &fields,
+                        const std::array<unsigned int, 2> &axes);
 
   // What a picture shows: centre and half the width of the square; half_width = 0: everything.
   struct Window
@@ -47,7 +49,11 @@ namespace Amontons
   };
 
   // Cells coloured by their values, zero among them, with a colour bar. Cells of less than a pixel are drawn
-  // as pixels, each once. Empty where a window shows next to everything.
+  // as pixels, each once. Empty where a window shows next to everything. axes: names of the axes to be drawn
+  // with numbers (empty: none).
   std::string
-  svg_mesh(const MeshPicture &picture, const Window &window, const std::string &title);
+  svg_mesh(const MeshPicture                &picture,
+           const Window                     &window,
+           const std::string                &title,
+           const std::array<std::string, 2> &axes = {});
 } // namespace Amontons

@@ -54,6 +54,10 @@ namespace Amontons
   Chart
   pressure_chart(const PressureCurve &curve, const Units &units = {});
 
+  // Of the axes that a surface in space is drawn along.
+  std::array<std::string, 2>
+  axis_names(const PressureCurve &curve, const Units &units);
+
   // Friction: shear between its bounds, with the states of the nodes; 3D: the states from above, with the
   // tractions as needles.
   Chart
@@ -72,12 +76,12 @@ namespace Amontons
   history_charts(const RunSummary &summary);
 
   // To be called on rank 0. mesh: of gather_mesh_picture (empty: no such picture); pressure_maps: of
-  // make_pressure_picture, with the names of the pairs; bodies: of BodyHistory.
+  // make_pressure_picture by pair, along the axes of its curve; bodies: of BodyHistory.
   void
-  write_report(const std::string                                      &file,
-               const RunSummary                                       &summary,
-               const std::vector<PressureCurve>                       &curves,
-               const MeshPicture                                      &mesh,
-               const std::vector<std::pair<std::string, MeshPicture>> &pressure_maps,
-               const std::vector<std::string>                         &bodies = {});
+  write_report(const std::string                        &file,
+               const RunSummary                         &summary,
+               const std::vector<PressureCurve>         &curves,
+               const MeshPicture                        &mesh,
+               const std::map<std::string, MeshPicture> &pressure_maps,
+               const std::vector<std::string>           &bodies = {});
 } // namespace Amontons

@@ -35,6 +35,12 @@ namespace Amontons
   std::vector<double>
   nice_ticks(const double lower, const double upper, const unsigned int n, const bool log);
 
+  // Parts of a picture, places in pixels from its upper left corner.
+  std::string
+  text_at(const double x, const double y, const std::string &text, const std::string &attributes);
+  std::string
+  line_between(const double x0, const double y0, const double x1, const double y1, const std::string &colour);
+
   // Colour of a value in [0, 1] as "#rrggbb": dark blue over green to yellow (viridis).
   std::string
   colour_of(const double value);

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <set>
 
 namespace Amontons
 {
@@ -79,6 +80,7 @@ namespace Amontons
     double                     increment_end    = 0;
     int                        mesh_shown       = -1;
     std::vector<IterationLine> iterations;
+    std::set<std::string>      notes_said; // since it began: the answer does not say them again
 
     Clock::time_point work_started, last_line;
   };

@@ -327,9 +327,8 @@ namespace Amontons
     std::ostringstream     text;
     text.precision(2);
     if (errors.largest() > allowed)
-      text << errors.shear << " of the shear traction (against its bound), " << errors.stick_size
-           << " of the stick size, " << std::max(errors.normal_force, errors.tangential_force)
-           << " of the forces";
+      text << errors.shear << " of the shear traction, " << errors.stick_size << " of the stick size, "
+           << std::max(errors.normal_force, errors.tangential_force) << " of the forces";
     if (errors.dissipation > allowed)
       text << (text.str().empty() ? "" : ", ") << errors.dissipation << " of the work, in that of friction";
     if (!text.str().empty())

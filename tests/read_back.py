@@ -309,7 +309,7 @@ def expected_lines(summary):
             lines.append(("estimated error of the " + what, estimate(summary, key)))
     if "increments" in summary:
         errors = summary["increments"]
-        lines.append(("estimated error by increments", f"shear {percent(errors['shear'])} of its bound, stick size {percent(errors['stick_size'])}, forces "
+        lines.append(("estimated error by increments", f"shear {percent(errors['shear'])}, stick size {percent(errors['stick_size'])}, forces "
                       f"{percent(max(errors['normal_force'], errors['tangential_force']))}, work of friction {percent(errors['dissipation'])} of all"))
     lines.append(("strain energy", short(summary["energy"])))
     if "dissipation" in summary["meshes"][-1]:

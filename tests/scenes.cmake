@@ -699,6 +699,10 @@ foreach(kinematics small finite)
                  CHECK "status is converged" "kink(contact.state=stick.tx) <= 0.8" "peak(contact.state=stick.tx) <= 0.7" "checks.coulomb_cone <= 1e-6")
 endforeach()
 
+# In space beside hanging nodes, whose unknowns lie elsewhere. Reference: h/4.
+add_scene_test(NAME growing_stick_3d SCENE verification/growing_stick_3d.prm
+               CHECK "status is converged" "pairs.0.normal_force.2 ~ -0.15541 2e-3" "pairs.0.tangential_force.0 ~ 0.0185 3e-2" "pairs.0.tangential_force.1 ~ 0.0185 3e-2")
+
 # Corner on corner: refused where no normal finds the other side, whichever is the slave; beside it nothing touches.
 foreach(slave first second)
   add_scene_test(NAME corner_on_corner_${slave} SCENE verification/corner_on_corner.prm FAILS SET "Contact c/Slave=${slave}"

@@ -1,3 +1,4 @@
+#include <amontons/adaptivity/error_estimator.h>
 #include <amontons/adaptivity/increment_error.h>
 
 #include <cmath>
@@ -9,7 +10,7 @@ namespace Amontons
     // Norms over the surface, and their differences between two programs.
     struct Norms
     {
-      double pressure = 0, pressure_change = 0, shear_change = 0, bound = 0, bound_force = 0;
+      double pressure = 0, pressure_change = 0, shear = 0, shear_change = 0, bound = 0, bound_force = 0;
     };
 
     Norms
@@ -27,11 +28,13 @@ namespace Amontons
           const auto one = at(a, number), other = at(b, number);
           sums.pressure += node.area * one.pressure * one.pressure;
           sums.pressure_change += node.area * std::pow(other.pressure - one.pressure, 2);
+          sums.shear += node.area * one.shear.norm_square();
           sums.shear_change += node.area * (other.shear - one.shear).norm_square();
           sums.bound += node.area * one.bound * one.bound;
           sums.bound_force += node.area * one.bound;
         }
-      for (double *const sum : {&sums.pressure, &sums.pressure_change, &sums.shear_change, &sums.bound})
+      for (double *const sum :
+           {&sums.pressure, &sums.pressure_change, &sums.shear, &sums.shear_change, &sums.bound})
         *sum = std::sqrt(*sum);
       return sums;
     }
@@ -110,8 +113,10 @@ namespace Amontons
             pressure         = std::max(pressure, sums.pressure_change);
             pressure_scale   = std::max(pressure_scale, sums.pressure);
             shear            = std::max(shear, sums.shear_change);
-            shear_scale =
-                std::max(shear_scale, a.tresca_alone ? sums.bound : std::min(sums.bound, sums.pressure));
+            shear_scale      = std::max(
+                {shear_scale,
+                      sums.shear,
+                      noteworthy_shear * (a.tresca_alone ? sums.bound : std::min(sums.bound, sums.pressure))});
             stick            = std::max(stick, std::abs(b.stick_size - a.stick_size));
             size             = std::max(size, a.contact_size);
             normal           = std::max(normal, (b.normal_force - a.normal_force).norm());

@@ -67,7 +67,11 @@ namespace Amontons
     for (const auto &face : slave.faces)
       for (unsigned int k = 0; k < place.size(); ++k)
         {
-          if (!linear[face.unknowns[k]])
+          // Beside a coarser face the place of a hanging node has an unknown of that one, which may lie
+          // elsewhere. So the vertices around a node are of its own face or of coarser ones, and never means
+          // of the node itself.
+          const auto is_own = [&](const unsigned int j) { return face.unknowns[j] == face.nodes[j]; };
+          if (!linear[face.unknowns[k]] || !is_own(k))
             continue;
           // Vertices of the smallest part of the face (edge, face) that the node is in the middle of.
           std::vector<unsigned int> around;
@@ -78,10 +82,11 @@ namespace Amontons
                 is_vertex =
                     is_vertex && place[j][d] != 0.5 && (place[k][d] == 0.5 || place[j][d] == place[k][d]);
               if (is_vertex)
-                around.push_back(face.unknowns[j]);
+                around.push_back(is_own(j) ? face.unknowns[j] : numbers::invalid_unsigned_int);
             }
-          if (around.size() > 1 &&
-              std::all_of(around.begin(), around.end(), [&](const unsigned int i) { return linear[i]; }))
+          if (around.size() > 1 && std::all_of(around.begin(), around.end(), [&](const unsigned int i) {
+                return i != numbers::invalid_unsigned_int && linear[i];
+              }))
             result[face.unknowns[k]] = around;
         }
     return result;

@@ -147,9 +147,8 @@ namespace Amontons
     add_increments(Lines &lines, const IncrementErrors &errors)
     {
       lines.emplace_back("estimated error by increments",
-                         "shear " + percent(errors.shear) + " of its bound, stick size " +
-                             percent(errors.stick_size) + ", forces " +
-                             percent(std::max(errors.normal_force, errors.tangential_force)) +
+                         "shear " + percent(errors.shear) + ", stick size " + percent(errors.stick_size) +
+                             ", forces " + percent(std::max(errors.normal_force, errors.tangential_force)) +
                              ", work of friction " + percent(errors.dissipation) + " of all");
     }
 

@@ -1,10 +1,11 @@
 // On surfaces of random, locally refined meshes in space: control values and their subdivision give the trace
-// of the finite elements back, dual functions are biorthogonal to the traces of the unknowns, and coupling
-// rows reproduce linear functions.
+// of the finite elements back, dual functions are biorthogonal to the traces of the unknowns, coupling rows
+// reproduce linear functions, and nodes lie in the middle of those that they are between.
 #include "contact/contact_scene.h"
 
 #include <amontons/contact/dual_basis.h>
 #include <amontons/contact/face_basis.h>
+#include <amontons/contact/pressure_projection.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -148,6 +149,22 @@ check_dual_basis(const ContactSurface<3> &surface,
     }
 }
 
+void
+check_nodes_between(const ContactSurface<3> &surface, const std::string &what)
+{
+  const auto between = nodes_between(surface, std::vector<bool>(surface.nodes.size(), true));
+  for (const auto &[node, around] : between)
+    {
+      Point<3> middle;
+      for (const unsigned int other : around)
+        middle += surface.nodes[other].X / double(around.size());
+      check::is_close(
+          middle.distance(surface.nodes[node].X), 0, 1e-12, what + ": the middle of the vertices", 1);
+    }
+  check::is_true(surface.degree == 1 || between.size() > surface.faces.size(),
+                 what + ": nodes between vertices");
+}
+
 unsigned int
 check_blocks(const unsigned int degree, const unsigned int seed, const double gap)
 {
@@ -165,6 +182,7 @@ check_blocks(const unsigned int degree, const unsigned int seed, const double ga
       for (const auto &node : surface->nodes)
         n_hanging += !node.parents.empty();
       check_traces(*surface, what);
+      check_nodes_between(*surface, what);
       for (unsigned int f = 0; f < surface->faces.size(); ++f)
         for (const double fraction : {1., 0.3})
           check_dual_basis(*surface, f, fraction, what);

@@ -31,12 +31,17 @@ main(int, char **)
   Scene scene;
   scene.end_time = 3;
   check::is_true(run(LoadProgram(scene, false)) == std::vector<double>{3.}, "no history: one increment");
-  check::is_close(run(LoadProgram(scene, true)).size(), 10, 0, "history: ten increments");
+  const auto ten = run(LoadProgram(scene, true));
+  check::is_close(ten.size(), 10, 0, "history: ten increments");
+  for (unsigned int k = 0; k < 10; ++k)
+    check::is_close(ten[k], 3 * std::pow(0.1 * (k + 1), 1.5), 1e-12, "the first piece: growing increments");
 
   scene.corner_times   = {1, 2.5};
   scene.output_times   = {0.3, 3};
   const auto automatic = run(LoadProgram(scene, true));
   check::is_close(automatic.size(), 40, 0, "ten for each piece");
+  for (unsigned int k = 10; k < 20; ++k)
+    check::is_close(automatic[k], 0.3 + 0.07 * (k - 9), 1e-12, "later ones: equal increments");
   for (const double t : {0.3, 1., 2.5, 3.})
     check::is_true(holds(automatic, t), "lands on " + std::to_string(t));
   check::is_true(run(LoadProgram(scene, false)) == std::vector<double>({0.3, 3.}), "no history: no corners");
@@ -45,6 +50,13 @@ main(int, char **)
   const auto three   = run(LoadProgram(scene, true));
   check::is_close(three.size(), 5, 0, "increments no longer than asked for");
   check::is_true(three.back() == 3 && holds(three, 0.3) && holds(three, 1.), "lands on the same times");
+
+  // Half of the way to the end, whatever the law of the increments.
+  scene = Scene();
+  LoadProgram growing(scene, true);
+  growing.accept(3);
+  check::is_true(growing.cut_back(), "a second increment that failed");
+  check::is_close(growing.next(), std::pow(0.15, 1.5), 1e-12, "half of its step");
 
   // Failures
   scene                   = Scene();

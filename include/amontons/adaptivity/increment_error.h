@@ -43,7 +43,7 @@ namespace Amontons
     unsigned int n_increments  = 0; // that they are of
     unsigned int measured_with = 0, repeated_with = 0;
     double       pressure         = 0; // in the mean square, as
-    double       shear            = 0; // this, of its bound or of the pressure, whichever is smaller
+    double       shear            = 0; // likewise, or of noteworthy_shear times the bound or pressure
     double       stick_size       = 0; // of the contact's size
     double       normal_force     = 0;
     double       tangential_force = 0; // of the largest that the bound allows

@@ -7,7 +7,8 @@ namespace Amontons
 {
   // Times to land on are the end time and `Output times`; with history (friction) and where the kinematics
   // are to be chosen also the corners of the load path. Between two of them increments are equal, and no
-  // longer than the present size. A failed increment is halved; after easy ones the size doubles again, up to
+  // longer than the present size. (With history, where the scene does not say how many, those of the first
+  // piece grow: see progress().) A failed increment is halved; after easy ones the size doubles again, up to
   // what the scene started with.
   class LoadProgram
   {
@@ -76,14 +77,30 @@ namespace Amontons
     cut_back();
 
   private:
+    // The piece between landings that goes on from time t.
+    struct Piece
+    {
+      double begin, end, exponent;
+
+      // Increments are equal steps of s in [0, 1] with t = begin + (end - begin) s^exponent. Where contact
+      // begins in a point or a line its size grows as t^(1/2), or more slowly: what closes within the first
+      // of equal increments is the inner part of the contact, 1/sqrt(n) of it, and its shear that of a
+      // single increment.
+      double
+      progress(const double t) const;
+      double
+      time(const double progress) const;
+    };
+    Piece
+    piece() const;
     double
-    longest() const; // increment at time t
+    longest() const; // increment at time t, as progress in its piece
 
     bool                incremental;
     std::vector<double> breakpoints, corners;
-    double              constant_size; // 0: increments_by_default in each piece,
-    double              coarser;       // times this
-    double              smallest;
+    double              constant_size;  // 0: increments_by_default in each piece,
+    double              coarser;        // times this
+    double              smallest;       // as a time
     double              factor     = 1; // present size over longest()
     double              t          = 0;
     unsigned int        n_accepted = 0;

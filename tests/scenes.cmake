@@ -412,7 +412,7 @@ endforeach()
 # The last edges of open, slip and stick: no more than one node apart, on the finest faces of 0.04 to 0.16.
 # doc/walk.md: loads and forces of the contact balance.
 add_scene_test(NAME walk_pin_in_lug SCENE walk/pin_in_lug.prm SET "Refinement/Cycles=0" ${SCENE_QUIET}
-               CHECK "checks.force_balance <= 1e-8" "checks.coulomb_cone <= 1e-9" "pairs.0.normal_force.0 ~ 477.93 1e-3" "pairs.0.tangential_force.0 ~ 22.05 1e-2")
+               CHECK "checks.force_balance <= 1e-8" "checks.coulomb_cone <= 1e-9" "pairs.0.normal_force.0 ~ 478.11 1e-3" "pairs.0.tangential_force.0 ~ 21.87 1e-2")
 add_scene_test(NAME walk_pin_in_lug_3d SCENE walk/pin_in_lug_3d.prm SET "Increments=4" ${SCENE_QUIET}
                CHECK "checks.force_balance <= 1e-8" "checks.coulomb_cone <= 1e-9" "pairs.0.normal_force.0 ~ 2906 1e-2" "pairs.0.tangential_force.0 ~ 93 2e-2")
 # Its first increment is cut, which may not count in the estimate: the target of 10 % is not reached on the first mesh of 744 DoFs.
@@ -934,9 +934,9 @@ add_scene_test(NAME target_of_shear SCENE half_plane_box_friction.prm SET "Refin
                      "error_estimate.shear >= meshes.-1.reference.errors.shear_l2" "error_estimate.contact >= meshes.-1.reference.errors.pressure_l2")
 # As many increments as the target asks for: one in each of five pieces where the path does not matter, five (in one piece, on the mesh that was enough) where it does.
 add_scene_test(NAME target_of_increments SCENE cattaneo_mindlin.prm SET "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target error=0.1"
-               CHECK "meshes.-1.increment == 5" "meshes.0.t == 0.25" "error_estimate.shear <= 0.1" "reference.errors.shear_l2 <= 0.05" "reference.errors.stick_size <= 0.005")
+               CHECK "meshes.-1.increment == 5" "meshes.0.t == 0.125" "error_estimate.shear <= 0.1" "reference.errors.shear_l2 <= 0.05" "reference.errors.stick_size <= 0.005")
 add_scene_test(NAME target_of_more_increments SCENE nafems_roller_friction.prm SET "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target error=0.08"
-               CHECK "meshes.-1.increment == 5" "meshes.0.t == 0.25" "error_estimate.shear <= 0.08" "newton.:.iterations <= 12")
+               CHECK "meshes.-1.increment == 5" "meshes.0.t == 0.125" "error_estimate.shear <= 0.08" "newton.:.iterations <= 12")
 add_scene_test(NAME target_at_a_sharp_edge SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"
                CHECK "status is converged" "notes.1 has out of reach" "notes.1 has (10 " "dofs <= 5000" "pairs.0.normal_force.1 ~ -5000 1e-8")
 # A contact smaller than a cell is not one that does not converge.
@@ -1033,7 +1033,7 @@ endforeach()
 add_scene_test(NAME target_of_growing_contact SCENE verification/rubber_indentation.prm
                SET "Body block/Poisson ratio=0.3" "Contact top/Friction coefficient=0.3" "Obstacle cylinder/Displacement=0| -0.15*t" "Increments=automatic"
                    "Refinement/Target error=0.1" "Refinement/Initial refinements=3"
-               CHECK ${KEPT_FINITE} "error_estimate.shear <= 0.056" "error_estimate.increments <= 0.044" "dofs <= 5500" "meshes.-1.mesh <= 6")
+               CHECK ${KEPT_FINITE} "error_estimate.shear <= 0.05" "error_estimate.increments <= 0.05" "dofs <= 5500" "meshes.-1.mesh <= 6")
 
 # Pressure on a surface that a body is pressed into acts under the contact, on any mesh, and the estimate knows of it; not where bodies lie on each other from the
 # start, wherever they slide. (Force: of a uniform mesh with 16 times as many cells as the first.)
@@ -1274,7 +1274,8 @@ foreach(scene greco floating_slab)
   add_scene_test(NAME increments_${scene} SCENE ${scene}.prm SET "Refinement/Cycles=2"
                  CHECK "error_estimate.increments <= 1e-9" "increments.number == 1" "increments.repeated_with == 2" "meshes.-1.increment == 1")
 endforeach()
-foreach(case "1 2 0.2 0.5" "5 3 0.05 0.25" "80 40 0.003 0.02")
+# True errors of the shear with 1 and 5 increments: 57 and 13 % of it.
+foreach(case "1 2 0.38 2.3" "5 3 0.09 0.53" "80 40 0.003 0.02")
   separate_arguments(case)
   list(GET case 0 n)
   list(GET case 1 repeated)

@@ -78,10 +78,13 @@ namespace Amontons
   LoadProgram::next() const
   {
     const Piece  here = piece();
-    const double done = here.progress(t), size = factor * longest();
-    const double n      = std::ceil((1 - done) / size * (1 - 1e-9));
-    const double t_next = n <= 1 ? here.end : here.time(done + (1 - done) / n);
-    return t_next - t < smallest ? std::min(here.end, t + smallest) : t_next;
+    const double done = here.progress(t);
+    const double n    = std::ceil((1 - done) / (factor * longest()) * (1 - 1e-9));
+    if (n <= 1)
+      return here.end;
+    const double equal = t + (here.end - t) / n;
+    const double end   = here.exponent == 1 ? equal : here.time(done + (1 - done) / n);
+    return std::min(here.end, std::max(end, t + smallest));
   }
 
   bool

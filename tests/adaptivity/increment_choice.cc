@@ -10,14 +10,14 @@ using namespace Amontons;
 
 constexpr double at_first = LoadProgram::increments_at_first, most = LoadProgram::increments_by_default;
 
-// Of n increments, with a shear that is off by as much.
+// Of n increments, with a shear that is off by as much of itself.
 LoadRecord
 record(const unsigned int n, const double shear_error)
 {
   LoadRecord::Pair pair;
   pair.force             = 1;
   pair.nodes[0]          = {1, 1, 1, {}};
-  pair.nodes[0].shear[0] = shear_error;
+  pair.nodes[0].shear[0] = 1 + shear_error;
   LoadRecord result;
   result.breakpoints.push_back({{pair}, 0});
   result.n_increments = n;

@@ -386,10 +386,14 @@ namespace Amontons
           return point.gap <= closest + distance * interface.slave->faces[point.slave_face].size;
         };
         std::set<unsigned int> close;
+        bool                   everywhere = true;
         for (const auto &point : interface.coupling.points)
           if (is_close(point))
             close.insert(point.slave_face);
-        if (close.size() >= enough<dim> || close.size() == interface.slave->faces.size())
+          else
+            everywhere = false;
+        // (A few large faces may all meet where a point touches.)
+        if (close.size() >= enough<dim> || (everywhere && close.size() == interface.slave->faces.size()))
           continue;
         for (const auto &point : interface.coupling.points)
           if (is_close(point))

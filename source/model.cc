@@ -1,5 +1,6 @@
 #include <amontons/base/points.h>
 #include <amontons/finite_strain_model.h>
+#include <amontons/geometry/small_obstacles.h>
 #include <amontons/small_strain_model.h>
 
 namespace Amontons
@@ -8,6 +9,7 @@ namespace Amontons
   BodyMesh<dim>::BodyMesh(const Scene &scene, const unsigned int degree) : geometry(MPI_COMM_WORLD)
   {
     make_geometry(scene, geometry);
+    refine_below_small_obstacles(scene, geometry);
     discretization = std::make_unique<Discretization<dim>>(scene, geometry, degree);
     discretization->distribute_dofs();
     first_is_slave = choose_slaves(*discretization);

@@ -709,6 +709,14 @@ foreach(kinematics small finite)
                  CHECK "status is converged" "dofs >= 1000" "pairs.0.normal_force.2 ~ -0.157 5e-2")
 endforeach()
 
+# What is smaller than the faces and lies between their nodes. In space: Hertz, 2.0721e-6.
+add_scene_test(NAME thin_wire SCENE verification/thin_wire.prm
+               CHECK "status is converged" "dofs <= 5000" "reference.errors.peak_pressure <= 0.01" "reference.errors.contact_size <= 0.01")
+add_scene_test(NAME small_ball SCENE verification/growing_stick_3d.prm
+               SET "Contact interface/Friction coefficient=" "Obstacle ball/Radius=0.02" "Obstacle ball/Centre=0.23, 0.31, 0.02" "Obstacle ball/Displacement=0| 0| -0.0001*t" "Increments=1"
+                   "Refinement/Cycles=-1" "Refinement/Target error=0.3"
+               CHECK "status is converged" "pairs.0.normal_force.2 ~ -2.072e-6 3e-2")
+
 # Corner on corner: refused where no normal finds the other side, whichever is the slave; beside it nothing touches.
 foreach(slave first second)
   add_scene_test(NAME corner_on_corner_${slave} SCENE verification/corner_on_corner.prm FAILS SET "Contact c/Slave=${slave}"

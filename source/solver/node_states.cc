@@ -143,10 +143,12 @@ namespace Amontons
             const auto   limit  = bound(k, p);
             const auto   q      = trial(k, answers[k]);
             const double excess = q.norm() - limit.value;
-            const bool   turned = !first && old == ContactStatus::slip && q * laws[k].direction < 0;
-            const bool moves = old == ContactStatus::slip && nodes[k].c * answers[k].slip.norm() > tolerance;
-            const bool slips = !turned && q.norm() > 0 && excess > (moves ? -tolerance : tolerance);
-            states[k]        = slips ? ContactStatus::slip : ContactStatus::stick;
+            const bool   slid   = old == ContactStatus::slip;
+            // Without a bound nothing holds what slid, wherever it turns.
+            const bool turned = !first && slid && limit.value > 0 && q * laws[k].direction < 0;
+            const bool moves  = slid && (limit.value <= 0 || nodes[k].c * answers[k].slip.norm() > tolerance);
+            const bool slips  = !turned && q.norm() > 0 && excess > (moves ? -tolerance : tolerance);
+            states[k]         = slips ? ContactStatus::slip : ContactStatus::stick;
             if (slips)
               laws[k] = linearise_slip(q, p, limit, nodes[k].c);
           }

@@ -116,6 +116,23 @@ main(int argc, char **argv)
   answers[2].slip[0] = 0;
   check::is_true(states.update(answers, 0) == 1 && states[2] == ContactStatus::stick,
                  "a shear below a given bound sticks");
+
+  // Slip that turns round sticks first, but where no bound could hold it: there it would change for ever.
+  for (const unsigned int k : {0, 1})
+    {
+      states.impose(k, ContactStatus::slip, law);
+      answers[k].shear[0] = 0;
+      answers[k].slip[0]  = -0.25;
+    }
+  states.give_bounds({0, 3, 4});
+  states.update(answers, 0);
+  check::is_true(states[0] == ContactStatus::slip, "no bound: slip turns round");
+  check::is_true(states[1] == ContactStatus::stick, "a bound: what turns round sticks first");
+  states.give_bounds({0, 3, 4});
+  answers[0].slip[0]  = 0;
+  answers[0].shear[0] = 1e-9;
+  states.update(answers, 1e-6);
+  check::is_true(states[0] == ContactStatus::slip, "no bound: nor does what rests stick again");
   return check::result();
 }
 } // namespace test_node_states

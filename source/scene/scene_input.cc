@@ -61,6 +61,11 @@ namespace Amontons
       check_section(section.path, section.where);
     for (const OutlineEntry &entry : outline.entries)
       {
+        // JSON's {}, a section without entries, is read as an empty text.
+        const std::string path = path_of(entry.section, entry.name);
+        if (entry.value.empty() &&
+            std::find(declared_sections.begin(), declared_sections.end(), path) != declared_sections.end())
+          continue;
         check_entry(entry);
         set(entry, prm);
       }

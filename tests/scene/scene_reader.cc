@@ -43,6 +43,9 @@ namespace
       prm.enter_subsection("Line search");
       prm.add_parameter("Steps", steps, "At most.", dealii::Patterns::Integer(1));
       prm.leave_subsection();
+      prm.enter_subsection("Damping"); // empty in JSON
+      prm.declare_entry("Factor", "1", dealii::Patterns::Double());
+      prm.leave_subsection();
       prm.leave_subsection();
     }
     void
@@ -164,7 +167,7 @@ end
   const std::string scene_json = R"json({
   "Title": "Two blocks", "Kind": "plane strain", "End time": 2, "Increments": 8,
   "Minimum increment": 1e-3, "Output times": [0.5, 1.25, 2],
-  "Contact solver": {"Tolerance": 1e-6, "Line search": {"Steps": 7}},
+  "Contact solver": {"Tolerance": 1e-6, "Line search": {"Steps": 7}, "Damping": {}},
   "Body lower": {"Mesh": "block", "Lower corner": [-4, -2], "Upper corner": [4, 0], "Cells": [8, 4],
                  "Grading": [1, 0.5], "Young modulus": 210e3, "Poisson ratio": 0.4999,
                  "Body force": ["0", "-9.81*t"]},

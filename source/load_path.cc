@@ -195,14 +195,16 @@ namespace Amontons
 
   template <int dim>
   std::optional<LoadRecord>
-  LoadPath<dim>::repeat_with(const double length)
+  LoadPath<dim>::repeat_with(const double length, const bool is_guided)
   {
     TimerOutput::Scope scope(timer, "error of the increments");
     auto               program = load_program(length);
     LoadPath<dim>      repeat(parameters, model->at_rest(program.next()), timer, control);
-    repeat.history.path.swap(history.path); // first guesses for both
+    if (is_guided) // first guesses for both
+      repeat.history.path.swap(history.path);
     const bool success = repeat.run(program);
-    repeat.history.path.swap(history.path);
+    if (is_guided)
+      repeat.history.path.swap(history.path);
     if (!success || repeat.history.record.n_increments == history.record.n_increments)
       return {};
     return repeat.history.record;

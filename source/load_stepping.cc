@@ -382,7 +382,7 @@ namespace Amontons
     const auto errors       = increments.choose(*report.error_of_increments(),
                                           history.record,
                                           mesh_is_last,
-                                          [&](const double length) { return repeat_with(length); });
+                                          [&](const double length) { return repeat_with(length, false); });
     if (!errors || control.stop.is_there())
       return false;
     report.set_error_of_increments(*errors);
@@ -490,7 +490,7 @@ namespace Amontons
       plan.accept(1);
     const bool few = plan.number() - 1 < 4 * plan.n_breakpoints();
 
-    if (const auto record = repeat_with(increments.length() * (few ? 0.5 : 2)))
+    if (const auto record = repeat_with(increments.length() * (few ? 0.5 : 2), true))
       report.set_error_of_increments(error_of_increments(history.record, *record));
     measured = true;
   }

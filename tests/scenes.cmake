@@ -1415,6 +1415,9 @@ add_scene_test(NAME microslip_bar_sine_target SCENE microslip_bar.prm
 # Increments that were never tried: two of them, where eight tell another story.
 add_scene_test(NAME wedge_self_lock SCENE verification/wedge_self_lock.prm SET "Refinement/Target error=0.1"
                CHECK ${LAWS} "pairs.0.normal_force.0 ~ -18.375 1e-3" "pairs.0.tangential_force.1 ~ -3.675 1e-3")
+# One increment for the way out finds this answer if it starts from it, and no tension at all if not: no reason to take one (it was, and let go on the third mesh).
+add_scene_test(NAME wedge_self_lock_one_increment SCENE verification/wedge_self_lock.prm SET "Refinement/Target error=0.03" "Refinement/Cycles=3"
+               CHECK "pairs.0.normal_force.0 ~ -18.375 1e-3" "meshes.-1.increment >= 4")
 # Friction that does not matter, but holds.
 add_scene_test(NAME small_shear SCENE verification/small_shear.prm CHECK ${LAWS} "status is converged" "pairs.0.tangential_force.0 ~ 0.03 1e-6")
 # The way there was far beyond small strain, the end is not.

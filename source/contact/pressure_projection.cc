@@ -75,6 +75,7 @@ namespace Amontons
             continue;
           // Vertices of the smallest part of the face (edge, face) that the node is in the middle of.
           std::vector<unsigned int> around;
+          bool                      all_linear = true;
           for (unsigned int j = 0; j < place.size(); ++j)
             {
               bool is_vertex = true;
@@ -82,11 +83,12 @@ namespace Amontons
                 is_vertex =
                     is_vertex && place[j][d] != 0.5 && (place[k][d] == 0.5 || place[j][d] == place[k][d]);
               if (is_vertex)
-                around.push_back(is_own(j) ? face.unknowns[j] : numbers::invalid_unsigned_int);
+                {
+                  around.push_back(face.unknowns[j]);
+                  all_linear = all_linear && is_own(j) && linear[face.unknowns[j]];
+                }
             }
-          if (around.size() > 1 && std::all_of(around.begin(), around.end(), [&](const unsigned int i) {
-                return i != numbers::invalid_unsigned_int && linear[i];
-              }))
+          if (around.size() > 1 && all_linear)
             result[face.unknowns[k]] = around;
         }
     return result;

@@ -1,5 +1,5 @@
-#include <amontons/base/points.h>
 #include <amontons/contact/surface_search.h>
+#include <amontons/geometry/rigid_surface.h>
 
 #include <deal.II/numerics/rtree.h>
 
@@ -211,16 +211,6 @@ namespace Amontons
                 meets           = meets || cell->point_inside(line[0] + at * (line[1] - line[0]));
               }
       return Utilities::MPI::max(static_cast<unsigned int>(meets), discretization.geometry.communicator) > 0;
-    }
-
-    template <int dim>
-    double
-    distance_from_axis(const ObstacleData &obstacle, const Point<dim> &x)
-    {
-      Tensor<1, 3> r = as_3d(x) - obstacle.centre;
-      if (dim == 3 && obstacle.type == ObstacleData::Type::cylinder)
-        r -= (r * obstacle.axis) * obstacle.axis;
-      return r.norm();
     }
 
     // Whether nothing lies between a point and what is opposite. Near the ends, where cells are not as curved

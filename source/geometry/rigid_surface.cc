@@ -1,3 +1,4 @@
+#include <amontons/base/points.h>
 #include <amontons/geometry/rigid_surface.h>
 
 #include <deal.II/base/numbers.h>
@@ -132,6 +133,16 @@ namespace Amontons
   } // namespace
 
   template <int dim>
+  double
+  distance_from_axis(const ObstacleData &obstacle, const Point<dim> &x)
+  {
+    Tensor<1, 3> r = as_3d(x) - obstacle.centre;
+    if (dim == 3 && obstacle.type == ObstacleData::Type::cylinder)
+      r -= (r * obstacle.axis) * obstacle.axis;
+    return r.norm();
+  }
+
+  template <int dim>
   std::optional<SurfacePoint<dim>>
   project_to_obstacle(const ObstacleData &obstacle, const Point<dim> &x, const Tensor<1, dim> &n)
   {
@@ -178,6 +189,7 @@ namespace Amontons
   }
 
 #define INSTANTIATE(dim)                                                                                     \
+  template double                           distance_from_axis(const ObstacleData &, const Point<dim> &);    \
   template std::optional<SurfacePoint<dim>> project_to_obstacle(                                             \
       const ObstacleData &, const Point<dim> &, const Tensor<1, dim> &);                                     \
   template std::optional<SurfacePoint<dim>> project_to_obstacle(                                             \

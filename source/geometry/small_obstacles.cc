@@ -1,7 +1,9 @@
-#include <amontons/base/points.h>
+#include <amontons/geometry/rigid_surface.h>
 #include <amontons/geometry/small_obstacles.h>
 
 #include <deal.II/base/mpi.h>
+
+#include <algorithm>
 
 namespace Amontons
 {
@@ -18,38 +20,6 @@ namespace Amontons
       return obstacle.hollow ? 0 : is_round ? obstacle.radius : obstacle.size;
     }
 
-    template <int dim>
-    double
-    distance_from_centre(const ObstacleData &obstacle, const Point<dim> &x)
-    {
-      Tensor<1, 3> r = as_3d(x) - obstacle.centre;
-      if (dim == 3 && obstacle.type == ObstacleData::Type::cylinder)
-        r -= (r * obstacle.axis) * obstacle.axis;
-      return r.norm();
-    }
-
-    // Calls action(cell, face, distances of its closest point: at least, at most) for the own ones of a
-    // boundary.
-    template <int dim, typename Action>
-    void
-    for_each_distance(const Geometry<dim>             &geometry,
-                      const dealii::types::boundary_id id,
-                      const ObstacleData              &obstacle,
-                      const Action                    &action)
-    {
-      for (const auto &cell : geometry.triangulation.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int f : cell->face_indices())
-            if (const auto face = cell->face(f); face->at_boundary() && face->boundary_id() == id)
-              {
-                const double middle  = distance_from_centre(obstacle, face->center());
-                double       closest = middle;
-                for (const unsigned int v : face->vertex_indices())
-                  closest = std::min(closest, distance_from_centre(obstacle, face->vertex(v)));
-                action(cell, f, middle - face->diameter() / 2, closest);
-              }
-    }
-
     // Whether faces were refined.
     template <int dim>
     bool
@@ -57,32 +27,32 @@ namespace Amontons
     {
       constexpr unsigned int most_faces = dim == 2 ? 4 : 16; // about a place
       const double           radius     = radius_of(obstacle);
-      double                 closest    = std::numeric_limits<double>::max();
-      for_each_distance(
-          geometry, id, obstacle, [&](const auto &, const unsigned int, const double, const double at_most) {
-            closest = std::min(closest, at_most);
-          });
-      closest = dealii::Utilities::MPI::min(closest, geometry.communicator);
-      if (closest <= std::sqrt(2.) * radius)
+
+      // The closest vertex or middle of a face; faces that are too large, by how close they are at least.
+      double closest = std::numeric_limits<double>::max();
+      std::vector<std::pair<double, typename dealii::Triangulation<dim>::active_cell_iterator>> large;
+      for (const auto &cell : geometry.triangulation.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() && face->boundary_id() == id)
+              {
+                const double middle = distance_from_axis(obstacle, face->center());
+                closest             = std::min(closest, middle);
+                for (const unsigned int v : face->vertex_indices())
+                  closest = std::min(closest, distance_from_axis(obstacle, face->vertex(v)));
+                if (face->diameter() > 2 * radius)
+                  large.emplace_back(middle - face->diameter() / 2, cell);
+              }
+      closest              = dealii::Utilities::MPI::min(closest, geometry.communicator);
+      const auto may_be_it = [&](const auto &face) { return face.first <= closest; };
+      const auto n_faces   = dealii::Utilities::MPI::sum(
+          static_cast<unsigned int>(std::count_if(large.begin(), large.end(), may_be_it)),
+          geometry.communicator);
+      if (closest <= std::sqrt(2.) * radius || n_faces == 0 || n_faces > most_faces)
         return false;
-      unsigned int n_marked = 0;
-      for_each_distance(geometry,
-                        id,
-                        obstacle,
-                        [&](const auto &cell, const unsigned int f, const double at_least, const double) {
-                          if (at_least <= closest && cell->face(f)->diameter() > 2 * radius)
-                            {
-                              cell->set_refine_flag();
-                              ++n_marked;
-                            }
-                        });
-      n_marked = dealii::Utilities::MPI::sum(n_marked, geometry.communicator);
-      if (n_marked == 0 || n_marked > most_faces)
-        {
-          for (const auto &cell : geometry.triangulation.active_cell_iterators())
-            cell->clear_refine_flag();
-          return false;
-        }
+      for (const auto &face : large)
+        if (may_be_it(face))
+          face.second->set_refine_flag();
       geometry.triangulation.execute_coarsening_and_refinement();
       return true;
     }

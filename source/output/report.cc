@@ -59,12 +59,6 @@ namespace Amontons
     }
 
     std::string
-    known(const double number)
-    {
-      return std::isfinite(number) ? short_number(number) : "-";
-    }
-
-    std::string
     increment_table(const RunSummary &summary)
     {
       std::vector<HtmlRow> rows;
@@ -77,7 +71,7 @@ namespace Amontons
                         text_of(mesh.iterations),
                         text_of(mesh.krylov_iterations),
                         short_number(mesh.error_estimate.contact),
-                        known(mesh.error_estimate.shear),
+                        short_number(mesh.error_estimate.shear),
                         short_number(mesh.error_estimate.bulk),
                         short_number(mesh.seconds)});
       const HtmlRow head = {"increment",
@@ -118,7 +112,7 @@ namespace Amontons
                           text_of(most),
                           text_of(krylov),
                           short_number(last->error_estimate.contact),
-                          known(last->error_estimate.shear),
+                          short_number(last->error_estimate.shear),
                           short_number(last->error_estimate.bulk),
                           short_number(last->seconds)});
         }

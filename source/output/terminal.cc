@@ -245,10 +245,11 @@ namespace Amontons
       show_iterations();
     line("");
     for (const auto &[label, text] : answer_lines(summary))
-      if (label == "note" && notes_said.count(text) == 0)
-        note(text);
-      else if (label == "note")
-        continue;
+      if (label == "note")
+        {
+          if (notes_said.count(text) == 0)
+            note(text);
+        }
       else if (text.empty())
         line(label);
       else

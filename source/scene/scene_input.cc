@@ -62,9 +62,7 @@ namespace Amontons
     for (const OutlineEntry &entry : outline.entries)
       {
         // JSON's {}, a section without entries, is read as an empty text.
-        const std::string path = path_of(entry.section, entry.name);
-        if (entry.value.empty() &&
-            std::find(declared_sections.begin(), declared_sections.end(), path) != declared_sections.end())
+        if (entry.value.empty() && is_declared(path_of(entry.section, entry.name)))
           continue;
         check_entry(entry);
         set(entry, prm);
@@ -141,11 +139,16 @@ namespace Amontons
     return *found;
   }
 
+  bool
+  SceneInput::is_declared(const std::string &section) const
+  {
+    return std::find(declared_sections.begin(), declared_sections.end(), section) != declared_sections.end();
+  }
+
   void
   SceneInput::check_section(const std::string &path, const SourceLocation &where) const
   {
-    if (path.empty() ||
-        std::find(declared_sections.begin(), declared_sections.end(), path) != declared_sections.end())
+    if (path.empty() || is_declared(path))
       return;
 
     // Siblings of the unknown section; a misspelt prefix is compared with the name that follows it.

@@ -10,7 +10,8 @@ namespace Amontons
     // Few iterations: the next increment may be longer. Many: shorter.
     constexpr unsigned int few = 6, many = 20;
     // The exponent of the first piece. With 2 a Hertzian contact grows evenly, but the last increments, after
-    // which it is compared, become twice as long; measured (doc/results.md), 1.5 leaves the smallest errors.
+    // which it is compared, become twice as long; measured (doc/introduction.md), 1.5 leaves the smallest
+    // errors.
     constexpr double growth = 1.5;
   } // namespace
 
@@ -67,10 +68,10 @@ namespace Amontons
   }
 
   double
-  LoadProgram::longest() const
+  LoadProgram::longest(const Piece &here) const
   {
     if (t >= 0 && constant_size > 0)
-      return coarser * constant_size / (piece().end - piece().begin);
+      return coarser * constant_size / (here.end - here.begin);
     return coarser / increments_by_default;
   }
 
@@ -79,7 +80,7 @@ namespace Amontons
   {
     const Piece  here = piece();
     const double done = here.progress(t);
-    const double n    = std::ceil((1 - done) / (factor * longest()) * (1 - 1e-9));
+    const double n    = std::ceil((1 - done) / (factor * longest(here)) * (1 - 1e-9));
     if (n <= 1)
       return here.end;
     const double equal = t + (here.end - t) / n;
@@ -117,7 +118,8 @@ namespace Amontons
   {
     if (!incremental || is_smallest())
       return false;
-    factor = (piece().progress(next()) - piece().progress(t)) / longest() / 2;
+    const Piece here = piece();
+    factor           = (here.progress(next()) - here.progress(t)) / longest(here) / 2;
     return true;
   }
 } // namespace Amontons

@@ -14,6 +14,11 @@ namespace Amontons
     dealii::Tensor<1, dim> normal;
   };
 
+  // From the axis of a cylinder in space, else from the centre; of the obstacle at rest.
+  template <int dim>
+  double
+  distance_from_axis(const ObstacleData &obstacle, const dealii::Point<dim> &x);
+
   // The point of the obstacle's surface (at rest) that the line x + g n meets with the smallest |g| on a side
   // facing x, i.e. with n . normal(point) < 0. Empty if there is none.
   template <int dim>

@@ -38,6 +38,8 @@ namespace Amontons
     declaration(const std::string &section, const std::string &name) const;
 
   private:
+    bool
+    is_declared(const std::string &section) const;
     void
     declare(dealii::ParameterHandler &prm, const ParameterGroups &groups);
     void

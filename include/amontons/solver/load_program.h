@@ -7,9 +7,9 @@ namespace Amontons
 {
   // Times to land on are the end time and `Output times`; with history (friction) and where the kinematics
   // are to be chosen also the corners of the load path. Between two of them increments are equal, and no
-  // longer than the present size. (With history, where the scene does not say how many, those of the first
-  // piece grow: see progress().) A failed increment is halved; after easy ones the size doubles again, up to
-  // what the scene started with.
+  // longer than the present size. (Where they follow the history and the scene does not say how many, those
+  // of the first piece grow: see Piece.) A failed increment is halved; after easy ones the size doubles
+  // again, up to what the scene started with.
   class LoadProgram
   {
   public:
@@ -94,7 +94,7 @@ namespace Amontons
     Piece
     piece() const;
     double
-    longest() const; // increment at time t, as progress in its piece
+    longest(const Piece &here) const; // increment at time t, as progress in its piece
 
     bool                incremental;
     std::vector<double> breakpoints, corners;

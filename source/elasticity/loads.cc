@@ -148,28 +148,45 @@ namespace Amontons
               points.push_back(covered[end].unit_point);
             if (cell->face(face)->boundary_id() != id)
               continue;
-            FEValues<dim> values(discretization.mapping,
-                                 discretization.fe,
-                                 Quadrature<dim>(points),
-                                 update_values | update_quadrature_points | update_inverse_jacobians |
-                                     gradients_of_u());
+            FEValues<dim> on_facets(
+                discretization.mapping, discretization.fe, Quadrature<dim>(points), flags_of_area_vectors()),
+                values(discretization.load_mapping,
+                       discretization.fe,
+                       Quadrature<dim>(points),
+                       flags_of_area_vectors() | update_values | update_quadrature_points);
+            on_facets.reinit(cell);
             values.reinit(cell);
             cell->get_dof_indices(dofs);
-            std::vector<Tensor<2, dim>> gradients(points.size());
-            if (u != nullptr)
-              values[FEValuesExtractors::Vector(0)].get_function_gradients(*u, gradients);
+            const auto facets = area_vectors(on_facets, face), area = area_vectors(values, face);
             for (unsigned int q = 0; q < points.size(); ++q)
-              {
-                Tensor<1, dim> normal = values.inverse_jacobian(q)[face / 2]; // J^-T N
-                if (u != nullptr)
-                  normal = transpose(invert(unit_symmetric_tensor<dim>() + gradients[q])) * normal;
-                normal *= (face % 2 == 1 ? 1 : -1) / normal.norm();
-                add_point_force(values,
-                                q,
-                                condition.value[0].value(as_3d(values.quadrature_point(q)), t) *
-                                    covered[begin + q].weight * normal);
-              }
+              add_point_force(values,
+                              q,
+                              condition.value[0].value(as_3d(values.quadrature_point(q)), t) *
+                                  covered[begin + q].weight / facets[q].norm() * area[q]);
           }
+      }
+
+      UpdateFlags
+      flags_of_area_vectors() const
+      {
+        return update_jacobians | update_inverse_jacobians | gradients_of_u();
+      }
+
+      // n da of a face per area of the unit face, by point.
+      std::vector<Tensor<1, dim>>
+      area_vectors(const FEValues<dim> &values, const unsigned int face) const
+      {
+        std::vector<Tensor<2, dim>> gradients(values.n_quadrature_points);
+        if (u != nullptr)
+          values[FEValuesExtractors::Vector(0)].get_function_gradients(*u, gradients);
+        std::vector<Tensor<1, dim>> result;
+        for (unsigned int q = 0; q < gradients.size(); ++q)
+          {
+            const Tensor<1, dim> N = values.inverse_jacobian(q)[face / 2]; // J^-T e
+            result.push_back((face % 2 == 1 ? 1 : -1) * values.jacobian(q).determinant() *
+                             (cofactor(unit_symmetric_tensor<dim>() + gradients[q]) * N));
+          }
+        return result;
       }
 
       // A moment about axis k acts on the corner that carries the rotation (discretization/supports.cc).

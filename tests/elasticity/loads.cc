@@ -87,12 +87,11 @@ check_force(const Tensor<1, dim> &force, const Tensor<1, dim> &expected, const s
     check::is_close(force[d], expected[d], 1e-11, what + ", component " + std::to_string(d), expected.norm());
 }
 
-void
-check_pressure_on_circle(const unsigned int degree)
+Scene
+pressed_quarter_disk(const double R, const double p)
 {
-  const double R = 2.5, p = 3;
-  Scene        scene;
-  BodyData     disk;
+  Scene    scene;
+  BodyData disk;
   disk.name        = "it";
   disk.shape       = "quarter disk";
   disk.radius      = R;
@@ -100,7 +99,82 @@ check_pressure_on_circle(const unsigned int degree)
   disk.refinements = 1;
   scene.bodies     = {disk};
   scene.conditions = {load(ConditionData::Type::pressure, {{"it", "arc", {}}}, {Expression(p)})};
-  check_force<2>(resultant<2>(scene, degree), Tensor<1, 2>({-p * R, p * R}), "pressure on a quarter circle");
+  return scene;
+}
+
+void
+check_pressure_on_circle(const unsigned int degree)
+{
+  const double R = 2.5, p = 3;
+  check_force<2>(resultant<2>(pressed_quarter_disk(R, p), degree),
+                 Tensor<1, 2>({-p * R, p * R}),
+                 "pressure on a quarter circle");
+}
+
+// What touches has areas of the facets, or of quadratic faces. Where all of them touch, no pressure is left.
+void
+check_covered_circle(const unsigned int degree)
+{
+  const Scene scene = pressed_quarter_disk(2.5, 3);
+  Geometry<2> geometry(MPI_COMM_WORLD);
+  make_geometry(scene, geometry);
+  Discretization<2> discretization(scene, geometry, degree);
+  discretization.distribute_dofs();
+  const QGauss<1> line(5);
+  FEFaceValues<2> values(
+      discretization.mapping, discretization.fe, line, update_JxW_values | update_quadrature_points);
+  std::vector<CoveredPoint<2>> covered;
+  const auto                   arc = geometry.boundary({"it", "arc", {}}, scene).id;
+  for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == arc)
+        {
+          values.reinit(cell, f);
+          for (unsigned int q = 0; q < line.size(); ++q)
+            covered.push_back(
+                {cell,
+                 f,
+                 discretization.mapping.transform_real_to_unit_cell(cell, values.quadrature_point(q)),
+                 values.JxW(q)});
+        }
+  check::is_close(assemble_loads<2>(discretization, 1, covered).linfty_norm(),
+                  0,
+                  1e-12,
+                  "pressure on a circle that is covered",
+                  assemble_loads<2>(discretization, 1, {}).linfty_norm());
+}
+
+// Of linear elements, too, over the curve: an eighth of a ball between its planes, with a pressure of which a
+// part is taken away again, and the weight of half a ring. The edges of a quadratic face lie off the circle
+// by (pi/16)^4 / 24 of the radius.
+void
+check_curved(const unsigned int degree)
+{
+  const double pi = numbers::PI, p = 3;
+  Scene        scene;
+  scene.kind = ProblemType::three_dimensional;
+  BodyData ball;
+  ball.name        = "it";
+  ball.shape       = "eighth sphere";
+  ball.radius      = 2;
+  ball.refinements = 1;
+  scene.bodies     = {ball};
+  scene.conditions = {load(ConditionData::Type::pressure, {{"it", "surface", {}}}, {Expression(p)})};
+  const auto force = resultant<3>(scene, degree);
+  for (unsigned int d = 0; d < 3; ++d)
+    check::is_close(std::abs(force[d]), p * pi, 2e-4, "pressure on a ball");
+
+  BodyData ring;
+  ring.name         = "it";
+  ring.shape        = "half ring";
+  ring.radius       = 2;
+  ring.inner_radius = 1;
+  ring.refinements  = 1;
+  ring.body_force   = {{Expression(0.), Expression(-p), Expression(0.)}};
+  scene.kind        = ProblemType::plane_strain;
+  scene.bodies      = {ring};
+  scene.conditions  = {};
+  check::is_close(resultant<2>(scene, degree)[1], -p * 3 * pi / 2, 2e-4, "weight of half a ring");
 }
 
 void
@@ -224,6 +298,8 @@ main(int argc, char **argv)
   for (const unsigned int degree : {1, 2})
     {
       check_pressure_on_circle(degree);
+      check_curved(degree);
+      check_covered_circle(degree);
       check_block_2d(degree);
       check_block_3d(degree);
       check_jumps(degree);

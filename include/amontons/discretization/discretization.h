@@ -66,6 +66,7 @@ namespace Amontons
     bool            finite_strain;
     FESystem<dim>   fe;
     MappingQ<dim>   mapping;
+    MappingQ<dim>   load_mapping; // curved where linear elements have facets
     DoFHandler<dim> dof_handler;
 
     // Lines of the hanging nodes of owned and ghosted cells, closed.

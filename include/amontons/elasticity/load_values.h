@@ -65,7 +65,7 @@ namespace Amontons
                const UpdateFlags          flags)
         : discretization(discretization), formula(formula), flags(flags),
           polynomials(discretization.fe.degree + 3),
-          plain(discretization.mapping, discretization.fe, formula, flags)
+          plain(discretization.load_mapping, discretization.fe, formula, flags)
     {
     }
 
@@ -101,7 +101,7 @@ namespace Amontons
         {
           if (!fine)
             fine = std::make_unique<Values>(
-                discretization.mapping, discretization.fe, polynomials.formula, flags);
+                discretization.load_mapping, discretization.fe, polynomials.formula, flags);
           fine->reinit(cell, face...);
           const auto at   = [&](const std::vector<Point<d>> &points) { return values_at(load, t, points); };
           double     size = 0; // of the cell or face

@@ -136,7 +136,7 @@ namespace Amontons
     steps          = std::make_unique<LoadStepping<dim>>(parameters,
                                                 make_model(mesh, finite_strain, t, report.timer()),
                                                 report,
-                                                finite_strain ? nullptr : &small_strain.neglected);
+                                                finite_strain ? nullptr : &small_strain);
     if (nearby)
       {
         steps->history.at_once = true;

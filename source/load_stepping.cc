@@ -18,12 +18,12 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  LoadStepping<dim>::LoadStepping(const Parameters             &parameters,
-                                  std::unique_ptr<Model<dim>>   start,
-                                  RunReport<dim>               &report,
-                                  NeglectedTermsOfHistory<dim> *neglected)
+  LoadStepping<dim>::LoadStepping(const Parameters           &parameters,
+                                  std::unique_ptr<Model<dim>> start,
+                                  RunReport<dim>             &report,
+                                  SmallStrainCheck<dim>      *small_strain)
       : LoadPath<dim>(parameters, std::move(start), report.timer(), report.control), report(report),
-        neglected(neglected),
+        small_strain(small_strain),
         refinement(!has_history()                              ? Refinement::in_last_increment
                    : parameters.refinement.history == "replay" ? Refinement::between_replays
                                                                : Refinement::on_the_way),
@@ -76,8 +76,8 @@ namespace Amontons
     const auto n_known = history.path.size(); // on the mesh before
     history.restart(program.time());
     evaluation.restart();
-    if (neglected != nullptr)
-      *neglected = NeglectedTermsOfHistory<dim>();
+    if (small_strain != nullptr)
+      small_strain->neglected = NeglectedTermsOfHistory<dim>();
     //! [load program]
     while (!program.finished())
       {
@@ -216,8 +216,8 @@ namespace Amontons
       follow_target();
     if (refinement == Refinement::between_replays && may_refine())
       remember_path();
-    if (neglected != nullptr)
-      neglected->add(
+    if (small_strain != nullptr)
+      small_strain->neglected.add(
           model->discretization(), *evaluation.recovery, history.state, model->interfaces, report.energy());
     report.commit(answer(), history.work, evaluation);
     if (program.finished())
@@ -318,7 +318,7 @@ namespace Amontons
   bool
   LoadStepping<dim>::may_refine() const
   {
-    if (neglected != nullptr && scene.kinematics == Kinematics::automatic && evaluation.recovery &&
+    if (small_strain != nullptr && scene.kinematics == Kinematics::automatic && evaluation.recovery &&
         report.energy() > 0 && evaluation.recovery->energy_of_quadratic_strain() > 2 * report.energy())
       return false; // finite strain takes over
     return model->mesh->n_refinements < parameters.refinement.most_cycles();
@@ -415,8 +415,8 @@ namespace Amontons
     history.coarser.traction =
         surface_tractions(model->discretization(), model->interfaces, evaluation.fields);
     history.coarser.recovered = evaluation.error.recovered;
-    if (neglected != nullptr && parameters.refinement.history == "transfer")
-      neglected->measure_gaps(model->discretization(), model->supports, model->interfaces);
+    if (small_strain != nullptr)
+      small_strain->leave_mesh(*model, *evaluation.recovery, history.state, report.energy(), timer, control);
     if (parameters.refinement.target_error > 0) // else the answer is that of this mesh
       history.most_cut_backs = 2 * history.n_cut_backs + history.many_cut_backs;
     if (!may_transfer()) // there is none, or the history starts anew on the refined mesh

@@ -1,3 +1,4 @@
+#include <amontons/adaptivity/slenderness.h>
 #include <amontons/adaptivity/state_transfer.h>
 #include <amontons/evaluation.h>
 #include <amontons/finite_strain_model.h>
@@ -140,6 +141,15 @@ namespace Amontons
               return false;
       return true;
     }
+
+    template <int dim>
+    GivesUp
+    gives_up_on(const Model<dim> &model, RunControl &control)
+    {
+      return [&control, communicator = model.mesh->geometry.communicator]() {
+        return control.gives_up(communicator);
+      };
+    }
   } // namespace
 
   template <int dim>
@@ -221,6 +231,51 @@ namespace Amontons
   }
 
   template <int dim>
+  double
+  SmallStrainCheck<dim>::bound() const
+  {
+    return scene.kinematics == Kinematics::automatic ? allowed_error() : too_much;
+  }
+
+  // What matters little on the first mesh that is not coarse does so on finer ones, too: seeing it there is a
+  // small part of the work that it would be on the last one.
+  template <int dim>
+  void
+  SmallStrainCheck<dim>::leave_mesh(Model<dim>                &model,
+                                    const StressRecovery<dim> &recovery,
+                                    const SolutionState<dim>  &state,
+                                    const double               energy,
+                                    TimerOutput               &timer,
+                                    RunControl                &control)
+  {
+    constexpr unsigned int enough = 10000; // unknowns
+    if (parameters.refinement.history == "transfer")
+      neglected.measure_gaps(model.discretization(), model.supports, model.interfaces);
+    if (before || state.t < scene.end_time || model.discretization().dof_handler.n_dofs() < enough)
+      return;
+    TimerOutput::Scope           scope(timer, "choice of the model");
+    NeglectedTermsOfHistory<dim> here(neglected);
+    here.add(model.discretization(), recovery, state, model.interfaces, energy);
+    const NeglectedTerms &terms = here.largest();
+    if (std::max(terms.strain, terms.stiffening) <= bound() / 2)
+      return;
+    before = Findings{terms, {}, {}};
+    if (terms.stiffening > bound() / 2)
+      before->stiffening = stiffening_at(model, state, timer, control);
+    if (terms.strain > bound() / 2 && holds_all_rotations(model.discretization()))
+      if (const auto nearby = with_finite_strain(model, state, timer, control))
+        before->change = nearby->first;
+  }
+
+  template <int dim>
+  bool
+  SmallStrainCheck<dim>::is_as_before() const
+  {
+    return before && neglected.largest().strain <= 1.5 * before->terms.strain &&
+           neglected.largest().stiffening <= 1.5 * before->terms.stiffening;
+  }
+
+  template <int dim>
   void
   SmallStrainCheck<dim>::look(Model<dim>               &model,
                               const SolutionState<dim> &state,
@@ -230,16 +285,20 @@ namespace Amontons
   {
     TimerOutput::Scope scope(timer, "choice of the model");
     neglected.measure_gaps(model.discretization(), model.supports, model.interfaces);
-    const NeglectedTerms &terms     = neglected.largest();
-    const bool            automatic = scene.kinematics == Kinematics::automatic;
-    const double          bound     = automatic ? allowed_error() : too_much;
-    const GivesUp         gives_up  = [&]() { return control.gives_up(model.mesh->geometry.communicator); };
-    rotations_are_held              = holds_all_rotations(model.discretization());
-    const bool is_telling           = converged && !neglected.came_back();
-    stiffening                      = is_telling ? stiffening_at(model, state, bound, timer, gives_up) : 0;
-    tried = is_telling && rotations_are_held && (terms.largest() > bound || stiffening > bound);
+    const NeglectedTerms &terms = neglected.largest();
+    rotations_are_held          = holds_all_rotations(model.discretization());
+    const bool is_telling       = converged && !neglected.came_back();
+    if (is_telling && terms.stiffening <= bound())
+      stiffening = terms.stiffening;
+    else if (is_telling)
+      stiffening = is_as_before() && before->stiffening && *before->stiffening <= bound() / 2
+                       ? *before->stiffening
+                       : stiffening_at(model, state, timer, control);
+    tried = is_telling && rotations_are_held && (terms.largest() > bound() || stiffening > bound());
     if (tried)
-      change = change_by_finite_strain(model, state, timer, control);
+      change = is_as_before() && before->change && before->change->largest <= allowed_change() / 2
+                   ? before->change
+                   : change_by_finite_strain(model, state, timer, control);
     what_was_seen = {{"neglected_strain", terms.strain},
                      {"neglected_contact", terms.contact},
                      {"neglected_stiffening", stiffening}};
@@ -251,14 +310,11 @@ namespace Amontons
   double
   SmallStrainCheck<dim>::stiffening_at(Model<dim>               &model,
                                        const SolutionState<dim> &state,
-                                       const double              allowed,
                                        TimerOutput              &timer,
-                                       const GivesUp            &gives_up) const
+                                       RunControl               &control) const
   {
-    const double most = neglected.largest().stiffening;
-    if (most <= allowed)
-      return most;
     const auto               mechanics = model.mechanics(state);
+    const GivesUp            gives_up  = gives_up_on(model, control);
     const ContactSolver<dim> solver    = {
            parameters.newton, parameters.linear_solver, model.discretization(), timer, gives_up};
     // A local stress, as at a corner, makes |lambda| a few times as large as its strain.
@@ -266,7 +322,7 @@ namespace Amontons
       return solver.stress_stiffening(*mechanics, model.interfaces, model.supports, state, most_strain)
           .value_or(0);
     };
-    const double found = with_strains_to(allowed / 6);
+    const double found = with_strains_to(bound() / 6);
     return found > too_much ? std::max(found, with_strains_to(too_much / 6)) : found;
   }
 
@@ -297,9 +353,36 @@ namespace Amontons
   }
 
   // The iteration with finite strain goes on from the answer of small strain. (With friction the path of the
-  // load counts, too: an estimate then.) Slender bodies may be too far from it, as what bending shortens is
-  // missing there: if the scene insists on small strain, the load program on this mesh then. None if neither
-  // converges.
+  // load counts, too: an estimate then.)
+  template <int dim>
+  std::optional<std::pair<typename SmallStrainCheck<dim>::Change, SolutionState<dim>>>
+  SmallStrainCheck<dim>::with_finite_strain(Model<dim>               &model,
+                                            const SolutionState<dim> &state,
+                                            TimerOutput              &timer,
+                                            RunControl               &control) const
+  {
+    std::optional<std::pair<Change, SolutionState<dim>>> result;
+    {
+      SolutionState<dim>       trial = state;
+      FiniteStrainModel<dim>   finite(model, state, timer);
+      const auto               mechanics = finite.mechanics(state);
+      const GivesUp            gives_up  = gives_up_on(model, control);
+      const ContactSolver<dim> solver    = {
+             parameters.newton, parameters.linear_solver, model.discretization(), timer, gives_up};
+      if (solver.solve(*mechanics, finite.interfaces, finite.supports, trial, [](const auto &) {}).converged)
+        {
+          Evaluation<dim> evaluation(false);
+          evaluation.collect_fields(finite, trial);
+          make_traction_field(model.discretization(), finite.interfaces, evaluation.fields, trial);
+          result.emplace(change_to(finite.interfaces, trial, model, state), std::move(trial));
+        }
+    }
+    model.resume();
+    return result;
+  }
+
+  // Slender bodies may be too far from the answer of small strain, as what bending shortens is missing there:
+  // if the scene insists on small strain, the load program on this mesh then. None if neither converges.
   template <int dim>
   std::optional<typename SmallStrainCheck<dim>::Change>
   SmallStrainCheck<dim>::change_by_finite_strain(Model<dim>               &model,
@@ -307,33 +390,19 @@ namespace Amontons
                                                  TimerOutput              &timer,
                                                  RunControl               &control)
   {
-    std::optional<Change> result;
-    const GivesUp         gives_up = [&]() { return control.gives_up(model.mesh->geometry.communicator); };
-    {
-      SolutionState<dim>       trial = state;
-      FiniteStrainModel<dim>   finite(model, state, timer);
-      const auto               mechanics = finite.mechanics(state);
-      const ContactSolver<dim> solver    = {
-             parameters.newton, parameters.linear_solver, model.discretization(), timer, gives_up};
-      if (solver.solve(*mechanics, finite.interfaces, finite.supports, trial, [](const auto &) {}).converged)
-        {
-          result = change_to(finite.interfaces, trial, model, state);
-          if (result->largest <= too_much && !scene.has_friction())
-            {
-              Evaluation<dim> evaluation(false);
-              evaluation.collect_fields(finite, trial);
-              make_traction_field(model.discretization(), finite.interfaces, evaluation.fields, trial);
-              found = trial;
-            }
-        }
-    }
-    if (!result && scene.kinematics == Kinematics::small_strain && !gives_up())
+    if (const auto nearby = with_finite_strain(model, state, timer, control))
       {
-        LoadProgram   program(scene, true);
-        LoadPath<dim> path(parameters, make_model(model.mesh, true, program.next(), timer), timer, control);
-        if (path.run(program))
-          result = change_to(path.model->interfaces, path.history.state, model, state);
+        if (nearby->first.largest <= too_much && !scene.has_friction())
+          found = nearby->second;
+        return nearby->first;
       }
+    if (scene.kinematics != Kinematics::small_strain || control.gives_up(model.mesh->geometry.communicator))
+      return {};
+    LoadProgram   program(scene, true);
+    LoadPath<dim> path(parameters, make_model(model.mesh, true, program.next(), timer), timer, control);
+    std::optional<Change> result;
+    if (path.run(program))
+      result = change_to(path.model->interfaces, path.history.state, model, state);
     model.resume();
     return result;
   }

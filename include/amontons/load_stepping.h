@@ -1,10 +1,10 @@
 /// The load of a scene on meshes that follow its solution, with retries where it is hard to find.
 #pragma once
 
-#include <amontons/adaptivity/model_selection.h>
 #include <amontons/failed_increment.h>
 #include <amontons/adaptivity/increment_choice.h>
 #include <amontons/load_path.h>
+#include <amontons/small_strain_check.h>
 
 namespace Amontons
 {
@@ -20,12 +20,11 @@ namespace Amontons
     using LoadPath<dim>::answer;
     using LoadPath<dim>::load_program;
 
-    /// start: at rest. neglected: small strain: collects what that leaves out, over the increments; null:
-    /// nothing does.
-    LoadStepping(const Parameters             &parameters,
-                 std::unique_ptr<Model<dim>>   start,
-                 RunReport<dim>               &report,
-                 NeglectedTermsOfHistory<dim> *neglected);
+    /// start: at rest. small_strain: sees what that leaves out, over the increments; null: finite strain.
+    LoadStepping(const Parameters           &parameters,
+                 std::unique_ptr<Model<dim>> start,
+                 RunReport<dim>             &report,
+                 SmallStrainCheck<dim>      *small_strain);
 
     /// False: not to the end. Why not is in the report, or in the request to stop; the state is the last one
     /// that converged, where there is one.
@@ -171,12 +170,12 @@ namespace Amontons
       between_replays // of the load program
     };
 
-    RunReport<dim>               &report;
-    NeglectedTermsOfHistory<dim> *neglected;
-    const Refinement              refinement;
-    IncrementChoice               increments;
-    bool                          measured    = false; // their error, once
-    bool                          falls_back  = false; // stopped: the state is history.fallback
-    bool                          ended_early = false;
+    RunReport<dim>        &report;
+    SmallStrainCheck<dim> *small_strain;
+    const Refinement       refinement;
+    IncrementChoice        increments;
+    bool                   measured    = false; // their error, once
+    bool                   falls_back  = false; // stopped: the state is history.fallback
+    bool                   ended_early = false;
   };
 } // namespace Amontons

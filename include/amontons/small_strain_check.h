@@ -17,6 +17,16 @@ namespace Amontons
     /// What the load program collects.
     NeglectedTermsOfHistory<dim> neglected;
 
+    /// Before a finer mesh takes the place of this one, at a converged state of the load program.
+    /// energy: stored. Collective.
+    void
+    leave_mesh(Model<dim>                &model,
+               const StressRecovery<dim> &recovery,
+               const SolutionState<dim>  &state,
+               const double               energy,
+               TimerOutput               &timer,
+               RunControl                &control);
+
     /// After the load program, at its last state. Finite strain is tried where small strain leaves out more
     /// than is allowed, or, if the scene insists on small strain, more than any answer may. Not after a
     /// failure, nor where the bodies have been much farther before: what finite strain changes in the end
@@ -79,17 +89,21 @@ namespace Amontons
     }
 
   private:
-    // How much stress changes the stiffness, at the state: where it may be as much as `allowed`, what it is.
+    // How much stress changes the stiffness.
     double
     stiffening_at(Model<dim>               &model,
                   const SolutionState<dim> &state,
-                  const double              allowed,
                   TimerOutput              &timer,
-                  const GivesUp            &gives_up) const;
+                  RunControl               &control) const;
     struct Change
     {
       double largest, without_pressures;
     };
+    std::optional<std::pair<Change, SolutionState<dim>>>
+    with_finite_strain(Model<dim>               &model,
+                       const SolutionState<dim> &state,
+                       TimerOutput              &timer,
+                       RunControl               &control) const;
     std::optional<Change>
     change_by_finite_strain(Model<dim>               &model,
                             const SolutionState<dim> &state,
@@ -100,6 +114,19 @@ namespace Amontons
               const SolutionState<dim>                 &finite_state,
               const Model<dim>                         &model,
               const SolutionState<dim>                 &state) const;
+    // Of what is neglected: where it is more, what it does is looked for.
+    double
+    bound() const;
+    // On a mesh before; what was looked for.
+    struct Findings
+    {
+      NeglectedTerms        terms;
+      std::optional<double> stiffening;
+      std::optional<Change> change;
+    };
+    // No more is neglected here than there.
+    bool
+    is_as_before() const;
 
     const Scene                      &scene;
     const Parameters                 &parameters;
@@ -108,6 +135,7 @@ namespace Amontons
     std::optional<Change>             change;                     // by it, if it converged
     std::optional<SolutionState<dim>> found;
     double                            stiffening = 0;
+    std::optional<Findings>           before;
     std::map<std::string, double>     what_was_seen;
   };
 } // namespace Amontons

@@ -1,6 +1,8 @@
 #include <amontons/algebra/row_system.h>
 
 #include <boost/functional/hash.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
 
 #include <Epetra_Vector.h>
 
@@ -93,6 +95,52 @@ namespace Amontons
       std::vector<int>        places;
       int                     n = 0, *columns = nullptr;
       double                 *values = nullptr;
+    };
+
+    // Of what the rows of this rank's pivots are shared out to, the ranks. Collective.
+    class OwnersOfShares
+    {
+    public:
+      OwnersOfShares(const IndexSet           &locally_owned,
+                     const ContactConstraints &test,
+                     const Epetra_BlockMap    &map)
+      {
+        for (const auto &pivot : test.pivots())
+          if (pivot && locally_owned.is_element(*pivot))
+            for (const auto &entry : *test.test().get_constraint_entries(*pivot))
+              if (!locally_owned.is_element(entry.first))
+                dofs.push_back(entry.first);
+        sort_once(dofs);
+        ranks.resize(dofs.size());
+        const std::vector<int> numbers(dofs.begin(), dofs.end());
+        std::vector<int>       places(dofs.size());
+        map.RemoteIDList(dofs.size(), numbers.data(), ranks.data(), places.data());
+      }
+
+      unsigned int
+      of(const types::global_dof_index dof) const
+      {
+        return ranks[std::lower_bound(dofs.begin(), dofs.end(), dof) - dofs.begin()];
+      }
+
+    private:
+      std::vector<types::global_dof_index> dofs;
+      std::vector<int>                     ranks;
+    };
+
+    // A row that another rank needs, by global columns, and how much of it goes to which of its DoFs.
+    struct SentRow
+    {
+      std::vector<int>                                        columns;
+      std::vector<double>                                     entries;
+      std::vector<std::pair<types::global_dof_index, double>> shares;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &columns &entries &shares;
+      }
     };
 
     double
@@ -271,30 +319,49 @@ namespace Amontons
         }
   }
 
-  // Once all is added, C_test^T times it: what was added to a row once goes to many others.
+  // Once all is added, C_test^T times it: what was added to a row once goes to many others. Other ranks get
+  // the row once, with the shares of their DoFs.
   void
   RowSystem::condense_rows(const ContactConstraints &test, LA::SparseMatrix &matrix) const
   {
-    const auto         &storage = matrix.trilinos_matrix();
-    RowView             target(matrix);
-    std::vector<int>    columns;
-    std::vector<double> entries;
+    const auto                                  &storage = matrix.trilinos_matrix();
+    const OwnersOfShares                         owners(locally_owned, test, storage.RowMap());
+    RowView                                      view(matrix);
+    std::vector<int>                             columns;
+    std::vector<double>                          entries;
+    std::map<unsigned int, std::vector<SentRow>> sent;
+    const auto                                   add = [&](const int row, const double weight) {
+      view.look_at(row);
+      for (unsigned int k = 0; k < columns.size(); ++k)
+        view.add(columns[k], weight * entries[k]);
+    };
     for (const auto &pivot : test.pivots())
       if (pivot && locally_owned.is_element(*pivot))
         {
           take_row(matrix, *pivot, columns, entries);
+          std::map<unsigned int, std::vector<std::pair<types::global_dof_index, double>>> shares;
           for (const auto &[dof, weight] : *test.test().get_constraint_entries(*pivot))
             if (const int row = storage.LRID(int(dof)); row >= 0)
-              {
-                target.look_at(row);
-                for (unsigned int k = 0; k < columns.size(); ++k)
-                  target.add(columns[k], weight * entries[k]);
-              }
-            else // sent to its owner
-              for (unsigned int k = 0; k < columns.size(); ++k)
-                matrix.add(dof, storage.GCID(columns[k]), weight * entries[k]);
+              add(row, weight);
+            else
+              shares[owners.of(dof)].emplace_back(dof, weight);
+          for (auto &[rank, of_rank] : shares)
+            {
+              sent[rank].push_back({{}, entries, std::move(of_rank)});
+              for (const int column : columns)
+                sent[rank].back().columns.push_back(storage.GCID(column));
+            }
         }
-    matrix.compress(VectorOperation::add);
+    for (const auto &[rank, received] : Utilities::MPI::some_to_some(communicator, sent))
+      for (const SentRow &from : received)
+        {
+          columns.clear();
+          for (const int column : from.columns)
+            columns.push_back(storage.LCID(column));
+          entries = from.entries;
+          for (const auto &[dof, weight] : from.shares)
+            add(storage.LRID(int(dof)), weight);
+        }
   }
 
   // Times C_trial: what a row has in a pivot's column goes to the columns that the pivot stands for.

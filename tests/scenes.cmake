@@ -975,6 +975,11 @@ add_scene_test(NAME target_of_a_mesh_that_fails SCENE verification/o_ring.prm SE
 # What the target does not need is left out, and told. 1.3346: with the punch deformable.
 add_scene_test(NAME model_rigid_punch SCENE verification/stiff_punch.prm SET "Body punch/Young modulus=1e5"
                CHECK "notes.0 has 'punch', 75 % of the unknowns, is taken for rigid" "notes.-1 has mirror image at x = 0" "dofs <= 5000" "pairs.0.normal_force.1 ~ -1.3346 1e-2")
+# Gaps along the axes, and turned by 45 degrees: then neither half has the whole's answer, though corners of the bodies move alike.
+set(PRESSED_ONCE "End time=1" Increments=1 "Contact point/Friction coefficient=0" "Refinement/Target error=0.15" "Refinement/Cycles=-1")
+add_scene_test(NAME model_mirrored SCENE verification/oblique_drag.prm SET ${PRESSED_ONCE} CHECK "notes.-2 has mirror image at x = 0" "notes.-1 has mirror image at y = 0")
+add_scene_test(NAME model_not_mirrored SCENE verification/oblique_drag.prm SET ${PRESSED_ONCE} "Contact point/Initial gap=(x^2+y^2)/20+x*y/15"
+               CHECK "notes.-1 has after the end is not applied")
 add_scene_test(NAME model_elastic_punch SCENE verification/stiff_punch.prm SET "Body punch/Young modulus=1e4" CHECK "dofs >= 10000" "pairs.0.normal_force.1 ~ -1.3271 1e-2")
 add_scene_test(NAME model_full SCENE verification/stiff_punch.prm SET "Model=full" CHECK "dofs >= 10000" "pairs.0.normal_force.1 ~ -1.3354 1e-2")
 # (The limit of uniform meshes is 2.25198.)

@@ -1,3 +1,4 @@
+#include <amontons/contact/surface_fields.h>
 #include <amontons/output/mirror_symmetry.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -73,6 +74,63 @@ namespace Amontons
       return forces;
     }
 
+    // Whether moments of the pressures of all pairs, odd along the axis, vanish against those of the absolute
+    // values: xi y^j z^k and xi^3, with xi from the middle, j + k <= 3. Of a scene that is its own mirror
+    // image all do, though two of its pairs may be images of each other.
+    template <int dim>
+    bool
+    presses_mirrored(const Answer<dim> &answer,
+                     const unsigned int axis,
+                     const Point<dim>  &middle,
+                     const double       size,
+                     const double       allowed)
+    {
+      std::map<std::array<unsigned int, 3>, std::array<double, 2>> moments; // by exponents: signed, absolute
+      for (unsigned int pair = 0; pair < answer.interfaces.size(); ++pair)
+        for (const auto &point : answer.interfaces[pair].coupling.points)
+          {
+            const double f = value_on_face(*answer.interfaces[pair].slave,
+                                           answer.fields[pair].pressure,
+                                           point.slave_face,
+                                           point.xi_slave) *
+                             point.weight;
+            const auto r = (point.x_slave - middle) / size;
+            for (unsigned int i : {1, 3})
+              for (unsigned int j = 0; j <= 3; ++j)
+                for (unsigned int k = 0; k <= (dim == 3 ? 3 - j : 0); ++k)
+                  if (i == 1 || j + k == 0)
+                    {
+                      const double moment = f * std::pow(r[axis], i) * std::pow(r[(axis + 1) % dim], j) *
+                                            std::pow(r[(axis + 2) % dim], k);
+                      moments[{{i, j, k}}][0] += moment;
+                      moments[{{i, j, k}}][1] += std::abs(moment);
+                    }
+          }
+      return std::all_of(moments.begin(), moments.end(), [&](const auto &entry) {
+        return std::abs(entry.second[0]) <= allowed * entry.second[1];
+      });
+    }
+
+    // Of all bodies, from their means: what is large of it.
+    template <int dim>
+    double
+    largest_deformation(const std::vector<Vertex<dim>> &vertices)
+    {
+      std::map<types::material_id, std::pair<Tensor<1, dim>, unsigned int>> sums;
+      for (const auto &vertex : vertices)
+        {
+          sums[vertex.body].first += vertex.displacement;
+          ++sums[vertex.body].second;
+        }
+      double largest = 0;
+      for (const auto &vertex : vertices)
+        {
+          const auto &[sum, n] = sums[vertex.body];
+          largest              = std::max(largest, (vertex.displacement - sum / n).norm());
+        }
+      return largest;
+    }
+
     template <int dim, typename Vector>
     Vector
     mirrored(Vector vector, const unsigned int axis, const double middle)
@@ -110,12 +168,9 @@ namespace Amontons
     if (vertices.size() > many || forces.empty())
       return {};
     std::vector<Point<dim>> places;
-    double                  largest = 0;
     for (const auto &vertex : vertices)
-      {
-        places.push_back(vertex.place);
-        largest = std::max(largest, vertex.displacement.norm());
-      }
+      places.push_back(vertex.place);
+    const double             largest = largest_deformation(vertices);
     const auto               corners = BoundingBox<dim>(places).get_boundary_points();
     const double             size    = corners.first.distance(corners.second);
     const bool               turned  = answer.discretization.scene.kind == ProblemType::axisymmetric;
@@ -125,7 +180,9 @@ namespace Amontons
           std::all_of(forces.begin(),
                       forces.end(),
                       [&](const auto &f) { return std::abs(f[axis]) <= 1e-6 * f.norm(); }) &&
-          is_mirrored(vertices, axis, middle, size, tolerance * largest))
+          is_mirrored(vertices, axis, middle, size, tolerance * largest) &&
+          presses_mirrored(
+              answer, axis, corners.first + (corners.second - corners.first) / 2, size, 10 * tolerance))
         {
           std::ostringstream text;
           text << "xyz"[axis] << " = " << (std::abs(middle) < 1e-8 * size ? 0 : middle);

@@ -28,7 +28,7 @@ GROUPS = [
      "verification/klarbring verification/patch_friction verification/equal_blocks verification/clamped verification/tee verification/oblique_touch verification/opened_again verification/large_increment verification/wedge_self_lock verification/small_shear"),
     ("Held by contact and friction alone", "floating_slab incline verification/leaning_weight verification/steep_slope verification/tipping verification/tipping_tower "
      "verification/far_gap verification/floating_slab_3d verification/tipping_3d"),
-    ("Finite strain", "ironing wall_buckling snap_away nafems_roller_finite verification/rubber_indentation verification/fluid_pressure verification/compressed_rubber verification/compressed_block_3d verification/o_ring verification/o_ring_half verification/thin_ring "
+    ("Finite strain", "ironing wall_buckling snap_away nafems_roller_finite verification/rubber_indentation verification/fluid_pressure verification/tube_in_bore verification/compressed_rubber verification/compressed_block_3d verification/o_ring verification/o_ring_half verification/thin_ring "
      "verification/press_finite verification/slide_off_edge verification/slide_over_edges verification/slid_block verification/ring_rolls verification/corner_on_corner verification/turned_disk "
      "verification/objectivity verification/turned_rigid_body verification/turned_obstacle verification/turned_platens verification/turned_with_friction verification/patch_finite "
      "verification/patch_finite_3d verification/patch_finite_turned verification/patch_finite_turned_3d verification/uniaxial_finite verification/simple_shear_finite "

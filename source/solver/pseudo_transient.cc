@@ -4,6 +4,38 @@
 
 namespace Amontons
 {
+  namespace
+  {
+    // Of the nodes of quadratic elements between vertices: how far they are from where the vertices would
+    // have them, against how far they move; root mean squares.
+    template <int dim>
+    double
+    swing_between_vertices(const Discretization<dim> &discretization, const LA::Vector &shape)
+    {
+      const auto &fe    = discretization.fe;
+      LA::Vector  moved = discretization.make_relevant_vector();
+      moved             = shape;
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      std::vector<double>                  squares(2, 0.);
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
+          {
+            cell->get_dof_indices(dofs);
+            for (unsigned int i = dim * GeometryInfo<dim>::vertices_per_cell; i < dofs.size(); ++i)
+              {
+                double by_vertices = 0;
+                for (const unsigned int v : cell->vertex_indices())
+                  by_vertices += GeometryInfo<dim>::d_linear_shape_function(fe.unit_support_point(i), v) *
+                                 moved(cell->vertex_dof_index(v, fe.system_to_component_index(i).first));
+                squares[0] += std::pow(moved(dofs[i]) - by_vertices, 2);
+                squares[1] += std::pow(moved(dofs[i]), 2);
+              }
+          }
+      Utilities::MPI::sum(squares, discretization.geometry.communicator, squares);
+      return squares[1] > 0 ? std::sqrt(squares[0] / squares[1]) : 0;
+    }
+  } // namespace
+
   template <int dim>
   PseudoTransient<dim>::PseudoTransient(const ContactEquilibrium<dim> &problem,
                                         NewtonStep<dim>               &step,
@@ -29,6 +61,12 @@ namespace Amontons
         const auto mode = unstable_mode();
         if (!mode)
           break;
+        if (swing_between_vertices(problem.discretization, mode->shape) > 1)
+          {
+            newton.report().note = "a mode of the mesh is unstable, in which nodes between vertices swing "
+                                   "along a curved surface under high pressure: it is not followed";
+            break;
+          }
         newton.report().unstable = true;
         if (newton.report().moved)
           leave_along(*mode);

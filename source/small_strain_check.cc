@@ -381,8 +381,10 @@ namespace Amontons
     return result;
   }
 
-  // Slender bodies may be too far from the answer of small strain, as what bending shortens is missing there:
-  // if the scene insists on small strain, the load program on this mesh then. None if neither converges.
+  // The answer of small strain may be too far from that of finite strain for the iteration: what bending
+  // shortens is missing there, and what is held by little more than its weight may roll away from it (a
+  // change of more than all that there was). If the scene insists on small strain, the load program on this
+  // mesh tells. None if neither converges.
   template <int dim>
   std::optional<typename SmallStrainCheck<dim>::Change>
   SmallStrainCheck<dim>::change_by_finite_strain(Model<dim>               &model,
@@ -390,17 +392,18 @@ namespace Amontons
                                                  TimerOutput              &timer,
                                                  RunControl               &control)
   {
+    std::optional<Change> result;
     if (const auto nearby = with_finite_strain(model, state, timer, control))
       {
-        if (nearby->first.largest <= too_much && !scene.has_friction())
+        result = nearby->first;
+        if (result->largest <= too_much && !scene.has_friction())
           found = nearby->second;
-        return nearby->first;
       }
-    if (scene.kinematics != Kinematics::small_strain || control.gives_up(model.mesh->geometry.communicator))
-      return {};
+    if ((result && result->largest <= 1) || scene.kinematics != Kinematics::small_strain ||
+        control.gives_up(model.mesh->geometry.communicator))
+      return result;
     LoadProgram   program(scene, true);
     LoadPath<dim> path(parameters, make_model(model.mesh, true, program.next(), timer), timer, control);
-    std::optional<Change> result;
     if (path.run(program))
       result = change_to(path.model->interfaces, path.history.state, model, state);
     model.resume();

@@ -90,8 +90,9 @@ namespace Amontons
     auto       &u      = problem.state.displacement;
     const auto &bodies = problem.mechanics.bodies();
     distribute(now.constraints->trial(), moved, u);
-    LA::Vector residual = problem.mechanics.loads();
-    residual -= bodies.internal_forces(u);
+    LA::Vector       residual = problem.mechanics.loads();
+    const LA::Vector internal = bodies.internal_forces(u);
+    residual -= internal;
     if (any_friction || problem.penalty != nullptr)
       residual += known_contact_forces(problem, now);
     Solved result;
@@ -100,9 +101,12 @@ namespace Amontons
 
     TimerOutput::Scope scope(problem.timer, "linear solve");
     du.reinit(moved);
-    const double scale  = now.is_first() ? result.push.l2_norm() : now.force_scale;
-    const auto   report = solver.solve(system.matrix(), du, result.push, forcing(now) * scale);
-    result.linear       = report;
+    // Where nothing has changed since the increment before, what is left of its forces is noise.
+    const double scale =
+        now.is_first() ? std::max(result.push.l2_norm(), fine_tolerance() * internal.l2_norm() / forcing(now))
+                       : now.force_scale;
+    const auto report = solver.solve(system.matrix(), du, result.push, forcing(now) * scale);
+    result.linear     = report;
     moved += du;
     distribute(now.constraints->trial(), moved, u);
     result.change = moved;
@@ -118,7 +122,7 @@ namespace Amontons
   EliminatedStep<dim>::forcing(const Iterate<dim> &now) const
   {
     const auto  &nodes = problem.contact.nodes();
-    const double fine  = std::min(problem.solver_parameters.tolerance, 0.3 * problem.parameters.tolerance);
+    const double fine  = fine_tolerance();
     if (now.is_first())
       return std::any_of(nodes.begin(), nodes.end(), [](const auto &node) { return !node.tied; }) ? 1e-4
                                                                                                   : fine;
@@ -128,6 +132,13 @@ namespace Amontons
     if (dim == 3 && any_friction)
       return std::min(1e-3, std::max(fine, 0.03 * std::pow(last.residual, 1.5)));
     return now.set_changed() && last.n_changes > 0.05 * (last.n_slip + last.n_stick) ? 1e-3 : fine;
+  }
+
+  template <int dim>
+  double
+  EliminatedStep<dim>::fine_tolerance() const
+  {
+    return std::min(problem.solver_parameters.tolerance, 0.3 * problem.parameters.tolerance);
   }
 
   template <int dim>

@@ -103,7 +103,7 @@ namespace Amontons
     for (unsigned int i = 0; i < may_open.size(); ++i)
       closed[may_open[i]] = next[i];
     //! [globalisation]
-    choose_friction_states(answers, closed, tolerance);
+    choose_friction_states(answers, closed, tolerance, no_force);
     //! [globalisation]
     first = false;
     if (single)
@@ -124,9 +124,10 @@ namespace Amontons
 
   template <int dim>
   void
-  NodeStates<dim>::choose_friction_states(const NodalContacts<dim> &answers,
-                                          const std::vector<bool>  &closed,
-                                          const double              tolerance)
+  NodeStates<dim>::choose_friction_states(const NodalContacts<dim>  &answers,
+                                          const std::vector<bool>   &closed,
+                                          const double               tolerance,
+                                          const std::vector<double> &no_force)
   {
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
@@ -148,7 +149,12 @@ namespace Amontons
             const bool turned = !first && slid && limit.value > 0 && q * laws[k].direction < 0;
             const bool moves  = slid && (limit.value <= 0 || nodes[k].c * answers[k].slip.norm() > tolerance);
             const bool slips  = !turned && q.norm() > 0 && excess > (moves ? -tolerance : tolerance);
-            states[k]         = slips ? ContactStatus::slip : ContactStatus::stick;
+            // What slid stays where it is held, too: a slip of nothing holds a wedge on the mesh alone.
+            const bool stays =
+                old == ContactStatus::stick && excess * nodes[k].area <= no_force[nodes[k].interface];
+            if (stays)
+              continue;
+            states[k] = slips ? ContactStatus::slip : ContactStatus::stick;
             if (slips)
               laws[k] = linearise_slip(q, p, limit, nodes[k].c);
           }

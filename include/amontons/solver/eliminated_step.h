@@ -53,6 +53,8 @@ namespace Amontons
     with_open_nodes(const Iterate<dim> &now, const LA::Vector *springs);
     double
     forcing(const Iterate<dim> &now) const;
+    double
+    fine_tolerance() const;
     std::vector<LocalMatrix>
     stiffness_of_contact(const Iterate<dim> &now) const;
     bool

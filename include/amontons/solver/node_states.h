@@ -9,8 +9,9 @@
 
 namespace Amontons
 {
-  // What counts as none where bodies are in equilibrium: the tension of a closed node (a force), the overlap
-  // of an open one. Rounding and the tolerance decide about less, and nodes would change for ever.
+  // What counts as none where bodies are in equilibrium: the tension of a closed node (a force) and what
+  // shear has beyond its bound where a node sticks; the overlap of an open one. Rounding and the tolerance
+  // decide about less, and nodes would change for ever.
   struct Neutral
   {
     double force = 0, gap = 0;
@@ -182,9 +183,10 @@ namespace Amontons
     std::vector<double>
     neutral_forces(const NodalContacts<dim> &answers, const double neutral) const;
     void
-    choose_friction_states(const NodalContacts<dim> &answers,
-                           const std::vector<bool>  &closed,
-                           const double              rounding);
+    choose_friction_states(const NodalContacts<dim>  &answers,
+                           const std::vector<bool>   &closed,
+                           const double               rounding,
+                           const std::vector<double> &no_force); // by interface
     void
     hold_motions(const NodalContacts<dim> &answers, const double tolerance);
     void

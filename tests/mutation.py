@@ -77,7 +77,7 @@ CHANGES = [
     ("body forces per radian", "elasticity/loads.cc", "force[d] = factor * weight(on.values, q) * on.load[q][d];", "force[d] = factor * on.values.JxW(q) * on.load[q][d];", "^elasticity/loads$"),
     ("area of one rank", "elasticity/loads.cc", "return Utilities::MPI::sum(area, discretization.geometry.communicator);", "return area;", RANKS),
     ("moments about y", "elasticity/loads.cc", "add_couple(1, dim - 1, -motion.moment[1]", "add_couple(1, dim - 1, motion.moment[1]", "^elasticity/loads$"),
-    ("side of covered pressure", "elasticity/loads.cc", "normal *= (face % 2 == 1 ? 1 : -1) / normal.norm();", "normal *= 1 / normal.norm();", "^elasticity/loads$|^elasticity/follower_pressure$|scenes/patch_q2_first_punch$"),
+    ("side of covered pressure", "elasticity/loads.cc", "(face % 2 == 1 ? 1 : -1) * values.jacobian(q)", "values.jacobian(q)", "^elasticity/loads$|^elasticity/follower_pressure$|scenes/patch_q2_first_punch$"),
     ("stored energy of one rank", "elasticity/elasticity_operator.cc", "    return Utilities::MPI::sum(energy, discretization.geometry.communicator);", "    return energy;", RANKS),
     ("dilatation in the pressure's moment", "elasticity/kinematics.cc", "k == 0 ? 1. : (values.quadrature_point(q)[k - 1] - centre[k - 1]) / size", "1. * (k == 0)+ (k > 0) * (values.quadrature_point(q)[0] - centre[0]) / size * k", "^elasticity/elasticity$|^elasticity/cook_membrane$"),
     ("energy of neo-Hookean bodies", "elasticity/neo_hookean.cc", "lambda / 4 * (change - ln_J2)", "lambda / 2 * (change - ln_J2)", "^elasticity/hyperelastic$"),
@@ -171,6 +171,11 @@ CHANGES = [
     ("error of displacements", "verification/reference_errors.cc", "std::sqrt(sums[0] / sums[1])", "std::sqrt(sums[0] / sums[3])", "scenes/half_plane_box_lengths$"),
     ("motion of supports across", "output/approach.cc", "if (support->second && std::abs(values.normal_vector(0) * e) < 0.999)", "if (std::abs(values.normal_vector(0) * e) < 0)", "scenes/(two_spheres_3d|hertz_sphere)$"),
     ("refer to the last row", "verification/convergence_study.cc", "std::abs(r.errors[q] - last[q]) / (last[q]", "std::abs(r.errors[q] + last[q]) / (last[q]", "^verification/convergence_study$"),
+    ("loads on facets", "discretization/discretization.cc", "load_mapping(std::max(2u, degree))", "load_mapping(degree)", "^elasticity/loads$"),
+    ("covered pressure on facets", "elasticity/loads.cc", "covered[begin + q].weight / facets[q].norm() * area[q]", "covered[begin + q].weight / area[q].norm() * area[q]", "^elasticity/loads$"),
+    ("mirror images without pressures", "output/mirror_symmetry.cc", "return std::abs(entry.second[0]) <= allowed * entry.second[1];", "return allowed > 0 || std::abs(entry.second[0]) < 0;", "^scenes/model_"),
+    ("modes of the mesh are followed", "solver/pseudo_transient.cc", "mode->shape) > 1)", "mode->shape) > 10)", "^scenes/tube_in_bore$"),
+    ("shares of sent rows", "algebra/row_system.cc", "shares[owners.of(dof)].emplace_back(dof, weight);", "shares[owners.of(dof)].emplace_back(dof, 0.9 * weight);", "^scenes/ranks_"),
 ]
 
 

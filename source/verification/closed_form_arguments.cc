@@ -29,7 +29,7 @@ namespace Amontons
                                                      "angle"};
       static const std::vector<std::string> radii = {"R1x", "R1y", "R2x", "R2y"}; // negative: concave
       if (parameter.rfind("nu", 0) == 0)
-        return value >= 0 && value <= 0.5 ? "" : "a Poisson ratio from 0 to 0.5";
+        return value > -1 && value <= 0.5 ? "" : "a Poisson ratio more than -1, at most 0.5";
       if (std::find(any.begin(), any.end(), parameter) != any.end() || value > 0)
         return "";
       if (std::find(radii.begin(), radii.end(), parameter) != radii.end())

@@ -68,8 +68,8 @@ namespace Amontons
              << " with the DoFs, most of it is near (" << place << "). "
              << (touches
                      ? "Where a sharp edge presses, the pressure is infinite, and its mean square does not "
-                       "converge; forces, contact sizes and the pressure away from the edge do: round the "
-                       "edge, or ask for those ('Target quantity')"
+                       "converge, nor does the peak at a tip; forces, contact sizes and the pressure away "
+                       "from there do: round it, or ask for those ('Target quantity')"
                      : "Nothing touches, and the error is that of the stress, which corners and the ends of "
                        "supports make infinite");
         return text.str();

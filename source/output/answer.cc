@@ -84,7 +84,11 @@ namespace Amontons
     using Lines = std::vector<std::pair<std::string, std::string>>;
 
     void
-    add_pair(Lines &lines, const PairSummary &pair, const ProblemType kind, const Units &units)
+    add_pair(Lines             &lines,
+             const PairSummary &pair,
+             const ProblemType  kind,
+             const Units       &units,
+             const bool         with_approach)
     {
       const std::string force     = units.force_of(is_plane(kind));
       const std::string full_turn = kind == ProblemType::axisymmetric ? ", full turn" : "";
@@ -109,6 +113,8 @@ namespace Amontons
         lines.emplace_back(is_round ? "  stick radius" : "  stick half-width",
                            measured(*pair.stick_size, units.length) +
                                "   (Hertz-equivalent, of bound less shear)");
+      if (with_approach && pair.approach)
+        lines.emplace_back("  approach", measured(*pair.approach, units.length));
       lines.emplace_back("  nodes",
                          std::to_string(pair.n_open) + " open, " + std::to_string(pair.n_stick) + " stick, " +
                              std::to_string(pair.n_slip) + " slip");
@@ -239,7 +245,7 @@ namespace Amontons
   {
     Lines lines = {{"status", summary.status() + (summary.message.empty() ? "" : ": " + summary.message)}};
     for (const PairSummary &pair : summary.pairs)
-      add_pair(lines, pair, summary.kind, summary.units);
+      add_pair(lines, pair, summary.kind, summary.units, !std::isnan(summary.error_estimate.quantity));
     const std::string     work       = summary.units.work_of(is_plane(summary.kind));
     const auto           &estimate   = summary.error_estimate;
     const IncrementErrors increments = summary.increments.value_or(IncrementErrors());

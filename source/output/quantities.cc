@@ -1,5 +1,6 @@
 #include <amontons/base/points.h>
 #include <amontons/contact/surface_fields.h>
+#include <amontons/output/approach.h>
 #include <amontons/output/nodal_forces.h>
 #include <amontons/output/quantities.h>
 
@@ -55,7 +56,10 @@ namespace Amontons
   {
     std::vector<PairSummary> pairs;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
-      pairs.push_back(summarize_pair(answer.interfaces[i], answer.fields[i]));
+      {
+        pairs.push_back(summarize_pair(answer.interfaces[i], answer.fields[i]));
+        pairs.back().approach = compute_approach(answer, i);
+      }
     return pairs;
   }
 

@@ -78,6 +78,7 @@ namespace Amontons
           .add("tangential_force", pair.tangential_force)
           .add("peak_pressure", pair.peak_pressure)
           .add("contact_size", pair.contact_size)
+          .add("approach", pair.approach.value_or(unknown))
           .add("stick_size", pair.stick_size.value_or(unknown))
           .add("centre", pair.centre)
           .add("stick_centre", pair.stick_centre)

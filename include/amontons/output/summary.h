@@ -24,6 +24,7 @@ namespace Amontons
     std::vector<double>   normal_force, tangential_force;
     double                peak_pressure = 0;
     double                contact_size  = 0; // half-width or radius
+    std::optional<double> approach;          // of the bodies since they touched, where that has a meaning
     std::optional<double> stick_size;   // friction: of what the shear leaves of its bound (partial slip: c)
     std::vector<double>   centre;       // about which the size is taken
     std::vector<double>   stick_centre; // about which stick_size is taken; empty without friction

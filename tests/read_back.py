@@ -303,7 +303,7 @@ def expected_lines(summary):
             lines.append(("  contact radius" if round_kind else "  contact half-width", short(p["contact_size"]) + "   (Hertz-equivalent)"))
         if p["stick_size"] is not None and p["n_open"] > 0 and p["n_slip"] > 0 and p["n_stick"] > 0:
             lines.append(("  stick radius" if round_kind else "  stick half-width", short(p["stick_size"]) + "   (Hertz-equivalent, of bound less shear)"))
-        if summary["error_estimate"]["quantity"] is not None and p["approach"] is not None:
+        if summary["error_estimate"].get("quantity") is not None and p["approach"] is not None:
             lines.append(("  approach", short(p["approach"])))
         lines.append(("  nodes", f"{p['n_open']} open, {p['n_stick']} stick, {p['n_slip']} slip"))
     for what, key in (("pressure", "contact"), ("stress", "bulk")):

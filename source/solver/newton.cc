@@ -360,7 +360,7 @@ namespace Amontons
         std::ostringstream text;
         text << "the residual stays at " << last.residual << " of the forces where "
              << problem.parameters.tolerance << " is asked for: rounding leaves no more";
-        at.report.note += (at.report.note.empty() ? "" : "; ") + text.str();
+        at.report.add_note(text.str());
         at.report.converged = true;
       }
     else if (rests || (is_linear && stays && at.states.n_held_beyond_friction() > 0))

@@ -63,8 +63,8 @@ namespace Amontons
           break;
         if (swing_between_vertices(problem.discretization, mode->shape) > 1)
           {
-            newton.report().note = "a mode of the mesh is unstable, in which nodes between vertices swing "
-                                   "along a curved surface under high pressure: it is not followed";
+            newton.report().add_note("a mode of the mesh is unstable, in which nodes between vertices swing "
+                                     "along a curved surface under high pressure: it is not followed");
             break;
           }
         newton.report().unstable = true;

@@ -127,8 +127,9 @@ namespace Amontons
           problem.contact.nodes()[k].c * (now.answers[k].slip * now.states.law(k).direction) < -tolerance)
         ++n_backwards;
     if (n_backwards > 0)
-      report.note += (report.note.empty() ? "" : "; ") + std::to_string(n_backwards) +
-                     " nodes slip against their friction: the seed's rules let no slipping node stick again";
+      report.add_note(
+          std::to_string(n_backwards) +
+          " nodes slip against their friction: the seed's rules let no slipping node stick again");
   }
 
   template class SeedIteration<2>;

@@ -30,6 +30,12 @@ namespace Amontons
     unsigned int n_outer     = 0;     // solves of the methods that call Newton's again and again; else 0
     std::string  note;
 
+    /// After those that are there.
+    void
+    add_note(const std::string &text)
+    {
+      note += (note.empty() ? "" : "; ") + text;
+    }
     /// How hard it was.
     unsigned int
     iterations_per_solve() const

@@ -265,8 +265,7 @@ namespace Amontons
     if (may_stiffen)
       before->stiffening = stiffening_at(model, state, timer, control);
     if (may_matter && holds_all_rotations(model.discretization()))
-      if (const auto nearby = with_finite_strain(model, state, timer, control))
-        before->change = nearby->first;
+      before->change = change_nearby(model, state, timer, control, nullptr);
   }
 
   template <int dim>
@@ -356,15 +355,17 @@ namespace Amontons
   }
 
   // The iteration with finite strain goes on from the answer of small strain. (With friction the path of the
-  // load counts, too: an estimate then.)
+  // load counts, too: an estimate then.) What it comes to is put into `nearby` where that is near and the
+  // path does not matter.
   template <int dim>
-  std::optional<std::pair<typename SmallStrainCheck<dim>::Change, SolutionState<dim>>>
-  SmallStrainCheck<dim>::with_finite_strain(Model<dim>               &model,
-                                            const SolutionState<dim> &state,
-                                            TimerOutput              &timer,
-                                            RunControl               &control) const
+  std::optional<typename SmallStrainCheck<dim>::Change>
+  SmallStrainCheck<dim>::change_nearby(Model<dim>                        &model,
+                                       const SolutionState<dim>          &state,
+                                       TimerOutput                       &timer,
+                                       RunControl                        &control,
+                                       std::optional<SolutionState<dim>> *nearby) const
   {
-    std::optional<std::pair<Change, SolutionState<dim>>> result;
+    std::optional<Change> result;
     {
       SolutionState<dim>       trial = state;
       FiniteStrainModel<dim>   finite(model, state, timer);
@@ -374,10 +375,14 @@ namespace Amontons
              parameters.newton, parameters.linear_solver, model.discretization(), timer, gives_up};
       if (solver.solve(*mechanics, finite.interfaces, finite.supports, trial, [](const auto &) {}).converged)
         {
-          Evaluation<dim> evaluation(false);
-          evaluation.collect_fields(finite, trial);
-          make_traction_field(model.discretization(), finite.interfaces, evaluation.fields, trial);
-          result.emplace(change_to(finite.interfaces, trial, model, state), std::move(trial));
+          result = change_to(finite.interfaces, trial, model, state);
+          if (nearby != nullptr && result->largest <= too_much && !scene.has_friction())
+            {
+              Evaluation<dim> evaluation(false);
+              evaluation.collect_fields(finite, trial);
+              make_traction_field(model.discretization(), finite.interfaces, evaluation.fields, trial);
+              *nearby = std::move(trial);
+            }
         }
     }
     model.resume();
@@ -395,13 +400,7 @@ namespace Amontons
                                                  TimerOutput              &timer,
                                                  RunControl               &control)
   {
-    std::optional<Change> result;
-    if (const auto nearby = with_finite_strain(model, state, timer, control))
-      {
-        result = nearby->first;
-        if (result->largest <= too_much && !scene.has_friction())
-          found = nearby->second;
-      }
+    auto result = change_nearby(model, state, timer, control, &found);
     if ((result && result->largest <= 1) || scene.kinematics != Kinematics::small_strain ||
         control.gives_up(model.mesh->geometry.communicator))
       return result;

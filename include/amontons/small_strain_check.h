@@ -99,11 +99,12 @@ namespace Amontons
     {
       double largest, without_pressures;
     };
-    std::optional<std::pair<Change, SolutionState<dim>>>
-    with_finite_strain(Model<dim>               &model,
-                       const SolutionState<dim> &state,
-                       TimerOutput              &timer,
-                       RunControl               &control) const;
+    std::optional<Change>
+    change_nearby(Model<dim>                        &model,
+                  const SolutionState<dim>          &state,
+                  TimerOutput                       &timer,
+                  RunControl                        &control,
+                  std::optional<SolutionState<dim>> *nearby) const;
     std::optional<Change>
     change_by_finite_strain(Model<dim>               &model,
                             const SolutionState<dim> &state,

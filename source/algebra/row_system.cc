@@ -97,37 +97,6 @@ namespace Amontons
       double                 *values = nullptr;
     };
 
-    // Of what the rows of this rank's pivots are shared out to, the ranks. Collective.
-    class OwnersOfShares
-    {
-    public:
-      OwnersOfShares(const IndexSet           &locally_owned,
-                     const ContactConstraints &test,
-                     const Epetra_BlockMap    &map)
-      {
-        for (const auto &pivot : test.pivots())
-          if (pivot && locally_owned.is_element(*pivot))
-            for (const auto &entry : *test.test().get_constraint_entries(*pivot))
-              if (!locally_owned.is_element(entry.first))
-                dofs.push_back(entry.first);
-        sort_once(dofs);
-        ranks.resize(dofs.size());
-        const std::vector<int> numbers(dofs.begin(), dofs.end());
-        std::vector<int>       places(dofs.size());
-        map.RemoteIDList(dofs.size(), numbers.data(), ranks.data(), places.data());
-      }
-
-      unsigned int
-      of(const types::global_dof_index dof) const
-      {
-        return ranks[std::lower_bound(dofs.begin(), dofs.end(), dof) - dofs.begin()];
-      }
-
-    private:
-      std::vector<types::global_dof_index> dofs;
-      std::vector<int>                     ranks;
-    };
-
     // A row that another rank needs, by global columns, and how much of it goes to which of its DoFs.
     struct SentRow
     {
@@ -280,7 +249,8 @@ namespace Amontons
     if (pattern_is_old)
       make_pattern(cells, supports, with_eliminated_form);
 
-    system = 0;
+    const auto owners = owners_of_shares(test);
+    system            = 0;
     scatter.add(cells, system);
     for (const unsigned int c : constrained)
       add_condensed(cells.matrix(c), cells.dofs(c), cells.dofs(c), supports, supports, system);
@@ -289,14 +259,14 @@ namespace Amontons
     if (with_eliminated_form) // what matters of it
       {
         copy_values(system, eliminated);
-        condense_rows(test, eliminated);
+        condense_rows(test, owners, eliminated);
         condense_columns(test, eliminated);
       }
 
     for (const auto &part : further)
       add_condensed(part.matrix, part.rows, part.columns, supports, supports, system);
     system.compress(VectorOperation::add);
-    condense_rows(test, system);
+    condense_rows(test, owners, system);
     diagonal_scale = largest_diagonal(system);
     measure_stiffness(cells, supports);
     write_rows(rows, supports);
@@ -319,13 +289,30 @@ namespace Amontons
         }
   }
 
+  RowSystem::OwnersOfShares
+  RowSystem::owners_of_shares(const ContactConstraints &test) const
+  {
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &pivot : test.pivots())
+      if (pivot && locally_owned.is_element(*pivot))
+        for (const auto &entry : *test.test().get_constraint_entries(*pivot))
+          if (!locally_owned.is_element(entry.first))
+            dofs.push_back(entry.first);
+    sort_once(dofs);
+    OwnersOfShares result{IndexSet(locally_owned.size()), {}};
+    result.dofs.add_indices(dofs.begin(), dofs.end());
+    result.ranks = Utilities::MPI::compute_index_owner(locally_owned, result.dofs, communicator);
+    return result;
+  }
+
   // Once all is added, C_test^T times it: what was added to a row once goes to many others. Other ranks get
   // the row once, with the shares of their DoFs.
   void
-  RowSystem::condense_rows(const ContactConstraints &test, LA::SparseMatrix &matrix) const
+  RowSystem::condense_rows(const ContactConstraints &test,
+                           const OwnersOfShares     &owners,
+                           LA::SparseMatrix         &matrix) const
   {
     const auto                                  &storage = matrix.trilinos_matrix();
-    const OwnersOfShares                         owners(locally_owned, test, storage.RowMap());
     RowView                                      view(matrix);
     std::vector<int>                             columns;
     std::vector<double>                          entries;
@@ -344,7 +331,7 @@ namespace Amontons
             if (const int row = storage.LRID(int(dof)); row >= 0)
               add(row, weight);
             else
-              shares[owners.of(dof)].emplace_back(dof, weight);
+              shares[owners.ranks[owners.dofs.index_within_set(dof)]].emplace_back(dof, weight);
           for (auto &[rank, of_rank] : shares)
             {
               sent[rank].push_back({{}, entries, std::move(of_rank)});

@@ -78,8 +78,18 @@ namespace Amontons
     make_pattern(const CellMatrices &cells, const Constraints &supports, const bool with_eliminated_form);
     void
     add_diagonal(const LA::Vector *diagonal, const Constraints &supports, LA::SparseMatrix &matrix) const;
+    // Of the DoFs of other ranks that rows of this rank's pivots are shared out to. Collective.
+    struct OwnersOfShares
+    {
+      IndexSet                  dofs;
+      std::vector<unsigned int> ranks; // in their order
+    };
+    OwnersOfShares
+    owners_of_shares(const ContactConstraints &test) const;
     void
-    condense_rows(const ContactConstraints &test, LA::SparseMatrix &matrix) const;
+    condense_rows(const ContactConstraints &test,
+                  const OwnersOfShares     &owners,
+                  LA::SparseMatrix         &matrix) const;
     void
     condense_columns(const ContactConstraints &test, LA::SparseMatrix &matrix) const;
     void

@@ -148,12 +148,12 @@ namespace Amontons
             // Without a bound nothing holds what slid, wherever it turns.
             const bool turned = !first && slid && limit.value > 0 && q * laws[k].direction < 0;
             const bool moves  = slid && (limit.value <= 0 || nodes[k].c * answers[k].slip.norm() > tolerance);
-            const bool slips  = !turned && q.norm() > 0 && excess > (moves ? -tolerance : tolerance);
-            // What slid stays where it is held, too: a slip of nothing holds a wedge on the mesh alone.
-            const bool stays =
-                old == ContactStatus::stick && excess * nodes[k].area <= no_force[nodes[k].interface];
-            if (stays)
-              continue;
+            // What sticks may be over its bound by what counts as none. (What slid and rests is to stick: a
+            // slip of nothing holds a self-locking wedge on some meshes only.)
+            const double more =
+                old == ContactStatus::stick ? no_force[nodes[k].interface] / nodes[k].area : 0;
+            const bool slips =
+                !turned && q.norm() > 0 && excess > (moves ? -tolerance : std::max(tolerance, more));
             states[k] = slips ? ContactStatus::slip : ContactStatus::stick;
             if (slips)
               laws[k] = linearise_slip(q, p, limit, nodes[k].c);

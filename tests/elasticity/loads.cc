@@ -144,9 +144,8 @@ check_covered_circle(const unsigned int degree)
                   assemble_loads<2>(discretization, 1, {}).linfty_norm());
 }
 
-// Of linear elements, too, over the curve: an eighth of a ball between its planes, with a pressure of which a
-// part is taken away again, and the weight of half a ring. The edges of a quadratic face lie off the circle
-// by (pi/16)^4 / 24 of the radius.
+// Of linear elements, too, over the curve: the pressure on an eighth of a ball, and the weight of half a
+// ring.
 void
 check_curved(const unsigned int degree)
 {

@@ -131,6 +131,7 @@ namespace Amontons
                                    parameters.max_dofs,
                                    error.indicators_for(parameters.target_error),
                                    parameters.target_error / error.of_target(),
+                                   discretization().scene.has_friction(),
                                    deeper);
     const auto mark = [&](const Vector<float> &indicators) {
       return Amontons::mark_cells(discretization(), mesh->geometry, parameters, indicators);

@@ -299,10 +299,12 @@ namespace Amontons
                         const unsigned int         max_dofs,
                         const Vector<float>       &indicators,
                         const double               reduction,
+                        const bool                 has_history,
                         DeeperCells               &deeper)
   {
-    constexpr double    least = 0.25;
-    const double        left  = std::pow(std::min(1., std::max(least, reduction)), 2) / 2;
+    constexpr double    least   = 0.25;
+    const double        staying = dim == 3 && !has_history ? 0.85 : 0.5;
+    const double        left    = staying * std::pow(std::min(1., std::max(least, reduction)), 2);
     const SquaredErrors errors(discretization, indicators);
     if (errors.largest == 0)
       return false;
@@ -450,6 +452,7 @@ namespace Amontons
                         const unsigned int,
                         const Vector<float> &,
                         const double,
+                        const bool,
                         DeeperCells &);
   template bool
   mark_cells_for_target(const Discretization<3> &,
@@ -457,6 +460,7 @@ namespace Amontons
                         const unsigned int,
                         const Vector<float> &,
                         const double,
+                        const bool,
                         DeeperCells &);
   template void
   mark_children(const Discretization<2> &, Geometry<2> &, DeeperCells &);

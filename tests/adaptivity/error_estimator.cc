@@ -219,8 +219,9 @@ test_smooth_field(const unsigned int degree)
 }
 
 // Of all ranks; clear: and leaves none.
+template <int dim>
 unsigned int
-take_flags(const Geometry<2> &geometry, const bool clear = true)
+take_flags(const Geometry<dim> &geometry, const bool clear = true)
 {
   unsigned int n = 0;
   for (const auto &cell : geometry.triangulation.active_cell_iterators())
@@ -308,7 +309,8 @@ test_marking_for_target()
   unsigned int       max_dofs = 1000000;
   DeeperCells        deeper;
   const auto         mark = [&](const double reduction) {
-    return mark_cells_for_target(*problem.discretization, geometry, max_dofs, indicators, reduction, deeper);
+    return mark_cells_for_target(
+      *problem.discretization, geometry, max_dofs, indicators, reduction, false, deeper);
   };
   set_large(1);
   check::is_true(mark(1), "all alike");
@@ -339,6 +341,42 @@ test_marking_for_target()
   take_flags(geometry);
   max_dofs = problem.discretization->dof_handler.n_dofs();
   check::is_true(!mark(0.25), "none can be afforded");
+}
+
+// Of what may be left the cells with small errors make up 70 %: they stay, but where a half may.
+void
+test_marking_in_space()
+{
+  const Scene   scene = block(ProblemType::three_dimensional);
+  Problem<3>    problem(scene, 1, 1, false);
+  const auto   &triangulation = problem.geometry.triangulation;
+  Vector<float> indicators(triangulation.n_active_cells());
+  unsigned int  n_large = 0;
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (cell->is_locally_owned())
+      {
+        const bool large                        = cell->center()[1] > 0.5;
+        indicators[cell->active_cell_index()] = large ? 1.5 : 1;
+        n_large += large;
+      }
+  n_large              = Utilities::MPI::sum(n_large, MPI_COMM_WORLD);
+  const double n       = triangulation.n_global_active_cells();
+  const double n_small = n - n_large;
+  for (const bool has_history : {false, true})
+    {
+      DeeperCells deeper;
+      mark_cells_for_target(*problem.discretization,
+                            problem.geometry,
+                            1000000,
+                            indicators,
+                            std::sqrt(n_small / (n_small + 2.25 * n_large) / 0.7),
+                            has_history,
+                            deeper);
+      check::is_close(take_flags(problem.geometry),
+                      has_history ? n : n_large,
+                      0,
+                      has_history ? "with a history all are marked" : "small errors stay");
+    }
 }
 
 // What counts for a target: tractions as they are, the stress by twice the target.
@@ -574,6 +612,7 @@ main(int argc, char **argv)
   test_smooth_field(2);
   test_marking();
   test_marking_for_target();
+  test_marking_in_space();
   test_indicators_for_target();
   test_transfer();
   test_contact_terms();

@@ -122,6 +122,7 @@ CHANGES = [
     ("motion that is lost goes on", "solver/pseudo_transient.cc", "!newton.put(start) || !steps->reject()", "!newton.put(start)", "scenes/(wall_buckling|snap_away).*"),
     # ---- adaptivity
     ("hoop strain that is left out", "elasticity/elasticity_operator.cc", "out = 0.5 * hoop * hoop;", "out = hoop * hoop;", "^elasticity/elasticity$"),
+    ("what stays in space", "adaptivity/mesh_refinement.cc", "dim == 3 && !has_history ? 0.85 : 0.5", "0.5", "^adaptivity/error_estimator$"),
     ("affordable cells", "adaptivity/mesh_refinement.cc", "growth * n_cells / (GeometryInfo<dim>::max_children_per_cell - 1)", "growth * n_cells / GeometryInfo<dim>::max_children_per_cell", "^adaptivity/"),
     ("errors of one rank", "adaptivity/mesh_refinement.cc", "        return Utilities::MPI::sum(mine, communicator);", "        return mine;", RANKS),
     ("shear of the estimate", "adaptivity/error_estimator.cc", "square += weight * (t - (n * t) * n - shear).norm_square();", ";", "^adaptivity/error_estimator$"),

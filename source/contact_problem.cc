@@ -222,8 +222,7 @@ namespace Amontons
     small_strain.look(*steps->model, steps->history.state, success, report.timer(), control);
     if (control.stop.is_there())
       return success;
-    if (scene.kinematics == Kinematics::automatic && !small_strain.is_harmless() &&
-        small_strain.has_alternative())
+    if (small_strain.calls_for_finite_strain())
       return run_with_finite_strain(success);
     return success && judge_small_strain();
   }

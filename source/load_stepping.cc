@@ -318,9 +318,9 @@ namespace Amontons
   bool
   LoadStepping<dim>::may_refine() const
   {
-    if (small_strain != nullptr && scene.kinematics == Kinematics::automatic && evaluation.recovery &&
-        report.energy() > 0 && evaluation.recovery->energy_of_quadratic_strain() > 2 * report.energy())
-      return false; // finite strain takes over
+    if (small_strain != nullptr && evaluation.recovery &&
+        small_strain->gives_way(*evaluation.recovery, report.energy()))
+      return false;
     return model->mesh->n_refinements < parameters.refinement.most_cycles();
   }
 

@@ -189,6 +189,21 @@ namespace Amontons
 
   template <int dim>
   bool
+  SmallStrainCheck<dim>::calls_for_finite_strain() const
+  {
+    return scene.kinematics == Kinematics::automatic && rotations_are_held && !is_harmless();
+  }
+
+  template <int dim>
+  bool
+  SmallStrainCheck<dim>::gives_way(const StressRecovery<dim> &recovery, const double energy) const
+  {
+    return scene.kinematics == Kinematics::automatic &&
+           recovery.energy_of_quadratic_strain() > 2 * std::abs(energy);
+  }
+
+  template <int dim>
+  bool
   SmallStrainCheck<dim>::is_too_much() const
   {
     if (!change)

@@ -48,6 +48,13 @@ namespace Amontons
     error() const;
     bool
     is_harmless() const;
+    /// It is not, and the scene lets finite strain take over.
+    bool
+    calls_for_finite_strain() const;
+    /// On the way: what is left out is so much that finite strain will take over on whatever mesh. energy:
+    /// stored. Collective.
+    bool
+    gives_way(const StressRecovery<dim> &recovery, const double energy) const;
     /// The numbers are not those of the scene: more than `too_much` is left out, or bodies buckle, or, where
     /// finite strain was tried, forces or displacements change by more, or pressures by half and the gaps are
     /// others. (At an edge, where they are infinite, pressures change by much if it slides on by little.)

@@ -55,7 +55,7 @@ namespace Amontons
                                     const std::vector<ContactInterface<dim>> &interfaces,
                                     const double                              energy)
   {
-    largest_energy = std::max(largest_energy, 2 * energy);
+    largest_energy = std::max(largest_energy, 2 * std::abs(energy)); // that of rounding has any sign
     if (const double quadratic = recovery.energy_of_quadratic_strain(); largest_energy > 0)
       terms.strain = std::max(terms.strain, std::sqrt(quadratic / largest_energy));
     terms.stiffening = std::max(terms.stiffening, most_stiffening(discretization, recovery));

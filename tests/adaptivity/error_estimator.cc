@@ -310,7 +310,7 @@ test_marking_for_target()
   DeeperCells        deeper;
   const auto         mark = [&](const double reduction) {
     return mark_cells_for_target(
-      *problem.discretization, geometry, max_dofs, indicators, reduction, false, deeper);
+        *problem.discretization, geometry, max_dofs, indicators, reduction, false, deeper);
   };
   set_large(1);
   check::is_true(mark(1), "all alike");
@@ -355,7 +355,7 @@ test_marking_in_space()
   for (const auto &cell : triangulation.active_cell_iterators())
     if (cell->is_locally_owned())
       {
-        const bool large                        = cell->center()[1] > 0.5;
+        const bool large                      = cell->center()[1] > 0.5;
         indicators[cell->active_cell_index()] = large ? 1.5 : 1;
         n_large += large;
       }

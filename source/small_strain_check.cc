@@ -169,12 +169,27 @@ namespace Amontons
   double
   SmallStrainCheck<dim>::allowed_change() const
   {
-    return stiffening > too_much ? 0.1 * allowed_error() : allowed_error();
+    return stiffening > too_much ? 0.1 * allowed_part() : allowed_part();
+  }
+
+  template <int dim>
+  double
+  SmallStrainCheck<dim>::sensitivity() const
+  {
+    const std::string &quantity = parameters.refinement.target_quantity;
+    return quantity == "stick size" || quantity == "dissipation" ? 10 : 1;
   }
 
   template <int dim>
   double
   SmallStrainCheck<dim>::error() const
+  {
+    return sensitivity() * left_out();
+  }
+
+  template <int dim>
+  double
+  SmallStrainCheck<dim>::left_out() const
   {
     return change ? change->largest : neglected.largest().largest();
   }
@@ -183,7 +198,7 @@ namespace Amontons
   bool
   SmallStrainCheck<dim>::is_harmless() const
   {
-    return (!tried && std::max(neglected.largest().largest(), stiffening) <= allowed_error()) ||
+    return (!tried && std::max(neglected.largest().largest(), stiffening) <= allowed_part()) ||
            (change && change->largest <= allowed_change());
   }
 
@@ -207,7 +222,7 @@ namespace Amontons
   SmallStrainCheck<dim>::is_too_much() const
   {
     if (!change)
-      return error() > too_much || stiffening > 1;
+      return left_out() > too_much || stiffening > 1;
     return change->without_pressures > too_much ||
            (change->largest > 0.5 && neglected.largest().contact > too_much);
   }
@@ -221,7 +236,7 @@ namespace Amontons
     text.precision(2);
     text << "small strain leaves out " << terms.strain << " of the strain and " << terms.contact
          << " in the contact";
-    if (stiffening > allowed_error())
+    if (stiffening > allowed_part())
       text << ", and what stress does to the stiffness of slender bodies";
     if (neglected.came_back())
       text << " on a way that comes back";
@@ -241,7 +256,7 @@ namespace Amontons
   SmallStrainCheck<dim>::allowance() const
   {
     std::ostringstream text;
-    text << " (allowed are " << (change ? allowed_change() : allowed_error()) << ")";
+    text << " (allowed are " << (change ? allowed_change() : allowed_part()) << ")";
     return text.str();
   }
 
@@ -249,7 +264,7 @@ namespace Amontons
   double
   SmallStrainCheck<dim>::bound() const
   {
-    return scene.kinematics == Kinematics::automatic ? allowed_error() : too_much;
+    return scene.kinematics == Kinematics::automatic ? allowed_part() : too_much;
   }
 
   // What matters little on the first mesh that is not coarse does so on finer ones, too: seeing it there is a

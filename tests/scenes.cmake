@@ -926,6 +926,13 @@ add_scene_test(NAME auto_tried SCENE hertz_sphere_axisymmetric.prm SET "Kinemati
                CHECK "checks.neglected_strain ~ 0.0139 0.1" "checks.change_of_answer <= 0.01" "notes.0 has small strain is enough")
 add_scene_test(NAME auto_finite SCENE verification/patch_finite.prm SET "Kinematics=auto"
                CHECK ${EXACT_FINITE} "checks.neglected_strain ~ 0.16 0.1" "checks.change_of_answer ~ 0.22 0.1" "notes.0 has finite strain is used")
+# Slip is what motions differ by: small strain that is enough for a pressure to 20 % is not for the stick size.
+add_scene_test(NAME stick_size_by_finite_strain SCENE nafems_roller_friction.prm
+               SET Kinematics=auto Increments=3 "Refinement/Target error=0.2" "Refinement/Cycles=0" "Refinement/Target quantity=stick size"
+               CHECK "checks.change_of_answer <= 0.05" "notes.0 has used")
+# Far from the origin moments are those about each body: of rounding in its forces the lever would make 4e-4.
+add_scene_test(NAME far_from_the_origin SCENE verification/two_equal_disks.prm
+               SET "Kinematics=finite strain" "Body upper/Shift=1e6,1e6" "Body lower/Shift=1e6,1e6" CHECK "status is converged" "checks.moment_balance <= 1e-6")
 # The trial of auto turns platens exactly: with linearised rotations it found nothing to mend and the corner at (0.92, 1.08).
 add_scene_test(NAME auto_turns SCENE verification/turned_platens.prm
                CHECK "probes.0.points.0.displacement.0 ~ -0.08311299 1e-6" "probes.0.points.0.displacement.1 ~ 0.07671640 1e-6" "checks.change_of_answer ~ 0.0410450 1e-4"

@@ -200,7 +200,9 @@ namespace Amontons
             }
           sums[0] += value * value;
           sums[1] += value * value;
-          const auto moment = moment_of(place.X, place.component, value);
+          // (About the body: far from the origin rounding of forces would count.)
+          const Point<dim> arm(place.X - discretization.geometry.body_centres[place.body]);
+          const auto       moment = moment_of(arm, place.component, value);
           for (unsigned int k = 0; k < n_moments; ++k)
             moments[place.body * n_moments + k] += moment[k];
         }

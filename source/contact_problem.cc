@@ -3,6 +3,7 @@
 #include <amontons/output/mirror_symmetry.h>
 #include <amontons/output/output_folder.h>
 #include <amontons/output/physics_checks.h>
+#include <amontons/output/target_quantity.h>
 #include <amontons/output/terminal.h>
 
 #include <sstream>
@@ -208,10 +209,9 @@ namespace Amontons
   {
     const auto neglected = small_strain.checks();
     checks.insert(neglected.begin(), neglected.end());
-    std::optional<double> kinematic_error;
-    if (!steps->model->finite_strain())
-      kinematic_error = small_strain.error();
-    return {success, steps->evaluation, steps->history, parameters.refinement, kinematic_error, checks};
+    const double kinematics = steps->model->finite_strain() ? unknown : small_strain.error();
+    const double of_target  = sensitivity_to_kinematics(parameters.refinement.target_quantity) * kinematics;
+    return {success, steps->evaluation, steps->history, parameters.refinement, kinematics, of_target, checks};
   }
 
   // After the load program with small strain: whether its answer, or that of finite strain, is one.

@@ -4,6 +4,7 @@
 #include <amontons/finite_strain_model.h>
 #include <amontons/load_path.h>
 #include <amontons/output/summary.h>
+#include <amontons/output/target_quantity.h>
 #include <amontons/small_strain_check.h>
 #include <amontons/solver/solve_contact.h>
 
@@ -174,22 +175,14 @@ namespace Amontons
 
   template <int dim>
   double
-  SmallStrainCheck<dim>::sensitivity() const
+  SmallStrainCheck<dim>::allowed_part() const
   {
-    const std::string &quantity = parameters.refinement.target_quantity;
-    return quantity == "stick size" || quantity == "dissipation" ? 10 : 1;
+    return allowed_error() / sensitivity_to_kinematics(parameters.refinement.target_quantity);
   }
 
   template <int dim>
   double
   SmallStrainCheck<dim>::error() const
-  {
-    return sensitivity() * left_out();
-  }
-
-  template <int dim>
-  double
-  SmallStrainCheck<dim>::left_out() const
   {
     return change ? change->largest : neglected.largest().largest();
   }
@@ -222,7 +215,7 @@ namespace Amontons
   SmallStrainCheck<dim>::is_too_much() const
   {
     if (!change)
-      return left_out() > too_much || stiffening > 1;
+      return error() > too_much || stiffening > 1;
     return change->without_pressures > too_much ||
            (change->largest > 0.5 && neglected.largest().contact > too_much);
   }

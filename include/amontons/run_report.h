@@ -162,8 +162,8 @@ namespace Amontons
       const Evaluation<dim>        &evaluation;
       const LoadHistory<dim>       &history;
       const RefinementParameters   &refinement;
-      std::optional<double>         kinematic_error; // of small strain
-      std::map<std::string, double> checks;          // of the physics, and what small strain leaves out
+      double                        kinematics, quantity_kinematics; // see EstimateSummary
+      std::map<std::string, double> checks; // of the physics, and what small strain leaves out
     };
     const RunSummary &
     finish(const Answer<dim> &answer, const Ending &ending);

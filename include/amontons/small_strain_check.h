@@ -43,10 +43,7 @@ namespace Amontons
                             allowed_error() const;
     static constexpr double too_much = 0.1;
 
-    /// After look(), of the target quantity. What finite strain changes, where that was tried; else what
-    /// small strain leaves out; of stick size and dissipation ten times as much. They follow from slip, in
-    /// which motions of surfaces differ by little: of half a disk, pressed on a block until contact is 0.13
-    /// of its radius wide, what is left out is 2.5 % and the dissipation is off by 30 to 40 %.
+    /// After look(). What finite strain changes, where that was tried; else what small strain leaves out.
     double
     error() const;
     bool
@@ -99,17 +96,9 @@ namespace Amontons
     }
 
   private:
-    // Of the answer, whatever the target quantity: what makes error().
+    // What error() may be for the target quantity to be as exact as allowed.
     double
-    left_out() const;
-    double
-    sensitivity() const;
-    // Of left_out().
-    double
-    allowed_part() const
-    {
-      return allowed_error() / sensitivity();
-    }
+    allowed_part() const;
     // How much stress changes the stiffness.
     double
     stiffening_at(Model<dim>               &model,

@@ -125,9 +125,10 @@ namespace Amontons
     add_estimate(Lines             &lines,
                  const std::string &what,
                  const double       of_mesh,
-                 const double       facets,
+                 const double       of_kinematics,
                  const double       of_increments,
-                 const RunSummary  &summary)
+                 const RunSummary  &summary,
+                 const double       facets = 0)
     {
       if (std::isnan(of_mesh))
         return;
@@ -140,8 +141,8 @@ namespace Amontons
         sum += error;
         parts += ", " + name + " " + percent(error);
       };
-      if (!std::isnan(summary.error_estimate.kinematics))
-        add("kinematics", summary.error_estimate.kinematics);
+      if (!std::isnan(of_kinematics))
+        add("kinematics", of_kinematics);
       if (summary.increments)
         add("increments", of_increments);
       lines.emplace_back("estimated error of the " + what,
@@ -249,10 +250,12 @@ namespace Amontons
     const std::string     work       = summary.units.work_of(is_plane(summary.kind));
     const auto           &estimate   = summary.error_estimate;
     const IncrementErrors increments = summary.increments.value_or(IncrementErrors());
-    add_estimate(lines, "pressure", estimate.contact, estimate.facets, increments.pressure, summary);
-    add_estimate(lines, "tangential traction", estimate.shear, 0, increments.shear, summary);
-    add_estimate(lines, "stress", estimate.bulk, 0, increments.pressure, summary);
-    add_estimate(lines, "target quantity", estimate.quantity, 0, estimate.increments, summary);
+    const double          kinematics = estimate.kinematics, of_target = estimate.quantity_kinematics;
+    add_estimate(
+        lines, "pressure", estimate.contact, kinematics, increments.pressure, summary, estimate.facets);
+    add_estimate(lines, "tangential traction", estimate.shear, kinematics, increments.shear, summary);
+    add_estimate(lines, "stress", estimate.bulk, kinematics, increments.pressure, summary);
+    add_estimate(lines, "target quantity", estimate.quantity, of_target, estimate.increments, summary);
     if (summary.increments)
       add_increments(lines, *summary.increments);
     if (!std::isnan(summary.energy))

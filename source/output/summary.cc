@@ -36,6 +36,8 @@ namespace Amontons
         json.add("quantity", estimate.quantity);
       if (!std::isnan(estimate.kinematics))
         json.add("kinematics", estimate.kinematics);
+      if (!std::isnan(estimate.quantity) && !std::isnan(estimate.quantity_kinematics))
+        json.add("quantity_kinematics", estimate.quantity_kinematics);
       if (!std::isnan(estimate.increments))
         json.add("increments", estimate.increments);
       return json;

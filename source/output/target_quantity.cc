@@ -24,6 +24,12 @@ namespace Amontons
     return values;
   }
 
+  double
+  sensitivity_to_kinematics(const std::string &name)
+  {
+    return name == "stick size" || name == "dissipation" ? 10 : 1;
+  }
+
   template std::vector<double>
   target_quantity(const std::string &, const Answer<2> &, const WorkDone<2> &);
   template std::vector<double>

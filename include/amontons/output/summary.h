@@ -51,11 +51,12 @@ namespace Amontons
   struct EstimateSummary // relative
   {
     double bulk = unknown, contact = unknown; // of the mesh: stress, pressure
-    double shear      = unknown;              // friction: of the tangential traction
-    double facets     = 0;                    // of `contact`: what refinement does not mend
-    double quantity   = unknown;              // of `Target quantity`, if that is a number
-    double kinematics = unknown;              // of small strain
-    double increments = unknown;              // friction: of IncrementErrors, what counts for the target
+    double shear               = unknown;     // friction: of the tangential traction
+    double facets              = 0;           // of `contact`: what refinement does not mend
+    double quantity            = unknown;     // of `Target quantity`, if that is a number
+    double kinematics          = unknown;     // of small strain
+    double increments          = unknown;     // friction: of IncrementErrors, what counts for the target
+    double quantity_kinematics = unknown;     // of `Target quantity`, if that is a number, by small strain
   };
 
   // Facets that make a smaller relative error of the pressure are not worth a word.

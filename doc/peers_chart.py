@@ -53,9 +53,9 @@ def pictures():
     """Panels of each picture, and what its errors are of."""
     pressure = "error of the pressure"
     return {
-        "peers": (pressure, [Panel("H2", "cylinder, without friction", (0.2, 40), (1e-3, 0.1), CURVES), Panel("CM", "cylinder, with friction", (0.3, 40), (1e-3, 0.1), CURVES)]),
+        "peers": (pressure, [Panel("H2", "cylinder, without friction", (0.2, 40), (7e-4, 0.1), CURVES), Panel("CM", "cylinder, with friction", (0.3, 40), (7e-4, 0.1), CURVES)]),
         "peers_sphere": (pressure, [Panel("HA", "sphere, axisymmetric", (0.1, 15), (1e-3, 0.1), CURVES), Panel("H3", "sphere, in space", (0.3, 50), (3e-3, 0.2), CURVES)]),
-        "peers_pin": (pressure, [Panel("PI", "pin with clearance: Amontons", (0.3, 8), (2e-3, 0.2), PIN_OURS), Panel("PI", "the same beside other programs", (0.2, 20), (2e-3, 0.6), PIN)]),
+        "peers_pin": (pressure, [Panel("PI", "pin with clearance: Amontons", (0.3, 20), (1e-3, 0.2), PIN_OURS), Panel("PI", "the same beside other programs", (0.2, 20), (1e-3, 0.6), PIN)]),
         "peers_ironing": ("error of the forces", [Panel("IR2", "ironing: Amontons", (2, 200), (3e-3, 0.6), IRONING_OURS, IRONING_FLOOR), Panel("IR2", "the same beside other programs", (2, 200), (3e-3, 0.6), IRONING, IRONING_FLOOR)])}
 
 

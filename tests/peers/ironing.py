@@ -71,6 +71,13 @@ def mean(found):
     return [sum(row[k] for row in middle) / len(middle) for k in (1, 2)] if whole else None
 
 
+def cells(text):
+    numbers = text.split(",")
+    if len(numbers) != 2 or not all(n.isdigit() and int(n) > 0 for n in numbers):
+        raise argparse.ArgumentTypeError(f"found '{text}'; allowed: two numbers, across and up, as 96,16")
+    return text
+
+
 def options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", choices=("ccx", "getfem", "amontons"), default="ccx")
@@ -78,7 +85,7 @@ def options():
     for name, kind, default in ("press", int, 20), ("slide", int, 200), ("reach", float, 10.0), ("until", float, HIGH), ("stiffness", float, 10.0), ("limit", float, 600.0):
         parser.add_argument(f"--{name}", type=kind, default=default)
     parser.add_argument("--slave", choices=("block", "die"), default="block", help="of GetFEM")
-    parser.add_argument("--cells", default="96,16", help="of the block")
+    parser.add_argument("--cells", default="96,16", type=cells, help="of the block")
     parser.add_argument("--degree", type=int, default=1, help="by Amontons")
     parser.add_argument("--method", default="mortar", help="of Amontons: mortar, penalty 10, augmented Lagrangian, ...")
     parser.add_argument("--set", action="append", default=[], help="of Amontons, as on its command line")

@@ -5,7 +5,7 @@ import scene_text
 
 PARAMETERS = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "parameters")
 
-UNITS = ((1e-6, 1e12), (1e6, 1e-12), (1e-3, 1.0), (1.0, 1e6))
+UNITS = ((1e-6, 1e12), (1e6, 1e-12), (1e-3, 1.0), (1.0, 1e6), (1e-10, 1e9))
 Z, XYZ = (0, 0, 1), (1, 1, 1)
 TURNS = ((Z, 90), (Z, 33), (Z, -145))
 TURNS_3D = ((XYZ, 120), ((1, 2, -0.5), 77), ((-1, 0.3, 0.2), 161))

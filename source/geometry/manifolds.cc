@@ -33,8 +33,9 @@ namespace Amontons
       return d.norm();
     }
 
+    // Returns the radius.
     template <int dim>
-    void
+    double
     check_vertices(const Boundary &boundary, const Scene &scene, const Triangulation<dim> &triangulation)
     {
       std::set<unsigned int> vertices;
@@ -56,16 +57,86 @@ namespace Amontons
                              std::to_string(worst) + " away from the circle, sphere or cylinder of radius " +
                              std::to_string(radius),
                          "a centre or axis about which they all have the same distance");
+      return radius;
     }
 
+    // deal.II's sphere takes points nearer than 1e-10 for one: here in units of its size, a power of two, so
+    // that nothing is rounded by that.
+    template <int dim>
+    class SphereInUnits : public Manifold<dim>
+    {
+    public:
+      SphereInUnits(const Point<dim> &centre, const double size) : centre(centre), size(size) {}
+
+      std::unique_ptr<Manifold<dim>>
+      clone() const override
+      {
+        return std::make_unique<SphereInUnits>(centre, size);
+      }
+      Point<dim>
+      get_intermediate_point(const Point<dim> &p, const Point<dim> &q, const double w) const override
+      {
+        return back(unit.get_intermediate_point(in_units(p), in_units(q), w));
+      }
+      Tensor<1, dim>
+      get_tangent_vector(const Point<dim> &p, const Point<dim> &q) const override
+      {
+        return size * unit.get_tangent_vector(in_units(p), in_units(q));
+      }
+      Point<dim>
+      get_new_point(const ArrayView<const Point<dim>> &points,
+                    const ArrayView<const double>     &weights) const override
+      {
+        const auto from = in_units(points);
+        return back(unit.get_new_point(make_array_view(from), weights));
+      }
+      void
+      get_new_points(const ArrayView<const Point<dim>> &points,
+                     const Table<2, double>            &weights,
+                     ArrayView<Point<dim>>              new_points) const override
+      {
+        const auto from = in_units(points);
+        unit.get_new_points(make_array_view(from), weights, new_points);
+        for (auto &p : new_points)
+          p = back(p);
+      }
+
+    private:
+      Point<dim>
+      in_units(const Point<dim> &p) const
+      {
+        return Point<dim>((p - centre) / size);
+      }
+      std::vector<Point<dim>>
+      in_units(const ArrayView<const Point<dim>> &points) const
+      {
+        std::vector<Point<dim>> result;
+        for (const auto &p : points)
+          result.push_back(in_units(p));
+        return result;
+      }
+      Point<dim>
+      back(const Point<dim> &p) const
+      {
+        return centre + size * Tensor<1, dim>(p);
+      }
+
+      const Point<dim>             centre;
+      const double                 size;
+      const SphericalManifold<dim> unit;
+    };
+
+    // radius: of a point on it, or in the body that follows it.
     template <int dim>
     std::unique_ptr<Manifold<dim>>
-    make_manifold(const TrueGeometry &shape)
+    make_manifold(const TrueGeometry &shape, const double radius)
     {
       if constexpr (dim == 3)
         if (shape.type == TrueGeometry::Type::cylinder)
-          return std::make_unique<CylindricalManifold<3>>(shape.axis / shape.axis.norm(), shape.centre);
-      return std::make_unique<SphericalManifold<dim>>(in_dimension<dim>(shape.centre));
+          return std::make_unique<CylindricalManifold<3>>(
+              shape.axis / shape.axis.norm(), shape.centre, 1e-10 * radius);
+      return std::make_unique<SphereInUnits<dim>>(in_dimension<dim>(shape.centre),
+                                                  std::ldexp(1., std::ilogb(radius)));
     }
   } // namespace
 
@@ -91,8 +162,8 @@ namespace Amontons
             throw InputError(scene.bodies[boundary.body].where,
                              "the cylinder axis of boundary '" + boundary.name + "' is zero",
                              "a direction");
-          check_vertices(boundary, scene, geometry.triangulation);
-          geometry.triangulation.set_manifold(boundary.id, *make_manifold<dim>(boundary.geometry));
+          const double radius = check_vertices(boundary, scene, geometry.triangulation);
+          geometry.triangulation.set_manifold(boundary.id, *make_manifold<dim>(boundary.geometry, radius));
           for (const auto &cell : geometry.triangulation.cell_iterators_on_level(0))
             for (const auto &face : cell->face_iterators())
               if (face->at_boundary() && face->boundary_id() == boundary.id)
@@ -108,10 +179,14 @@ namespace Amontons
                         const types::manifold_id id,
                         Triangulation<dim>      &triangulation)
   {
-    triangulation.set_manifold(id, *make_manifold<dim>(shape));
+    double radius = 0;
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
       if (cell->material_id() == body)
-        cell->set_all_manifold_ids(id);
+        {
+          cell->set_all_manifold_ids(id);
+          radius = std::max(radius, distance<dim>(cell->vertex(0), shape));
+        }
+    triangulation.set_manifold(id, *make_manifold<dim>(shape, radius));
   }
 
   template types::manifold_id

@@ -43,13 +43,8 @@ namespace Amontons
       {
         if (!run_load_program())
           return false;
-        again = false;
-        if (refinement == Refinement::between_replays && !measured &&
-            (sees_slip() || (increments.by_target() && !wants_refinement())))
-          {
-            measure_increments();
-            again = choose_increments();
-          }
+        again = refinement == Refinement::between_replays && !measured &&
+                (sees_slip() || (increments.by_target() && !wants_refinement())) && choose_increments();
       }
     while (again || replay_refined() || replay_with_all_increments());
     return !control.stop.is_there();
@@ -370,25 +365,28 @@ namespace Amontons
     return true;
   }
 
-  // Others for the target, after their error has been measured. True: they are more, and there is no finer
-  // mesh to take them on.
+  // Measures their error; then others for the target. True: the load program is to be run with them on this
+  // mesh, as it is the last one, or to know what of a number changes by them, and what by a finer mesh.
   template <int dim>
   bool
   LoadStepping<dim>::choose_increments()
   {
+    measure_increments();
     if (!increments.by_target() || !report.error_of_increments())
       return false;
-    const bool mesh_is_last = !wants_refinement();
-    const auto errors       = increments.choose(*report.error_of_increments(),
+    const bool   mesh_is_last = !wants_refinement();
+    const double before       = increments.length();
+    const auto   errors       = increments.choose(*report.error_of_increments(),
                                           history.record,
                                           mesh_is_last,
                                           [&](const double length) { return repeat_with(length, false); });
     if (!errors || control.stop.is_there())
       return false;
     report.set_error_of_increments(*errors);
-    if (mesh_is_last)
-      report.replay();
-    return mesh_is_last;
+    if (!mesh_is_last && !(evaluation.error.quantity && increments.length() != before))
+      return false;
+    repeat_on_mesh();
+    return true;
   }
 
   // The last converged state goes along to the refined mesh: the next increment starts from it there.

@@ -141,12 +141,19 @@ namespace Amontons
     refine_now(const LoadProgram &program) const;
     bool
     replay_refined();
+    // The load program with other increments.
+    void
+    repeat_on_mesh()
+    {
+      history.quantity.repeat();
+      report.replay();
+    }
     bool
     replay_with_all_increments()
     {
       if (must_stop() || !increments.take_all())
         return false;
-      report.replay();
+      repeat_on_mesh();
       return true;
     }
     bool

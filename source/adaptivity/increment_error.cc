@@ -76,8 +76,8 @@ namespace Amontons
   {
     if (target_quantity == "contact pressure")
       return largest();
-    if (target_quantity == "dissipation")
-      return own_dissipation;
+    if (target_quantity == "dissipation") // changes of both signs may cancel in the sum
+      return std::max(own_dissipation, shear);
     if (target_quantity == "total force")
       return std::max(normal_force, tangential_force);
     if (target_quantity == "stick size")

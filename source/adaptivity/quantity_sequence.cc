@@ -24,7 +24,33 @@ namespace Amontons
   {
     if (!meshes.empty() && meshes.back().n_dofs == n_dofs)
       meshes.pop_back();
+    else
+      settle();
     meshes.push_back({n_dofs, values});
+  }
+
+  void
+  QuantitySequence::repeat()
+  {
+    settle();
+    if (!meshes.empty())
+      before = meshes.back().values;
+  }
+
+  void
+  QuantitySequence::settle()
+  {
+    for (unsigned int k = 0; k < meshes.size(); ++k)
+      for (unsigned int i = 0; i < before.size(); ++i)
+        meshes[k].values[i] = value(k, i);
+    before.clear();
+  }
+
+  double
+  QuantitySequence::value(const unsigned int mesh, const unsigned int i) const
+  {
+    const bool is_earlier = !before.empty() && mesh + 1 < meshes.size();
+    return meshes[mesh].values[i] + (is_earlier ? meshes.back().values[i] - before[i] : 0.);
   }
 
   // The last mesh of at most half as many DoFs as the k-th one; the number of meshes if there is none.
@@ -68,12 +94,12 @@ namespace Amontons
         const auto change = [&](const unsigned int from, const unsigned int to) {
           double result = 0; // a number may happen to come back in between
           for (unsigned int k = from; k < to; ++k)
-            result = std::max(result, std::abs(meshes[to].values[i] - meshes[k].values[i]));
+            result = std::max(result, std::abs(value(to, i) - value(k, i)));
           return result;
         };
         most = std::max(
             most, quarter == n ? change(half, last) : rest_of(change(quarter, half), change(half, last)));
-        largest = std::max(largest, std::abs(meshes[last].values[i]));
+        largest = std::max(largest, std::abs(value(last, i)));
       }
     return largest > 0 ? most / largest : std::numeric_limits<double>::infinity();
   }

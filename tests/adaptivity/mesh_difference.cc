@@ -111,6 +111,22 @@ main(int, char **)
                      "error of numbers that converge");
       numbers.add(n / growth, {4., 1.}); // of the same mesh: instead
       check::is_true(numbers.error() > 0.2, "a number that jumps");
+
+      QuantitySequence repeated;
+      double           last = 0;
+      for (double m = 1000; m < n; m *= growth)
+        {
+          repeated.add(m, {5. - 3 * 100 / m});
+          last = m;
+        }
+      const double before = repeated.error();
+      repeated.repeat();
+      for (const double value : {1., 4.5 - 3 * 100 / last}) // grows over the increments
+        repeated.add(last, {value});
+      check::is_close(
+          repeated.error(), before * (5 - 3 * 100 / last) / (4.5 - 3 * 100 / last), 1e-9, "other increments");
+      repeated.add(2 * last, {4.5 - 3 * 100 / (2 * last)});
+      check::is_true(repeated.error() < before, "and a finer mesh with these");
     }
   return check::result();
 }

@@ -13,6 +13,11 @@ namespace Amontons
     void
     add(const double n_dofs, const std::vector<double> &values);
 
+    /// What has come of the last mesh is computed anew there, with other increments. What changes by them is
+    /// none of the mesh: the numbers on the meshes before change alike.
+    void
+    repeat();
+
     /// Relative to the largest value, of the worst. Between three meshes, each of twice as many DoFs as the
     /// one before or more, the changes D fall by rho, so that D rho/(1 - rho) is left. rho is believed
     /// between 0.4 and 0.8, and a change that happens to be small counts as no smaller than 0.4 of the one
@@ -35,7 +40,13 @@ namespace Amontons
     double
     error_on(const unsigned int last) const;
     unsigned int
-                      half_of(const unsigned int k) const;
-    std::vector<Mesh> meshes;
+    half_of(const unsigned int k) const;
+    double
+    value(const unsigned int mesh, const unsigned int i) const;
+    // The changes by a repeat become part of the numbers.
+    void
+                        settle();
+    std::vector<Mesh>   meshes;
+    std::vector<double> before; // on the last mesh, where that is repeated; else empty
   };
 } // namespace Amontons

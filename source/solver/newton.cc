@@ -193,9 +193,9 @@ namespace Amontons
     update_constraints();
     at.free_modes = at.states.free_rigid_modes();
     step.linearise(at,
-                   !at.free_modes.empty()     ? &stabilisation.springs
-                   : !floating.pins().empty() ? &stabilisation.pins
-                                              : nullptr,
+                   !at.free_modes.empty() ? &stabilisation.springs
+                   : !pins().empty()      ? &stabilisation.pins
+                                          : nullptr,
                    drag);
   }
 
@@ -321,6 +321,14 @@ namespace Amontons
                             &multipliers[e]);
   }
 
+  // In effect: where springs hold all motions that the present equations leave free, pins are not needed.
+  template <int dim>
+  std::vector<types::global_dof_index>
+  Newton<dim>::pins() const
+  {
+    return at.free_modes.empty() ? floating.pins() : std::vector<types::global_dof_index>();
+  }
+
   // Of equilibrium, relative to the forces, and of the closed nodes' equations, relative to the faces.
   template <int dim>
   double
@@ -328,7 +336,7 @@ namespace Amontons
   {
     at.force_scale =
         problem.mechanics.force_scale(what_rounding_sees(problem, at), problem.parameters.tolerance);
-    return std::max({relative_residual(problem, at, balance),
+    return std::max({relative_residual(problem, at, balance, pins()),
                      largest_violation(problem, at),
                      relative_excess(problem, at)});
   }
@@ -337,7 +345,7 @@ namespace Amontons
   double
   Newton<dim>::error_with_drag() const
   {
-    return relative_residual(problem, at, balance_with_drag());
+    return relative_residual(problem, at, balance_with_drag(), pins());
   }
 
   template <int dim>

@@ -118,6 +118,8 @@ namespace Amontons
     answer(const unsigned int k, const std::vector<double> &multipliers) const;
     LA::Vector
     balance_with_drag() const;
+    std::vector<types::global_dof_index>
+    pins() const;
     double
     residual();
     bool

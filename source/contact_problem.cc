@@ -3,7 +3,6 @@
 #include <amontons/output/mirror_symmetry.h>
 #include <amontons/output/output_folder.h>
 #include <amontons/output/physics_checks.h>
-#include <amontons/output/target_quantity.h>
 #include <amontons/output/terminal.h>
 
 #include <sstream>
@@ -209,9 +208,10 @@ namespace Amontons
   {
     const auto neglected = small_strain.checks();
     checks.insert(neglected.begin(), neglected.end());
-    const double kinematics = steps->model->finite_strain() ? unknown : small_strain.error();
-    const double of_target  = sensitivity_to_kinematics(parameters.refinement.target_quantity) * kinematics;
-    return {success, steps->evaluation, steps->history, parameters.refinement, kinematics, of_target, checks};
+    KinematicsErrors kinematics;
+    if (!steps->model->finite_strain())
+      kinematics = {small_strain.error(), small_strain.error_of_shear(), small_strain.error_of_target()};
+    return {success, steps->evaluation, steps->history, parameters.refinement, kinematics, checks};
   }
 
   // After the load program with small strain: whether its answer, or that of finite strain, is one.

@@ -329,18 +329,17 @@ namespace Amontons
   void
   RunReport<dim>::add_answer(const Answer<dim> &answer, const Ending &ending)
   {
-    const MeshSummary &last                    = summary.meshes.back();
-    summary.dofs                               = last.dofs;
-    summary.cells                              = last.cells;
-    summary.pairs                              = last.pairs;
-    summary.energy                             = last.energy;
-    summary.error_estimate                     = last.error_estimate;
-    summary.probes                             = last.probes;
-    summary.reference                          = last.reference;
-    summary.reactions                          = compute_reactions(answer);
-    summary.checks                             = ending.checks;
-    summary.error_estimate.kinematics          = ending.kinematics;
-    summary.error_estimate.quantity_kinematics = ending.quantity_kinematics;
+    const MeshSummary &last           = summary.meshes.back();
+    summary.dofs                      = last.dofs;
+    summary.cells                     = last.cells;
+    summary.pairs                     = last.pairs;
+    summary.energy                    = last.energy;
+    summary.error_estimate            = last.error_estimate;
+    summary.probes                    = last.probes;
+    summary.reference                 = last.reference;
+    summary.reactions                 = compute_reactions(answer);
+    summary.checks                    = ending.checks;
+    summary.error_estimate.kinematics = ending.kinematics;
     if (summary.increments)
       summary.error_estimate.increments = summary.increments->of(ending.refinement.target_quantity);
     if (last.external_work)

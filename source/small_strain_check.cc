@@ -177,7 +177,10 @@ namespace Amontons
   double
   SmallStrainCheck<dim>::allowed_part() const
   {
-    return allowed_error() / sensitivity_to_kinematics(parameters.refinement.target_quantity);
+    const auto by_shear = sensitivity_to_shear(parameters.refinement.target_quantity);
+    if (!shear || !by_shear)
+      return allowed_error();
+    return std::max(0., (allowed_error() / *by_shear - shear->normals) / shear->amplification);
   }
 
   template <int dim>
@@ -185,6 +188,21 @@ namespace Amontons
   SmallStrainCheck<dim>::error() const
   {
     return change ? change->largest : neglected.largest().largest();
+  }
+
+  template <int dim>
+  double
+  SmallStrainCheck<dim>::error_of_shear() const
+  {
+    return shear ? shear->amplification * error() + shear->normals : unknown;
+  }
+
+  template <int dim>
+  double
+  SmallStrainCheck<dim>::error_of_target() const
+  {
+    const auto by_shear = sensitivity_to_shear(parameters.refinement.target_quantity);
+    return shear && by_shear ? std::max(error(), *by_shear * error_of_shear()) : error();
   }
 
   template <int dim>
@@ -229,6 +247,8 @@ namespace Amontons
     text.precision(2);
     text << "small strain leaves out " << terms.strain << " of the strain and " << terms.contact
          << " in the contact";
+    if (shear)
+      text << ", which makes " << error_of_shear() << " of the shear traction";
     if (stiffening > allowed_part())
       text << ", and what stress does to the stiffness of slender bodies";
     if (neglected.came_back())
@@ -278,6 +298,7 @@ namespace Amontons
       return;
     TimerOutput::Scope           scope(timer, "choice of the model");
     NeglectedTermsOfHistory<dim> here(neglected);
+    shear = shear_kinematics(model.discretization(), model.interfaces, state.contact);
     here.add(model.discretization(), recovery, state, model.interfaces, energy);
     const NeglectedTerms &terms = here.largest();
     // What may come to matter on finer ones: strain hardly grows, the bound of the stiffening does.
@@ -312,6 +333,7 @@ namespace Amontons
     neglected.measure_gaps(model.discretization(), model.supports, model.interfaces);
     const NeglectedTerms &terms = neglected.largest();
     rotations_are_held          = holds_all_rotations(model.discretization());
+    shear                       = shear_kinematics(model.discretization(), model.interfaces, state.contact);
     const bool is_telling       = converged && !neglected.came_back();
     if (is_telling && terms.stiffening <= bound())
       stiffening = terms.stiffening;

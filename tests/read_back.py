@@ -279,7 +279,8 @@ def estimate(summary, key):
     total, parts = of[key], ["mesh " + percent(of[key])]
     if key == "contact" and of["facets"] > 1e-3:
         parts.append("of which facets " + percent(of["facets"]))
-    others = {"kinematics": of.get("kinematics"), "increments": summary.get("increments", {}).get("pressure")}
+    kinematics, increments = ("shear_kinematics", "shear") if key == "shear" else ("kinematics", "pressure")
+    others = {"kinematics": of.get(kinematics), "increments": summary.get("increments", {}).get(increments)}
     for name, error in others.items():
         if error is not None:
             total += error
@@ -306,8 +307,8 @@ def expected_lines(summary):
         if summary["error_estimate"].get("quantity") is not None and p["approach"] is not None:
             lines.append(("  approach", short(p["approach"])))
         lines.append(("  nodes", f"{p['n_open']} open, {p['n_stick']} stick, {p['n_slip']} slip"))
-    for what, key in (("pressure", "contact"), ("stress", "bulk")):
-        if summary["error_estimate"][key] is not None:
+    for what, key in (("pressure", "contact"), ("shear", "shear"), ("stress", "bulk")):
+        if summary["error_estimate"].get(key) is not None:
             lines.append(("estimated error of the " + what, estimate(summary, key)))
     if "increments" in summary:
         errors = summary["increments"]

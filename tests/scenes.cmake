@@ -568,7 +568,8 @@ add_scene_test(NAME clamped_beyond_the_limit_finite SCENE verification/clamped.p
 # NAFEMS R0094-1 and -2 with mu = 0.1. The stick zone ends between two nodes, 0.2 apart; shear has its peak there, on one node.
 add_scene_test(NAME roller_friction_20_increments SCENE nafems_roller_friction.prm
                CHECK ${LAWS} "newton.:20.iterations <= 10" "newton.22:.iterations <= 5" "pairs.0.peak_pressure ~ 3663 2e-3"
-                     "peak(contact.pair=roller.tx) ~ 339 0.02" "contact.pair=roller,state=stick.X <= 2.2" "contact.pair=roller,state=slip.X >= 2.1")
+                     "peak(contact.pair=roller.tx) ~ 339 0.02" "contact.pair=roller,state=stick.X <= 2.2" "contact.pair=roller,state=slip.X >= 2.1"
+                     "error_estimate.shear_kinematics >= 0.13" "error_estimate.shear_kinematics <= 0.78") # by finite strain 0.195
 # One increment is wrong, as it is said to be.
 add_scene_test(NAME roller_friction_1_increment SCENE nafems_roller_friction.prm SET "Increments=1"
                CHECK ${LAWS} "newton.0.iterations <= 10" "newton.1:.iterations <= 5" "contact.pair=roller,state=stick.X <= 1" "contact.pair=roller,state=slip.X >= 0.8")
@@ -930,6 +931,14 @@ add_scene_test(NAME auto_finite SCENE verification/patch_finite.prm SET "Kinemat
 add_scene_test(NAME stick_size_by_finite_strain SCENE nafems_roller_friction.prm
                SET Kinematics=auto Increments=3 "Refinement/Target error=0.2" "Refinement/Cycles=0" "Refinement/Target quantity=stick size"
                CHECK "checks.change_of_answer <= 0.05" "notes.0 has used")
+# What sticks is off by four times as much as the pressure, and a target is kept by both.
+add_scene_test(NAME shear_by_finite_strain SCENE nafems_roller_friction.prm
+               SET Kinematics=auto Increments=3 "Refinement/Target error=0.05" "Refinement/Cycles=0" CHECK "checks.neglected_strain <= 0.03" "notes.0 has used")
+# One normal for both sides: the stick size and the work of friction of finite strain (2.17e-6, 2.20e-6) with either slave.
+foreach(slave first second)
+  add_scene_test(NAME sheared_half_disk_${slave} SCENE verification/sheared_half_disk.prm SET "Contact sheared/Slave=${slave}"
+                 CHECK "pairs.0.stick_size ~ 0.0261 0.005" "meshes.-1.dissipation ~ 2.22e-6 0.01" "notes.-1 has small strain is enough")
+endforeach()
 # Far from the origin moments are those about each body: of rounding in its forces the lever would make 4e-4.
 add_scene_test(NAME far_from_the_origin SCENE verification/two_equal_disks.prm
                SET "Kinematics=finite strain" "Body upper/Shift=1e6,1e6" "Body lower/Shift=1e6,1e6" CHECK "status is converged" "checks.moment_balance <= 1e-6")

@@ -162,7 +162,7 @@ namespace Amontons
       const Evaluation<dim>        &evaluation;
       const LoadHistory<dim>       &history;
       const RefinementParameters   &refinement;
-      double                        kinematics, quantity_kinematics; // see EstimateSummary
+      KinematicsErrors              kinematics;
       std::map<std::string, double> checks; // of the physics, and what small strain leaves out
     };
     const RunSummary &

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <amontons/adaptivity/model_selection.h>
+#include <amontons/adaptivity/shear_kinematics.h>
 #include <amontons/model.h>
 #include <amontons/run_control.h>
 #include <amontons/run_parameters.h>
@@ -46,6 +47,11 @@ namespace Amontons
     /// After look(). What finite strain changes, where that was tried; else what small strain leaves out.
     double
     error() const;
+    /// What that makes of the shear traction (NaN: there is none), and of the target quantity.
+    double
+    error_of_shear() const;
+    double
+    error_of_target() const;
     bool
     is_harmless() const;
     /// It is not, and the scene lets finite strain take over.
@@ -96,7 +102,8 @@ namespace Amontons
     }
 
   private:
-    // What error() may be for the target quantity to be as exact as allowed.
+    // What error() may be for the target quantity to be as exact as allowed, where shear follows from it,
+    // too.
     double
     allowed_part() const;
     // How much stress changes the stiffness.
@@ -146,6 +153,7 @@ namespace Amontons
     std::optional<Change>             change;                     // by it, if it converged
     std::optional<SolutionState<dim>> found;
     double                            stiffening = 0;
+    std::optional<ShearKinematics>    shear;
     std::optional<Findings>           before;
     std::map<std::string, double>     what_was_seen;
   };

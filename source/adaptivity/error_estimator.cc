@@ -6,6 +6,7 @@
 #include <amontons/adaptivity/gap_error.h>
 #include <amontons/adaptivity/nominal_area.h>
 #include <amontons/adaptivity/unseen_contact.h>
+#include <amontons/contact/common_normal.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/elasticity/linear_elastic.h>
 
@@ -19,20 +20,6 @@ namespace Amontons
 {
   namespace
   {
-    // sigma : C^-1 : sigma = ((1 + nu) sigma : sigma - nu (tr sigma)^2) / E, in plane stress as well, as
-    // sigma_zz = 0 there.
-    template <int dim>
-    double
-    complementary_energy(const Voigt<dim> &sigma, const MaterialData &material)
-    {
-      double square = 0, trace = 0;
-      for (unsigned int k = 0; k < n_voigt<dim>; ++k)
-        square += (k < 3 ? 1 : 2) * sigma[k] * sigma[k];
-      for (unsigned int k = 0; k < 3; ++k)
-        trace += sigma[k];
-      return ((1 + material.poisson) * square - material.poisson * trace * trace) / material.young;
-    }
-
     // sigma n (or m of NominalArea); in the plane kinds zz takes no part.
     template <int dim>
     Tensor<1, dim>
@@ -356,6 +343,7 @@ namespace Amontons
             const Tensor<1, dim>  n = slave.face_normal(face, xi, &jacobian);
             const double weight = on_face.weight(q) * jacobian * measure<dim>(kind, slave.position(face, xi));
             const auto   N      = lagrange_values<dim - 1>(slave.degree, xi);
+            const auto   common = turned_normal(slave, face, N, n, fields.normal);
             double       p      = 0;
             Tensor<1, dim> shear;
             for (unsigned int i = 0; i < N.size(); ++i)
@@ -367,19 +355,19 @@ namespace Amontons
             const Tensor<1, dim> area     = is_nominal ? areas[f].vector(q, n, interface.pair->tied) : n;
             const Tensor<1, dim> load     = load_at(loads, cell, f, xi, n);
             const Tensor<1, dim> t        = traction<dim>(sigma[q], area) - load;
-            const double         mismatch = p + n * t;
+            const double         mismatch = p + common * t;
             square += weight * mismatch * mismatch;
             if (!interface.pair->tied)
-              square += weight * (t - (n * t) * n - shear).norm_square();
+              square += weight * (t - (common * t) * common - shear).norm_square();
 
             if (!parts.near[face])
               continue;
             no_pressure_square += parts.weight * weight * no_stress * no_stress;
             const Tensor<1, dim> t_star = traction<dim>(smooth[q], area) - load;
-            const double         p_star = -(n * t_star);
+            const double         p_star = -(common * t_star);
             if (interface.pair->has_friction())
               {
-                shear_part += parts.weight * weight * (t_star + p_star * n - shear).norm_square();
+                shear_part += parts.weight * weight * (t_star + p_star * common - shear).norm_square();
                 shear_square += parts.weight * weight * shear.norm_square();
                 shear_sum += weight * shear.norm();
               }

@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/mesh_difference.h>
+#include <amontons/contact/common_normal.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/elasticity/kinematics.h>
 
@@ -13,7 +14,7 @@ namespace Amontons
       double pressure = 0, shear = 0, pressure_difference = 0, shear_difference = 0;
     };
 
-    // Of one slave face; now, before: nodal values of the faces' surface.
+    // Of one slave face; now, before, normals: nodal values of its surface.
     template <int dim>
     void
     add_face(const ContactSurface<dim>         &slave,
@@ -21,6 +22,7 @@ namespace Amontons
              const Quadrature<dim - 1>         &gauss,
              const std::vector<Tensor<1, dim>> &now,
              const std::vector<Tensor<1, dim>> &before,
+             const std::vector<Tensor<1, dim>> &normals,
              const ProblemType                  kind,
              const PairData                    &pair,
              const double                       weight_of_pair,
@@ -34,6 +36,7 @@ namespace Amontons
           const double   weight =
               weight_of_pair * gauss.weight(q) * jacobian * measure<dim>(kind, slave.position(face, xi));
           const auto N = lagrange_values<dim - 1>(slave.degree, xi);
+          n            = turned_normal(slave, face, N, n, normals);
           for (unsigned int i = 0; i < N.size(); ++i)
             {
               const unsigned int node = slave.faces[face].nodes[i];
@@ -160,6 +163,7 @@ namespace Amontons
                        gauss,
                        values,
                        old,
+                       fields[i].normal,
                        discretization.scene.kind,
                        *interface.pair,
                        weights[i],

@@ -1,3 +1,4 @@
+#include <amontons/contact/common_normal.h>
 #include <amontons/contact/node_to_segment.h>
 #include <amontons/contact/surface_search.h>
 #include <amontons/discretization/elimination.h>
@@ -260,11 +261,11 @@ namespace Amontons
     for (auto &interface : interfaces)
       {
         carries.push_back(find_carrying_nodes(*interface.slave, supports, interface.pair->tied));
-        integrate(discretization,
-                  find_partners(discretization, interface, moved),
-                  carries.back(),
-                  stays,
-                  interface);
+        auto points = find_partners(discretization, interface, moved);
+        if (!moved && has_common_normals(discretization, interface))
+          for (auto &point : points)
+            point.normal = common_normal(discretization.scene, interface, point);
+        integrate(discretization, std::move(points), carries.back(), stays, interface);
       }
     const auto again = resolve_crosspoints(interfaces, carries);
     for (unsigned int i = 0; i < interfaces.size(); ++i)

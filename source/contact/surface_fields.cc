@@ -1,3 +1,4 @@
+#include <amontons/contact/common_normal.h>
 #include <amontons/contact/covered_shares.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/contact/face_lattice.h>
@@ -403,6 +404,8 @@ namespace Amontons
         fields.gap[row.node]        = node.gap;
         fields.area[row.node]       = row.area;
         fields.state[row.node]      = node.state;
+        if (has_common_normals(discretization, interface))
+          fields.normal[row.node] = row.normal / row.normal.norm();
         fields.normal_force -= row.area * node.pressure * row.normal;
         fields.tangential_force -= row.area * node.shear;
         pressures.push_back(node.pressure);

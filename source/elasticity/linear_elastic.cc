@@ -46,10 +46,26 @@ namespace Amontons
                      3 * shear);
   }
 
+  template <int dim>
+  double
+  complementary_energy(const Voigt<dim> &sigma, const MaterialData &material)
+  {
+    double square = 0, trace = 0;
+    for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+      square += (k < 3 ? 1 : 2) * sigma[k] * sigma[k];
+    for (unsigned int k = 0; k < 3; ++k)
+      trace += sigma[k];
+    return ((1 + material.poisson) * square - material.poisson * trace * trace) / material.young;
+  }
+
   template struct LinearElastic<2>;
   template struct LinearElastic<3>;
   template double
   von_mises<2>(const Voigt<2> &);
   template double
   von_mises<3>(const Voigt<3> &);
+  template double
+  complementary_energy<2>(const Voigt<2> &, const MaterialData &);
+  template double
+  complementary_energy<3>(const Voigt<3> &, const MaterialData &);
 } // namespace Amontons

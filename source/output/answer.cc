@@ -159,6 +159,27 @@ namespace Amontons
                              ", work of friction " + percent(errors.dissipation) + " of all");
     }
 
+    void
+    add_estimates(Lines &lines, const RunSummary &summary)
+    {
+      const auto           &estimate   = summary.error_estimate;
+      const auto           &kinematics = estimate.kinematics;
+      const IncrementErrors increments = summary.increments.value_or(IncrementErrors());
+      const auto            add        = [&](const std::string &what,
+                           const double       of_mesh,
+                           const double       of_kinematics,
+                           const double       of_increments,
+                           const double       facets = 0) {
+        add_estimate(lines, what, of_mesh, of_kinematics, of_increments, summary, facets);
+      };
+      add("pressure", estimate.contact, kinematics.answer, increments.pressure, estimate.facets);
+      add("shear", estimate.shear, kinematics.shear, increments.shear);
+      add("stress", estimate.bulk, kinematics.answer, increments.pressure);
+      add("target quantity", estimate.quantity, kinematics.target, estimate.increments);
+      if (summary.increments)
+        add_increments(lines, *summary.increments);
+    }
+
     // A line per point; the report and summary.json have those of long probes.
     void
     add_probe(Lines &lines, const ProbeSummary &probe, const Units &units)
@@ -247,17 +268,8 @@ namespace Amontons
     Lines lines = {{"status", summary.status() + (summary.message.empty() ? "" : ": " + summary.message)}};
     for (const PairSummary &pair : summary.pairs)
       add_pair(lines, pair, summary.kind, summary.units, !std::isnan(summary.error_estimate.quantity));
-    const std::string     work       = summary.units.work_of(is_plane(summary.kind));
-    const auto           &estimate   = summary.error_estimate;
-    const IncrementErrors increments = summary.increments.value_or(IncrementErrors());
-    const double          kinematics = estimate.kinematics, of_target = estimate.quantity_kinematics;
-    add_estimate(
-        lines, "pressure", estimate.contact, kinematics, increments.pressure, summary, estimate.facets);
-    add_estimate(lines, "tangential traction", estimate.shear, kinematics, increments.shear, summary);
-    add_estimate(lines, "stress", estimate.bulk, kinematics, increments.pressure, summary);
-    add_estimate(lines, "target quantity", estimate.quantity, of_target, estimate.increments, summary);
-    if (summary.increments)
-      add_increments(lines, *summary.increments);
+    const std::string work = summary.units.work_of(is_plane(summary.kind));
+    add_estimates(lines, summary);
     if (!std::isnan(summary.energy))
       lines.emplace_back("strain energy", measured(summary.energy, work));
     // Without friction the work is the strain energy; where meshes were refined in the last increment, that

@@ -34,10 +34,13 @@ namespace Amontons
         json.add("shear", estimate.shear);
       if (!std::isnan(estimate.quantity))
         json.add("quantity", estimate.quantity);
-      if (!std::isnan(estimate.kinematics))
-        json.add("kinematics", estimate.kinematics);
-      if (!std::isnan(estimate.quantity) && !std::isnan(estimate.quantity_kinematics))
-        json.add("quantity_kinematics", estimate.quantity_kinematics);
+      const auto &kinematics = estimate.kinematics;
+      if (!std::isnan(kinematics.answer))
+        json.add("kinematics", kinematics.answer);
+      if (!std::isnan(kinematics.shear))
+        json.add("shear_kinematics", kinematics.shear);
+      if (!std::isnan(estimate.quantity) && !std::isnan(kinematics.target))
+        json.add("quantity_kinematics", kinematics.target);
       if (!std::isnan(estimate.increments))
         json.add("increments", estimate.increments);
       return json;

@@ -24,10 +24,16 @@ namespace Amontons
     return values;
   }
 
-  double
-  sensitivity_to_kinematics(const std::string &name)
+  std::optional<double>
+  sensitivity_to_shear(const std::string &name)
   {
-    return name == "stick size" || name == "dissipation" ? 10 : 1;
+    if (name == "contact pressure")
+      return 1;
+    if (name == "stick size")
+      return 3;
+    if (name == "dissipation")
+      return 7;
+    return {};
   }
 
   template std::vector<double>

@@ -475,6 +475,8 @@ test_contact_terms()
       fields[0].multiplier = fields[0].pressure;
       fields[0].state.assign(interface.slave->nodes.size(), ContactStatus::slip);
       fields[0].traction.resize(interface.slave->nodes.size());
+      for (const auto &node : interface.slave->nodes)
+        fields[0].normal.push_back(node.normal);
       const auto estimate = estimate_error<2>(
           *problem.discretization, *problem.recovery, interfaces, fields, problem.displacement, false);
       std::array<double, 2> squares = {{0, 0}};
@@ -539,6 +541,7 @@ test_varying_contact_terms(const ProblemType kind, const double a, const double 
       interface.coupling.rows[i].node = i;
       fields[0].pressure.push_back(p + a * x);
       fields[0].traction.push_back(Tensor<1, 2>({shear + b * x, 0}));
+      fields[0].normal.push_back(interface.slave->nodes[i].normal);
     }
   fields[0].multiplier    = fields[0].pressure;
   fields[0].peak_pressure = p + 2 * a;

@@ -90,7 +90,7 @@ namespace Amontons
     std::vector<double>         multiplier; // p_i of the node's coupling row, 0 without
     std::vector<double>         gap;    // weighted gap of the row, >= 0; NaN without a row (nothing opposite)
     std::vector<double>         area;   // int psi_i, 0 without a row
-    std::vector<Tensor<1, dim>> normal; // unit
+    std::vector<Tensor<1, dim>> normal; // unit; of the slave, or of both (common_normal.h)
     std::vector<Tensor<1, dim>> traction; // on the slave, tangential part (tied pairs and friction)
     std::vector<Tensor<1, dim>> slip;     // tangential displacement of the slave relative to the master
     std::vector<ContactStatus>  state;

@@ -27,4 +27,10 @@ namespace Amontons
   template <int dim>
   double
   von_mises(const Voigt<dim> &stress);
+
+  // sigma : C^-1 : sigma = ((1 + nu) sigma : sigma - nu (tr sigma)^2) / E, in plane stress as well, as
+  // sigma_zz = 0 there.
+  template <int dim>
+  double
+  complementary_energy(const Voigt<dim> &sigma, const MaterialData &material);
 } // namespace Amontons

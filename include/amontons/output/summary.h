@@ -48,15 +48,21 @@ namespace Amontons
     std::vector<ProbePoint> points;
   };
 
+  // Of small strain, relative: of the answer, of the tangential traction (with friction), of the
+  // `Target quantity`.
+  struct KinematicsErrors
+  {
+    double answer = unknown, shear = unknown, target = unknown;
+  };
+
   struct EstimateSummary // relative
   {
-    double bulk = unknown, contact = unknown; // of the mesh: stress, pressure
-    double shear               = unknown;     // friction: of the tangential traction
-    double facets              = 0;           // of `contact`: what refinement does not mend
-    double quantity            = unknown;     // of `Target quantity`, if that is a number
-    double kinematics          = unknown;     // of small strain
-    double increments          = unknown;     // friction: of IncrementErrors, what counts for the target
-    double quantity_kinematics = unknown;     // of `Target quantity`, if that is a number, by small strain
+    double           bulk = unknown, contact = unknown; // of the mesh: stress, pressure
+    double           shear      = unknown;              // friction: of the tangential traction
+    double           facets     = 0;                    // of `contact`: what refinement does not mend
+    double           quantity   = unknown;              // of `Target quantity`, if that is a number
+    double           increments = unknown; // friction: of IncrementErrors, what counts for the target
+    KinematicsErrors kinematics = {};
   };
 
   // Facets that make a smaller relative error of the pressure are not worth a word.

@@ -30,13 +30,14 @@ namespace Amontons
   common_normal(const Scene &scene, const ContactInterface<dim> &interface, const OverlapPoint<dim> &point)
   {
     constexpr double           none = 0.7, whole = 0.9; // of the cosine
-    const ContactSurface<dim> &master   = *interface.master.surface;
-    const Tensor<1, dim>       other    = -smooth_normal(master, point.master_face, point.xi_master);
-    const double               of_slave = compliance(scene.bodies[interface.slave->body]),
-                 of_master              = compliance(scene.bodies[master.body]),
-                 near                   = (point.normal * other - none) / (whole - none);
-    const double         part           = of_master / (of_slave + of_master) * std::clamp(near, 0., 1.);
-    const Tensor<1, dim> n              = point.normal + part * (other - point.normal);
+    const ContactSurface<dim> &master = *interface.master.surface;
+    const double               C      = compliance(scene.bodies[interface.slave->body]),
+                 D                    = compliance(scene.bodies[master.body]);
+    if (D == 0)
+      return point.normal;
+    const Tensor<1, dim> other = -smooth_normal(master, point.master_face, point.xi_master);
+    const double         near  = std::clamp((point.normal * other - none) / (whole - none), 0., 1.);
+    const Tensor<1, dim> n     = point.normal + near * D / (C + D) * (other - point.normal);
     return n / n.norm();
   }
 

@@ -43,7 +43,7 @@ GROUPS = [
      "verification/patch_3d_punch verification/patch_3d_hanging_nodes"),
     ("Tied bodies", "verification/tied_patch verification/tied_patch_3d verification/tied_beam verification/beam_in_one_piece verification/tied_column"),
     ("Unusual input", "verification/no_contact verification/just_touching verification/tension verification/stiff_punch verification/gap_closes_on_incompressible verification/piston verification/narrow_load verification/thin_wire verification/edge_beyond_nodes verification/wavy_gap verification/two_loads verification/beam_on_stop verification/corner_on_plane verification/edge_on_plate_3d "
-     "verification/touched_at_the_axis verification/rider verification/v_joint verification/disk_in_groove verification/disk_squeezed verification/sheared_half_disk verification/stack_without_friction verification/ball_between_planes verification/friction_band verification/displaced_bump verification/growing_stick verification/growing_stick_3d verification/receding_layer_rough verification/tied_and_turned verification/tied_shear verification/light_beside_heavy"),
+     "verification/touched_at_the_axis verification/rider verification/v_joint verification/disk_in_groove verification/disk_squeezed verification/sheared_half_disk verification/tilted_block verification/stack_without_friction verification/ball_between_planes verification/friction_band verification/displaced_bump verification/growing_stick verification/growing_stick_3d verification/receding_layer_rough verification/tied_and_turned verification/tied_shear verification/light_beside_heavy"),
 ]
 
 # Where the bodies as a whole (in space: the pressure on the first surface) are not what is to be seen: the title of the picture; entries of a run for the picture.

@@ -248,7 +248,8 @@ namespace Amontons
     if (control.stop.is_there())
       return false;
     report.restart();
-    const bool has_fallback = small_strain_converged && !small_strain.is_too_much();
+    const bool has_fallback = small_strain_converged && !small_strain.is_too_much() &&
+                              small_strain.error_of_target() <= small_strain.too_much;
     if (!(has_fallback && small_strain.knows_change()) && mesh->n_refinements > 0)
       start_on_first_mesh(true);
     else

@@ -180,7 +180,8 @@ namespace Amontons
     const auto by_shear = sensitivity_to_shear(parameters.refinement.target_quantity);
     if (!shear || !by_shear)
       return allowed_error();
-    return std::max(0., (allowed_error() / *by_shear - shear->normals) / shear->amplification);
+    const double of_normals = shear->normals + shear->lever * neglected.largest().turn;
+    return std::max(0., (allowed_error() / *by_shear - of_normals) / shear->amplification);
   }
 
   template <int dim>
@@ -194,7 +195,8 @@ namespace Amontons
   double
   SmallStrainCheck<dim>::error_of_shear() const
   {
-    return shear ? shear->amplification * error() + shear->normals : unknown;
+    return shear ? shear->amplification * error() + shear->normals + shear->lever * neglected.largest().turn
+                 : unknown;
   }
 
   template <int dim>

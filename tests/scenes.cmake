@@ -939,6 +939,23 @@ foreach(slave first second)
   add_scene_test(NAME sheared_half_disk_${slave} SCENE verification/sheared_half_disk.prm SET "Contact sheared/Slave=${slave}"
                  CHECK "pairs.0.stick_size ~ 0.0261 0.005" "meshes.-1.dissipation ~ 2.22e-6 0.01" "error_estimate.shear_kinematics <= 0.05")
 endforeach()
+# Small strain leaves the force of a tilted block where it is: more than the shear.
+foreach(slave first second)
+  add_scene_test(NAME tilted_block_${slave} SCENE verification/tilted_block.prm SET "Contact tilted/Slave=${slave}"
+                 CHECK "status is converged" "peak(pairs.0.tangential_force.0) ~ 1.5e-5 0.01")
+endforeach()
+# However small the load, normals of both sides leave as little out as those of the slave.
+foreach(slave first second)
+  add_scene_test(NAME touched_by_little_${slave} SCENE verification/sheared_half_disk.prm
+                 SET "Contact sheared/Slave=${slave}" "Contact sheared/Friction coefficient=" "End time=1" "Increments=automatic" "Refinement/Cycles=0"
+                     "Boundary condition load/Displacement=0|free" "Boundary condition load/Force=0|-1e-7*t"
+                 CHECK "status is converged" "checks.neglected_contact <= 0.02")
+endforeach()
+# Spheres are refined in units of their size: nanometres in metres.
+add_scene_test(NAME nanometres SCENE verification/two_equal_disks.prm
+               SET "Body upper/Centre=0,1e-9" "Body upper/Radius=1e-9" "Body lower/Centre=0,-1e-9" "Body lower/Radius=1e-9"
+                   "Body lower/Rotation centre=0,-1e-9" "Boundary condition press/Value=0|-0.04e-9"
+               CHECK "status is converged" "pairs.0.peak_pressure ~ 65.85818475901362 1e-6")
 # Far from the origin moments are those about each body: of rounding in its forces the lever would make 4e-4.
 add_scene_test(NAME far_from_the_origin SCENE verification/two_equal_disks.prm
                SET "Kinematics=finite strain" "Body upper/Shift=1e6,1e6" "Body lower/Shift=1e6,1e6" CHECK "status is converged" "checks.moment_balance <= 1e-6")

@@ -173,6 +173,40 @@ namespace Amontons
   }
 
   template <int dim>
+  double
+  NeglectedTermsOfHistory<dim>::turned_force(const Place                              &place,
+                                             const std::vector<ContactInterface<dim>> &interfaces,
+                                             const std::vector<ContactInterface<dim>> &moved) const
+  {
+    double most = 0;
+    for (unsigned int i = 0; i < moved.size(); ++i)
+      {
+        if (!moved[i].pair->has_friction())
+          continue;
+        std::map<unsigned int, Tensor<1, dim>> normals;
+        for (const auto &row : moved[i].coupling.rows)
+          normals[row.node] = row.normal / row.normal.norm();
+        std::map<unsigned int, double> forces;
+        for (const Node &node : place.nodes[i])
+          forces[node.node] = node.closed ? node.area * node.pressure : 0.;
+        double         force = 0;
+        Tensor<1, dim> turned;
+        for (const auto &row : interfaces[i].coupling.rows)
+          if (const auto now = normals.find(row.node); now != normals.end())
+            {
+              force += forces[row.node];
+              turned += forces[row.node] * (now->second - row.normal / row.normal.norm());
+            }
+        for (const auto &node : interfaces[i].slave->nodes)
+          for (const auto &plane : node.symmetry_planes)
+            turned -= (turned * plane) * plane;
+        if (force > 0)
+          most = std::max(most, turned.norm() / force);
+      }
+    return most;
+  }
+
+  template <int dim>
   void
   NeglectedTermsOfHistory<dim>::measure_gaps(const Discretization<dim>                &discretization,
                                              const Constraints                        &supports,
@@ -192,8 +226,9 @@ namespace Amontons
           std::vector<ContactInterface<dim>> at_rest;
           if (declared)
             at_rest = at(discretization.make_relevant_vector(), **place);
-          terms.contact = std::max(terms.contact,
-                                   neglected_contact(**place, at_rest, at((*place)->displacement, **place)));
+          const auto moved = at((*place)->displacement, **place);
+          terms.contact    = std::max(terms.contact, neglected_contact(**place, at_rest, moved));
+          terms.turn       = std::max(terms.turn, turned_force(**place, interfaces, moved));
           place->reset();
         }
   }

@@ -38,6 +38,7 @@ namespace Amontons
   {
     const Scene &scene    = discretization.scene;
     double       pressure = 0, shear = 0, sticking = 0, turns = 0; // squares
+    double       force = 0, shear_force = 0;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         const auto &interface = interfaces[i];
@@ -47,6 +48,8 @@ namespace Amontons
           {
             const auto  &node   = contact[i][row.node];
             const double square = row.area * node.shear.norm_square();
+            force += row.area * node.pressure;
+            shear_force += row.area * node.shear.norm();
             pressure += row.area * node.pressure * node.pressure;
             shear += square;
             sticking += node.state == ContactStatus::stick ? square : 0;
@@ -59,7 +62,8 @@ namespace Amontons
     constexpr double more  = 4;
     const double     least = std::max(shear, std::pow(noteworthy_shear, 2) * pressure);
     return ShearKinematics{shear > 0 ? std::sqrt(1 + (more * more - 1) * sticking / shear) : 1.,
-                           std::sqrt(turns / least)};
+                           std::sqrt(turns / least),
+                           force / std::max(shear_force, noteworthy_shear * force)};
   }
 
   template std::optional<ShearKinematics>

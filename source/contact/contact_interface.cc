@@ -262,9 +262,12 @@ namespace Amontons
       {
         carries.push_back(find_carrying_nodes(*interface.slave, supports, interface.pair->tied));
         auto points = find_partners(discretization, interface, moved);
-        if (!moved && has_common_normals(discretization, interface))
-          for (auto &point : points)
-            point.normal = common_normal(discretization.scene, interface, point);
+        for (auto &point : points)
+          {
+            point.ray = point.normal;
+            if (has_common_normals(discretization, interface))
+              point.normal = common_normal(discretization.scene, interface, point);
+          }
         integrate(discretization, std::move(points), carries.back(), stays, interface);
       }
     const auto again = resolve_crosspoints(interfaces, carries);

@@ -21,7 +21,7 @@ namespace Amontons
       double                          area         = 0; // int psi
       double                          smallest_gap = std::numeric_limits<double>::max(), face_size = 0;
       double                          trace = 0, trace_gap = 0; // int B, int B g
-      Tensor<1, dim>                  normal, gap;              // int psi n, int psi g n
+      Tensor<1, dim>                  normal, gap;              // int psi n, int psi g r, r the ray
       std::map<unsigned int, double>  traces;                   // int psi B_j
       std::map<NodeDofs<dim>, double> master;                   // int psi N_q
 
@@ -116,7 +116,7 @@ namespace Amontons
           rows[i]->master[dofs[k]] += M(i, k);
     }
 
-    // Adds int psi, int psi n, int psi g n, int B, int B g.
+    // Adds int psi, int psi n, int psi g r, int B, int B g.
     template <int dim>
     void
     add_points(const ContactSurface<dim>         &slave,
@@ -143,7 +143,7 @@ namespace Amontons
             const double  weight = psi(i, q) * points[q].weight;
             row.area += weight;
             row.normal += weight * points[q].normal;
-            row.gap += weight * points[q].gap * points[q].normal;
+            row.gap += weight * points[q].gap * points[q].ray;
             row.smallest_gap = std::min(row.smallest_gap, points[q].gap);
             row.face_size    = std::max(row.face_size, face.size);
           }
@@ -243,7 +243,7 @@ namespace Amontons
               }
     }
 
-    // area = int psi_i,  area normal = int psi_i n,  area gap = normal . int psi_i g n (the normal that the
+    // area = int psi_i,  area normal = int psi_i n,  area gap = normal . int psi_i g r (the normal that the
     // jump is multiplied with, so that a uniform interference is met by the uniform displacement),
     // int psi_i B_j (slave),  int psi_i N_q (master). closest: the smallest gap of all points.
     template <int dim>

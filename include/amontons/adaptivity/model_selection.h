@@ -8,7 +8,7 @@
 
 namespace Amontons
 {
-  // Both relative; the largest of the load program.
+  // Relative; the largest of the load program.
   struct NeglectedTerms
   {
     // |1/2 H^T H| / |sym H|, H = grad u, in the energy norm of small strain: the quadratic part of Green's
@@ -19,6 +19,10 @@ namespace Amontons
     // a pair's force where nothing is opposite any more; and, where surfaces overlap that carry no force, how
     // far, against their motion.
     double contact = 0;
+    // By how much the normals turn as surfaces move, so that the force of a pair has another direction: the
+    // sum of its nodal pressures times areas times their change, against the force. Not across planes of
+    // symmetry, where it vanishes in the whole model.
+    double turn = 0;
     // How much stress may change the stiffness, at most: see slenderness.h. No error; but where it is small,
     // strings do not stiffen and columns do not buckle.
     double stiffening = 0;
@@ -71,6 +75,10 @@ namespace Amontons
                   const Discretization<dim>                &discretization,
                   const Constraints                        &supports,
                   const std::vector<ContactInterface<dim>> &interfaces) const;
+    double
+    turned_force(const Place                              &place,
+                 const std::vector<ContactInterface<dim>> &interfaces,
+                 const std::vector<ContactInterface<dim>> &moved) const;
     double
     neglected_contact(const Place                              &place,
                       const std::vector<ContactInterface<dim>> &at_rest,

@@ -6,7 +6,7 @@
 namespace Amontons
 {
   /// The relative error of the shear in the mean square over all pairs with friction, if that of the answer
-  /// is e, is amplification * e + normals.
+  /// is e, and turn that of the direction of forces, is amplification * e + normals + lever * turn.
   struct ShearKinematics
   {
     /// What slips follows the pressure, and is off by as much. What sticks follows from small differences of
@@ -14,6 +14,8 @@ namespace Amontons
     double amplification = 1;
     /// Where the normals are those of the slave, p (n - N) against the shear: see common_normal.h.
     double normals = 0;
+    /// The pressure over the shear, both in the mean, but no more than that over noteworthy_shear.
+    double lever = 0;
   };
 
   /// contact: by pair and slave node. Empty: no pair has friction and pressure.

@@ -20,14 +20,15 @@ namespace Amontons
     Point<dim - 1> xi_slave, xi_master;
     Point<dim>     x_slave, x_master; // positions on the true surfaces as they lie
     Tensor<1, dim> normal;            // unit, outward from the slave
-    double         gap;               // along the normal (or as the scene declares it)
+    Tensor<1, dim> ray;               // likewise: the slave's normal, along which its partner was found
+    double         gap;               // along the ray (or as the scene declares it)
     double         weight;            // slave area, in axisymmetric scenes of the full turn
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &slave_face &master_face &xi_slave &xi_master &x_slave &x_master &normal &gap &weight;
+      archive &slave_face &master_face &xi_slave &xi_master &x_slave &x_master &normal &ray &gap &weight;
     }
   };
 
@@ -47,7 +48,7 @@ namespace Amontons
     double         gap;
     double         mean_gap;   // int B g / int B: of one sign with g, while psi changes its own
     Tensor<1, dim> normal;     // int psi n / area; not of unit length on curved surfaces
-    Tensor<1, dim> gap_vector; // int psi g n / area
+    Tensor<1, dim> gap_vector; // int psi g r / area, r the ray
     std::vector<std::pair<NodeDofs<dim>, double>> slave, master;
     std::vector<std::pair<unsigned int, double>>
         traces; // int psi B_j dA, by slave node: B_j are the traces of the control values

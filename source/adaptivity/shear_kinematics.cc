@@ -59,7 +59,7 @@ namespace Amontons
       }
     if (pressure <= 0)
       return {};
-    constexpr double more  = 4;
+    constexpr double more  = 6;
     const double     least = std::max(shear, std::pow(noteworthy_shear, 2) * pressure);
     return ShearKinematics{shear > 0 ? std::sqrt(1 + (more * more - 1) * sticking / shear) : 1.,
                            std::sqrt(turns / least),

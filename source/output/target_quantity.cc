@@ -30,9 +30,9 @@ namespace Amontons
     if (name == "contact pressure")
       return 1;
     if (name == "stick size")
-      return 3;
+      return 2;
     if (name == "dissipation")
-      return 7;
+      return 5;
     return {};
   }
 

@@ -10,7 +10,7 @@ namespace Amontons
   struct ShearKinematics
   {
     /// What slips follows the pressure, and is off by as much. What sticks follows from small differences of
-    /// motions, of which more is left out: four times as much (seen: 2.1 to 4.2). In the mean square.
+    /// motions, of which more is left out: six times as much (seen: 2 to 8). In the mean square.
     double amplification = 1;
     /// Where the normals are those of the slave, p (n - N) against the shear: see common_normal.h.
     double normals = 0;

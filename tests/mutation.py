@@ -178,6 +178,12 @@ CHANGES = [
     ("covered pressure on facets", "elasticity/loads.cc", "covered[begin + q].weight / facets[q].norm() * area[q]", "covered[begin + q].weight / area[q].norm() * area[q]", "^elasticity/loads$"),
     ("mirror images without pressures", "output/mirror_symmetry.cc", "return std::abs(entry.second[0]) <= allowed * entry.second[1];", "return allowed > 0 || std::abs(entry.second[0]) < 0;", "^scenes/model_"),
     ("modes of the mesh are followed", "solver/pseudo_transient.cc", "mode->shape) > 1)", "mode->shape) > 10)", "^scenes/tube_in_bore$"),
+    ("common normal by the other compliance", "contact/common_normal.cc", "near * D / (C + D)", "near * C / (C + D)", "^scenes/sheared_half_disk|^scenes/shear_by"),
+    ("gaps along the common normal", "contact/mortar_integrator.cc", "points[q].gap * points[q].ray", "points[q].gap * points[q].normal", "^scenes/touched_by_little"),
+    ("the turn of forces", "adaptivity/model_selection.cc", "turned.norm() / force", "0 * turned.norm() / force", "^scenes/tilted_block"),
+    ("reactions of pins", "solver/newton_residual.cc", "free(dof) = 0;", "free(dof) *= 1;", "^scenes/turned_rings"),
+    ("spheres in units", "geometry/manifolds.cc", "std::ldexp(1., std::ilogb(radius))", "1 + 0 * radius", "^scenes/nanometres"),
+    ("increments in the mesh's differences", "adaptivity/quantity_sequence.cc", "meshes.back().values[i] - before[i] : 0.", "0. : 0.", "^adaptivity/mesh_difference$"),
     ("shares of sent rows", "algebra/row_system.cc", ".emplace_back(dof, weight);", ".emplace_back(dof, 0.9 * weight);", "^scenes/ranks_"),
 ]
 

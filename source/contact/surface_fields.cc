@@ -125,9 +125,10 @@ namespace Amontons
                    SurfaceFields<dim>          &fields)
     {
       find_centre(discretization, interface, fields);
-      double force = 0;
+      double force = 0, area = 0;
       for (const auto &p : interface.coupling.points)
         {
+          area += p.weight;
           const double f =
               value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave) * p.weight;
           const auto r = p.x_slave - fields.centre;
@@ -136,8 +137,10 @@ namespace Amontons
         }
       if (force > 0)
         fields.covariance /= force;
-      fields.contact_size =
-          size_of(interface, is_of_a_point(discretization, fields), fields.centre, fields.pressure);
+      // A force of rounding, where surfaces just touch, is at no place.
+      if (force > 1e-17 * area * discretization.scene.bodies[interface.slave->body].material.young)
+        fields.contact_size =
+            size_of(interface, is_of_a_point(discretization, fields), fields.centre, fields.pressure);
     }
 
     // Over the overlap: at its points and at the nodes of faces that are covered whole. Nodal values beyond

@@ -180,8 +180,7 @@ namespace Amontons
     const auto by_shear = sensitivity_to_shear(parameters.refinement.target_quantity);
     if (!shear || !by_shear)
       return allowed_error();
-    const double of_normals = shear->normals + shear->lever * neglected.largest().turn;
-    return std::max(0., (allowed_error() / *by_shear - of_normals) / shear->amplification);
+    return std::max(0., (allowed_error() / *by_shear - shear->directions) / shear->amplification);
   }
 
   template <int dim>
@@ -195,8 +194,7 @@ namespace Amontons
   double
   SmallStrainCheck<dim>::error_of_shear() const
   {
-    return shear ? shear->amplification * error() + shear->normals + shear->lever * neglected.largest().turn
-                 : unknown;
+    return shear ? shear->amplification * error() + shear->directions : unknown;
   }
 
   template <int dim>
@@ -300,7 +298,8 @@ namespace Amontons
       return;
     TimerOutput::Scope           scope(timer, "choice of the model");
     NeglectedTermsOfHistory<dim> here(neglected);
-    shear = shear_kinematics(model.discretization(), model.interfaces, state.contact);
+    shear =
+        shear_kinematics(model.discretization(), model.interfaces, state.contact, neglected.largest().turn);
     here.add(model.discretization(), recovery, state, model.interfaces, energy);
     const NeglectedTerms &terms = here.largest();
     // What may come to matter on finer ones: strain hardly grows, the bound of the stiffening does.
@@ -335,8 +334,9 @@ namespace Amontons
     neglected.measure_gaps(model.discretization(), model.supports, model.interfaces);
     const NeglectedTerms &terms = neglected.largest();
     rotations_are_held          = holds_all_rotations(model.discretization());
-    shear                       = shear_kinematics(model.discretization(), model.interfaces, state.contact);
-    const bool is_telling       = converged && !neglected.came_back();
+    shear =
+        shear_kinematics(model.discretization(), model.interfaces, state.contact, neglected.largest().turn);
+    const bool is_telling = converged && !neglected.came_back();
     if (is_telling && terms.stiffening <= bound())
       stiffening = terms.stiffening;
     else if (is_telling)

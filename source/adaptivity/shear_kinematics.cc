@@ -34,7 +34,8 @@ namespace Amontons
   std::optional<ShearKinematics>
   shear_kinematics(const Discretization<dim>                &discretization,
                    const std::vector<ContactInterface<dim>> &interfaces,
-                   const std::vector<NodalContacts<dim>>    &contact)
+                   const std::vector<NodalContacts<dim>>    &contact,
+                   const double                              turn)
   {
     const Scene &scene    = discretization.scene;
     double       pressure = 0, shear = 0, sticking = 0, turns = 0; // squares
@@ -62,16 +63,18 @@ namespace Amontons
     constexpr double more  = 6;
     const double     least = std::max(shear, std::pow(noteworthy_shear, 2) * pressure);
     return ShearKinematics{shear > 0 ? std::sqrt(1 + (more * more - 1) * sticking / shear) : 1.,
-                           std::sqrt(turns / least),
-                           force / std::max(shear_force, noteworthy_shear * force)};
+                           std::sqrt(turns / least) +
+                               turn * force / std::max(shear_force, noteworthy_shear * force)};
   }
 
   template std::optional<ShearKinematics>
   shear_kinematics(const Discretization<2> &,
                    const std::vector<ContactInterface<2>> &,
-                   const std::vector<NodalContacts<2>> &);
+                   const std::vector<NodalContacts<2>> &,
+                   const double);
   template std::optional<ShearKinematics>
   shear_kinematics(const Discretization<3> &,
                    const std::vector<ContactInterface<3>> &,
-                   const std::vector<NodalContacts<3>> &);
+                   const std::vector<NodalContacts<3>> &,
+                   const double);
 } // namespace Amontons

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Amontons
 {
@@ -213,7 +214,7 @@ namespace Amontons
     // Of views that show as much, the one from the side on which the contact is.
     const Tensor<1, 3> off     = (place_of(place->centre, 0) - middle_of(surfaces)) / size_of(surfaces);
     const BodySurfaces corners = coarse(surfaces);
-    double             most    = -1;
+    double             most    = -std::numeric_limits<double>::infinity();
     for (const double elevation : {25., -25.})
       for (const double azimuth : {-60., 30., 120., 210.})
         {
@@ -222,7 +223,7 @@ namespace Amontons
           const BodyView view  = view_from(up, azimuth, elevation);
           const double   seen  = seen_part(corners, pressed, view, warp, 0.3 * place->radius);
           const double   worth = seen + 0.5 * (view.towards * off);
-          if (most < 0 || worth > most + (elevation > 0 ? much : far))
+          if (worth > most + (elevation > 0 ? much : far))
             {
               best = {view, seen};
               most = worth;

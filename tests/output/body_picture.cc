@@ -179,6 +179,13 @@ check_views()
   const auto       hidden = pressed_at({{{2, 2, 4}}, {{2.2, 2, 4}}, {{1.8, 2, 4}}}, down);
   const ChosenView nobody = choose_view(quarter, hidden, 1);
   check::is_close(nobody.seen, 0, 1e-12, "hidden", 1);
+  // Rounding that puts the contact behind the middle is no reason to look from elsewhere.
+  const auto behind = pressed_at({{{2, 2.000001, 4}}, {{2.2, 2.000001, 4}}, {{1.8, 2.000001, 4}}}, down);
+  check::is_close((choose_view(quarter, behind, 1).view.towards - nobody.view.towards).norm(),
+                  0,
+                  1e-12,
+                  "rounding does not choose the view",
+                  1);
   const auto place = contact_place(hidden, 0);
   check::is_true(place && std::abs(place->centre.X[0] - 2) < 1e-6, "centre of the contact");
   check::is_close(place->radius, std::sqrt(2.5 * 2 * 0.04 / 3), 1e-5, "its radius");

@@ -291,10 +291,9 @@ namespace Amontons
   bool
   LoadStepping<dim>::may_snap(const LoadProgram &program, Failures &failures) const
   {
-    const unsigned int patience = has_history() ? 5 : 3;
     if (!model->finite_strain() || history.follow_motion || surfaces_cross(history.last_report.failure))
       return false;
-    return ++failures.in_a_row == patience || program.is_smallest();
+    return ++failures.in_a_row == (has_history() ? 5u : 3u) || program.is_smallest();
   }
 
   template <int dim>
@@ -334,12 +333,14 @@ namespace Amontons
     const double mendable = error.quantity.value_or(
         std::sqrt(std::max(0., std::pow(error.decisive(), 2) - std::pow(error.facets, 2))));
     // A first mesh may be too coarse to see how wrong it is (a pin in its hole: by 5 %, estimated 1.2 %).
-    const double believed  = model->mesh->n_refinements == 0 ? target / 5 : target;
-    const bool   is_enough = target > 0 && (mendable <= believed ||
-                                          history.meshes.is_hopeless(target, parameters.refinement.max_dofs));
+    const double believed = model->mesh->n_refinements == 0 ? target / 5 : target;
     // A zone may be smaller than the faces of the first meshes.
+    const bool may_hide = quantity == "stick size" && history.quantity.is_zero() &&
+                          may_hide_stick(model->interfaces, history.state);
     const bool may_appear = quantity.find(" size") != std::string::npos && error.contact > target;
-    return may_refine() && !is_enough && (may_appear || !history.quantity.is_zero());
+    const bool is_enough  = target > 0 && ((mendable <= believed && !may_hide) ||
+                                          history.meshes.is_hopeless(target, parameters.refinement.max_dofs));
+    return may_refine() && !is_enough && (may_hide || may_appear || !history.quantity.is_zero());
   }
 
   // On the way: evenly over the load program, or whenever the target asks for it.
@@ -474,7 +475,8 @@ namespace Amontons
   bool
   LoadStepping<dim>::sees_slip() const
   {
-    return resolves_friction(model->interfaces, history.state);
+    return resolves_friction(model->interfaces, history.state) &&
+           (parameters.refinement.target_quantity != "stick size" || history.record.has_stick());
   }
 
   // The load program, which has converged on this mesh, once more with half as many increments; where they

@@ -55,6 +55,15 @@ namespace Amontons
     }
   } // namespace
 
+  bool
+  LoadRecord::has_stick() const
+  {
+    return std::any_of(breakpoints.begin(), breakpoints.end(), [](const Landing &landing) {
+      return std::any_of(
+          landing.pairs.begin(), landing.pairs.end(), [](const Pair &pair) { return pair.stick_size > 0; });
+    });
+  }
+
   IncrementErrors
   IncrementErrors::scaled(const double factor) const
   {
@@ -62,6 +71,7 @@ namespace Amontons
     for (double *const part : {&result.pressure,
                                &result.shear,
                                &result.stick_size,
+                               &result.own_stick_size,
                                &result.normal_force,
                                &result.tangential_force,
                                &result.dissipation,
@@ -81,7 +91,7 @@ namespace Amontons
     if (target_quantity == "total force")
       return std::max(normal_force, tangential_force);
     if (target_quantity == "stick size")
-      return stick_size;
+      return own_stick_size;
     return std::max(pressure, normal_force);
   }
 
@@ -104,7 +114,8 @@ namespace Amontons
         if (forces[i + 1] <= least)
           continue;
         // Changes and what they count against, each the largest of the program.
-        double pressure = 0, pressure_scale = 0, shear = 0, shear_scale = 0, stick = 0, size = 0;
+        double pressure = 0, pressure_scale = 0, shear = 0, shear_scale = 0, stick = 0, size = 0,
+               stick_scale = 0;
         double normal = 0, normal_scale = 0, tangential = 0, tangential_scale = 0;
         for (unsigned int l = 0; l < run.breakpoints.size(); ++l)
           {
@@ -118,6 +129,7 @@ namespace Amontons
                       sums.shear,
                       noteworthy_shear * (a.tresca_alone ? sums.bound : std::min(sums.bound, sums.pressure))});
             stick            = std::max(stick, std::abs(b.stick_size - a.stick_size));
+            stick_scale      = std::max({stick_scale, a.stick_size, b.stick_size});
             size             = std::max(size, a.contact_size);
             normal           = std::max(normal, (b.normal_force - a.normal_force).norm());
             normal_scale     = std::max(normal_scale, a.force);
@@ -125,10 +137,11 @@ namespace Amontons
             tangential_scale = std::max(
                 tangential_scale, a.tresca_alone ? sums.bound_force : std::min(sums.bound_force, a.force));
           }
-        errors.pressure     = std::max(errors.pressure, factor * relative(pressure, pressure_scale));
-        errors.shear        = std::max(errors.shear, factor * relative(shear, shear_scale));
-        errors.stick_size   = std::max(errors.stick_size, factor * relative(stick, size));
-        errors.normal_force = std::max(errors.normal_force, factor * relative(normal, normal_scale));
+        errors.pressure       = std::max(errors.pressure, factor * relative(pressure, pressure_scale));
+        errors.shear          = std::max(errors.shear, factor * relative(shear, shear_scale));
+        errors.stick_size     = std::max(errors.stick_size, factor * relative(stick, size));
+        errors.own_stick_size = std::max(errors.own_stick_size, factor * relative(stick, stick_scale));
+        errors.normal_force   = std::max(errors.normal_force, factor * relative(normal, normal_scale));
         errors.tangential_force =
             std::max(errors.tangential_force, factor * relative(tangential, tangential_scale));
       }

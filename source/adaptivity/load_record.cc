@@ -36,18 +36,37 @@ namespace Amontons
     return pairs;
   }
 
+  namespace
+  {
+    template <int dim>
+    unsigned int
+    most_closed_nodes(const std::vector<ContactInterface<dim>> &interfaces, const SolutionState<dim> &state)
+    {
+      unsigned int most = 0;
+      for (unsigned int i = 0; i < interfaces.size(); ++i)
+        if (interfaces[i].pair->has_friction())
+          most = std::max<unsigned int>(
+              most, std::count_if(state.contact[i].begin(), state.contact[i].end(), [](const auto &node) {
+                return node.state != ContactStatus::open;
+              }));
+      return most;
+    }
+  } // namespace
+
   template <int dim>
   bool
   resolves_friction(const std::vector<ContactInterface<dim>> &interfaces, const SolutionState<dim> &state)
   {
-    unsigned int most = 0;
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      if (interfaces[i].pair->has_friction())
-        most = std::max<unsigned int>(
-            most, std::count_if(state.contact[i].begin(), state.contact[i].end(), [](const auto &node) {
-              return node.state != ContactStatus::open;
-            }));
-    return most >= (dim == 2 ? 10 : 20);
+    return most_closed_nodes(interfaces, state) >= (dim == 2 ? 10 : 20);
+  }
+
+  // n faces: a line of half-width n h/2, or a disk of radius sqrt(n/pi) h.
+  template <int dim>
+  bool
+  may_hide_stick(const std::vector<ContactInterface<dim>> &interfaces, const SolutionState<dim> &state)
+  {
+    const double n = most_closed_nodes(interfaces, state);
+    return n > 0 && (dim == 2 ? 2 / n > 0.01 : std::sqrt(numbers::PI / n) > 0.05);
   }
 
   template std::vector<LoadRecord::Pair>
@@ -61,5 +80,9 @@ namespace Amontons
   template bool
   resolves_friction(const std::vector<ContactInterface<2>> &, const SolutionState<2> &);
   template bool
+  may_hide_stick(const std::vector<ContactInterface<2>> &, const SolutionState<2> &);
+  template bool
   resolves_friction(const std::vector<ContactInterface<3>> &, const SolutionState<3> &);
+  template bool
+  may_hide_stick(const std::vector<ContactInterface<3>> &, const SolutionState<3> &);
 } // namespace Amontons

@@ -437,6 +437,8 @@ namespace Amontons
         fields.stick_centre = stick_centre(discretization, interface, fields, unused);
         fields.stick_size =
             size_of(interface, is_of_a_point(discretization, fields), fields.stick_centre, unused);
+        if (fields.stick_size < 1e-6 * fields.contact_size) // what rounding leaves of bounds
+          fields.stick_size = 0;
       }
     fields.is_covered = covered_nodes(interface, discretization.scene.kind == ProblemType::axisymmetric);
     if (interface.pair->has_friction())

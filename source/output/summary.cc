@@ -56,6 +56,7 @@ namespace Amontons
           .add("pressure", errors.pressure)
           .add("shear", errors.shear)
           .add("stick_size", errors.stick_size)
+          .add("own_stick_size", errors.own_stick_size)
           .add("normal_force", errors.normal_force)
           .add("tangential_force", errors.tangential_force)
           .add("dissipation", errors.dissipation)

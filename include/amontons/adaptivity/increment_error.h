@@ -35,6 +35,10 @@ namespace Amontons
     std::vector<Landing> breakpoints;
     unsigned int         n_increments = 0;
     double               largest_work = 0;
+
+    // Somewhere, some time.
+    bool
+    has_stick() const;
   };
 
   // Estimated, relative, the largest of all pairs and landings.
@@ -45,6 +49,7 @@ namespace Amontons
     double       pressure         = 0; // in the mean square, as
     double       shear            = 0; // likewise, or of noteworthy_shear times the bound or pressure
     double       stick_size       = 0; // of the contact's size
+    double       own_stick_size   = 0; // of itself
     double       normal_force     = 0;
     double       tangential_force = 0; // of the largest that the bound allows
     double       dissipation      = 0; // of the work

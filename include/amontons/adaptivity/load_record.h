@@ -18,4 +18,10 @@ namespace Amontons
   template <int dim>
   bool
   resolves_friction(const std::vector<ContactInterface<dim>> &interfaces, const SolutionState<dim> &state);
+
+  /// Faces are larger than a hundredth of the contact (in space a twentieth) of the pair with friction that
+  /// has most closed nodes: a zone that sticks may be smaller than they are.
+  template <int dim>
+  bool
+  may_hide_stick(const std::vector<ContactInterface<dim>> &interfaces, const SolutionState<dim> &state);
 } // namespace Amontons

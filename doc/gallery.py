@@ -24,7 +24,7 @@ GROUPS = [
      "verification/flat_punch_line verification/flat_punch_axisymmetric verification/punch_moment verification/pin_in_hole verification/rings verification/turned_rings "
      "verification/shrink_fit verification/shrink_fit_spheres verification/growing_interference verification/cap_in_seat verification/disk_platen verification/disk_above_block "
      "verification/disk_weight verification/quarter_cylinder verification/two_equal_disks verification/receding_layer verification/ring_contact verification/three_point_bending verification/beam_on_floor verification/two_leaves verification/rubber_bush"),
-    ("Friction", "half_plane_box_friction cattaneo_mindlin verification/cattaneo_mindlin_disks verification/bulk_tension microslip_bar capstan greco walk/pin_in_lug small_scene "
+    ("Friction", "half_plane_box_friction cattaneo_mindlin verification/cattaneo_mindlin_disks verification/sheared_half_disk verification/tilted_block verification/bulk_tension microslip_bar capstan greco walk/pin_in_lug small_scene "
      "verification/klarbring verification/patch_friction verification/equal_blocks verification/clamped verification/tee verification/oblique_touch verification/opened_again verification/large_increment verification/wedge_self_lock verification/small_shear"),
     ("Held by contact and friction alone", "floating_slab incline verification/leaning_weight verification/steep_slope verification/tipping verification/tipping_tower "
      "verification/far_gap verification/floating_slab_3d verification/tipping_3d"),
@@ -39,11 +39,11 @@ GROUPS = [
     ("Benchmarks, and scenes of other programs", "nafems_roller nafems_roller_friction nafems_punch nafems_punch_friction verification/peers_cylinder verification/peers_shear "
      "verification/peers_sphere verification/peers_sphere_3d"),
     ("Patch tests and stacks", "patch_test patch_test_3d three_blocks three_blocks_3d verification/patch_pressure verification/patch_confined verification/patch_hanging_nodes "
-     "verification/patch_punch verification/two_punches verification/split_slave verification/cross_point verification/declared_gap verification/patch_3d_pressure "
+     "verification/patch_punch verification/two_punches verification/stepped_punch verification/split_slave verification/cross_point verification/declared_gap verification/patch_3d_pressure "
      "verification/patch_3d_punch verification/patch_3d_hanging_nodes"),
     ("Tied bodies", "verification/tied_patch verification/tied_patch_3d verification/tied_beam verification/beam_in_one_piece verification/tied_column"),
     ("Unusual input", "verification/no_contact verification/just_touching verification/tension verification/stiff_punch verification/gap_closes_on_incompressible verification/piston verification/narrow_load verification/thin_wire verification/edge_beyond_nodes verification/wavy_gap verification/two_loads verification/beam_on_stop verification/corner_on_plane verification/edge_on_plate_3d "
-     "verification/touched_at_the_axis verification/rider verification/v_joint verification/disk_in_groove verification/disk_squeezed verification/sheared_half_disk verification/tilted_block verification/stack_without_friction verification/ball_between_planes verification/friction_band verification/displaced_bump verification/growing_stick verification/growing_stick_3d verification/receding_layer_rough verification/tied_and_turned verification/tied_shear verification/light_beside_heavy"),
+     "verification/touched_at_the_axis verification/rider verification/v_joint verification/disk_in_groove verification/disk_squeezed verification/stack_without_friction verification/ball_between_planes verification/friction_band verification/displaced_bump verification/growing_stick verification/growing_stick_3d verification/receding_layer_rough verification/tied_and_turned verification/tied_shear verification/light_beside_heavy"),
 ]
 
 # Where the bodies as a whole (in space: the pressure on the first surface) are not what is to be seen: the title of the picture; entries of a run for the picture.

@@ -181,19 +181,19 @@ namespace Amontons
         auto values = target_quantity(name, answer(), history.work);
         if ((name == "energy" ? error.energy_norm : error.pressure_norm) == 0) // no more than rounding
           std::fill(values.begin(), values.end(), 0.);
-        history.quantity.add(n_dofs, values);
+        history.quantity.add(n_dofs, values, noteworthy_value(name, history.work));
         error.quantity = history.quantity.error();
         // Pressures that swing from node to node may do so alike on two meshes, or let the peak jump on the
-        // way: it is not known much worse than the whole.
-        if (name == "peak pressure" && std::isfinite(*error.quantity))
+        // way: it is not known much worse than the whole, unless it has no limit.
+        if (name == "peak pressure" && std::isfinite(*error.quantity) &&
+            !history.quantity.keeps_on_changing())
           error.quantity = std::max(std::min(*error.quantity, 3 * error.contact), error.peak);
-        // What all meshes miss alike shows in no difference. (Nodes carry the bounds, by areas that are not
-        // those of the interpolation.)
+        // What all meshes miss alike shows in no difference: bounds of friction between the nodes, too.
         error.quantity = std::max({*error.quantity, error.data, 3 * error.friction_data});
         if (name == "energy") // of a Galerkin solution it is off by the square of the error in its norm
           error.quantity = std::max(*error.quantity, std::pow(error.bulk, 2));
       }
-    if (!evaluation.touches() || evaluation.resolves_contact())
+    if (evaluation.touches() ? evaluation.resolves_contact() : error.data < 1) // 1: what touches is unseen
       history.meshes.add(n_dofs, error.of_target());
   }
 
@@ -476,7 +476,7 @@ namespace Amontons
   LoadStepping<dim>::sees_slip() const
   {
     return resolves_friction(model->interfaces, history.state) &&
-           (parameters.refinement.target_quantity != "stick size" || history.record.has_stick());
+           (parameters.refinement.target_quantity != "stick size" || history.record.resolves_stick());
   }
 
   // The load program, which has converged on this mesh, once more with half as many increments; where they

@@ -8,7 +8,8 @@
 #include <deal.II/base/tensor_product_polynomials.h>
 #include <deal.II/lac/full_matrix.h>
 
-#include <numeric>
+#include <algorithm>
+#include <limits>
 
 namespace Amontons
 {
@@ -31,8 +32,8 @@ namespace Amontons
 
       struct Unseen
       {
-        double slope_square = 0; // integral over the face
-        double dip          = 0; // how far the gap lies below its mean on the face
+        double slope_square = 0;    // integral over the face
+        double least = 0, most = 0; // declared gap
       };
 
       Unseen
@@ -58,8 +59,9 @@ namespace Amontons
             X.push_back(slave.position(face, points.point(q)));
           }
         Unseen result;
-        result.dip = std::inner_product(all.begin(), all.end(), points.get_weights().begin(), 0.) -
-                     *std::min_element(all.begin(), all.end());
+        const auto [least, most] = std::minmax_element(all.begin(), all.end());
+        result.least             = *least;
+        result.most              = *most;
         for (unsigned int q = 0; q < X.size(); ++q)
           {
             double jacobian;
@@ -83,6 +85,36 @@ namespace Amontons
       const Quadrature<dim - 1> points;
       FullMatrix<double>        interpolation; // at the points, of values at the nodes
     };
+
+    // By slave face: what is open now, without the declared gap; infinite where nothing is opposite. At small
+    // strain by how much nodes have come nearer, at finite strain the mean gap of the bodies where they are.
+    template <int dim>
+    std::vector<double>
+    gaps_beside_declared(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+    {
+      const auto         &slave = *interface.slave;
+      std::vector<double> sum(slave.faces.size(), 0.), weights(sum), result;
+      for (const auto &point : interface.coupling.points)
+        {
+          const auto X = slave.reference_position(point.slave_face, point.xi_slave);
+          sum[point.slave_face] +=
+              point.weight * (point.gap - interface.pair->initial_gap->value(as_3d(X), interface.t));
+          weights[point.slave_face] += point.weight;
+        }
+      std::vector<double> approach(slave.nodes.size(), std::numeric_limits<double>::lowest());
+      for (const auto &row : interface.coupling.rows)
+        if (std::isfinite(fields.gap[row.node]))
+          approach[row.node] = row.gap - fields.gap[row.node];
+      for (unsigned int f = 0; f < sum.size(); ++f)
+        {
+          double nearer = std::numeric_limits<double>::lowest();
+          for (const unsigned int i : slave.faces[f].nodes)
+            nearer = std::max(nearer, approach[i]);
+          result.push_back(weights[f] > 0 ? sum[f] / weights[f] - nearer
+                                          : std::numeric_limits<double>::infinity());
+        }
+      return result;
+    }
   } // namespace
 
   template <int dim>
@@ -98,14 +130,12 @@ namespace Amontons
     if (interface.pair->tied || !interface.pair->initial_gap ||
         !interface.pair->initial_gap->depends_on_place())
       return result;
+    const auto            gaps_beside = gaps_beside_declared(interface, fields);
     const GapSampler<dim> sampler(slave.faces.size());
     for (unsigned int f = 0; f < result.size(); ++f)
       {
         const auto unseen = sampler(interface, f, kind);
-        double     mean   = 0;
-        for (const unsigned int i : slave.faces[f].nodes)
-          mean += fields.gap[i] / slave.faces[f].nodes.size(); // nan: nothing is opposite
-        if (near[f] || mean < unseen.dip)
+        if (near[f] || unseen.least + gaps_beside[f] < -1e-6 * (unseen.most - unseen.least)) // not rounding
           result[f] = modulus * modulus / 4 * unseen.slope_square;
       }
     return result;

@@ -56,11 +56,15 @@ namespace Amontons
   } // namespace
 
   bool
-  LoadRecord::has_stick() const
+  LoadRecord::resolves_stick() const
   {
+    constexpr int enough = 5;
     return std::any_of(breakpoints.begin(), breakpoints.end(), [](const Landing &landing) {
-      return std::any_of(
-          landing.pairs.begin(), landing.pairs.end(), [](const Pair &pair) { return pair.stick_size > 0; });
+      return std::any_of(landing.pairs.begin(), landing.pairs.end(), [](const Pair &pair) {
+        return std::count_if(pair.nodes.begin(), pair.nodes.end(), [](const auto &node) {
+                 return node.second.shear.norm() < (1 - 1e-9) * node.second.bound;
+               }) >= enough;
+      });
     });
   }
 
@@ -145,7 +149,7 @@ namespace Amontons
         errors.tangential_force =
             std::max(errors.tangential_force, factor * relative(tangential, tangential_scale));
       }
-    double change = 0, dissipation = 0;
+    double change = 0, dissipation = noteworthy_dissipation * run.largest_work;
     for (unsigned int l = 0; l < run.breakpoints.size(); ++l)
       {
         const double of_run = run.breakpoints[l].dissipation;

@@ -20,8 +20,9 @@ namespace Amontons
   } // namespace
 
   void
-  QuantitySequence::add(const double n_dofs, const std::vector<double> &values)
+  QuantitySequence::add(const double n_dofs, const std::vector<double> &values, const double least)
   {
+    least_value = least;
     if (!meshes.empty() && meshes.back().n_dofs == n_dofs)
       meshes.pop_back();
     else
@@ -72,6 +73,27 @@ namespace Amontons
            });
   }
 
+  bool
+  QuantitySequence::keeps_on_changing() const
+  {
+    constexpr unsigned int n_changes = 3;
+    const unsigned int     n         = meshes.size();
+    for (unsigned int i = 0; n > n_changes && i < meshes.back().values.size(); ++i)
+      {
+        bool   goes_on = true;
+        double before  = 0;
+        for (unsigned int k = n - n_changes; k < n; ++k)
+          {
+            const double change = value(k, i) - value(k - 1, i);
+            goes_on             = goes_on && change != 0 && change * before >= 0.8 * before * before;
+            before              = change;
+          }
+        if (goes_on)
+          return true;
+      }
+    return false;
+  }
+
   double
   QuantitySequence::error() const
   {
@@ -88,7 +110,7 @@ namespace Amontons
     const unsigned int n = meshes.size(), half = half_of(last), quarter = half < n ? half_of(half) : n;
     if (half == n)
       return std::numeric_limits<double>::infinity();
-    double most = 0, largest = 0;
+    double most = 0, largest = least_value;
     for (unsigned int i = 0; i < meshes[last].values.size(); ++i)
       {
         const auto change = [&](const unsigned int from, const unsigned int to) {

@@ -121,12 +121,14 @@ namespace Amontons
       return result;
     }
 
+    // alone: no other pair has taken nodes.
     template <int dim>
     void
     integrate(const Discretization<dim>     &discretization,
               std::vector<OverlapPoint<dim>> points,
               const std::vector<bool>       &carries,
               const bool                     stays,
+              const bool                     alone,
               ContactInterface<dim>         &interface)
     {
       const bool faces_something = !points.empty();
@@ -152,7 +154,7 @@ namespace Amontons
         return;
       if (any_carries && must_face(discretization, *interface.pair))
         throw not_facing(interface, "along the normals next to nothing of one is opposite of the other");
-      if (!any_carries)
+      if (!any_carries && alone)
         throw InputError(
             interface.pair->where,
             "supports hold every node of the slave side, so that it cannot carry a contact pressure",
@@ -183,10 +185,11 @@ namespace Amontons
 
     // Tied pairs go first, as they leave contact no freedom, then clearly closer ones (iterates must not take
     // a node from one to the other). Of masters side by side the one that covers more of the node: so each
-    // part of a face keeps a node. Names decide between equal ones, whatever the order of the pairs.
+    // part of a face keeps a node. Of masters one behind the other, which cover as much, the closer one, as
+    // long as nothing has moved. Names decide between equal ones, whatever the order of the pairs.
     template <int dim>
     bool
-    goes_before(const Claim<dim> &a, const Claim<dim> &b, const double size)
+    goes_before(const Claim<dim> &a, const Claim<dim> &b, const double size, const bool moved)
     {
       if (a.pair->tied != b.pair->tied)
         return a.pair->tied;
@@ -194,6 +197,8 @@ namespace Amontons
         return a.gap < b.gap;
       if (same_normal(a, b) && std::abs(a.area - b.area) > 0.01 * std::max(a.area, b.area))
         return a.area > b.area;
+      if (!moved && std::abs(a.gap - b.gap) > 1e-6 * size)
+        return a.gap < b.gap;
       return a.pair->name < b.pair->name;
     }
 
@@ -204,6 +209,7 @@ namespace Amontons
     template <int dim>
     std::vector<bool>
     resolve_crosspoints(const std::vector<ContactInterface<dim>> &interfaces,
+                        const bool                                moved,
                         std::vector<std::vector<bool>>           &carries)
     {
       std::vector<bool>                                          again(interfaces.size(), false);
@@ -225,7 +231,8 @@ namespace Amontons
                 if (!carries[a.interface][a.node] || !carries[b.interface][b.node] ||
                     !(same_normal(a, b) || a.may_hold_all() || b.may_hold_all()))
                   continue;
-                const auto &loser = goes_before(a, b, interfaces[a.interface].slave->mean_size) ? b : a;
+                const auto &loser =
+                    goes_before(a, b, interfaces[a.interface].slave->mean_size, moved) ? b : a;
                 carries[loser.interface][loser.node] = false;
                 again[loser.interface]               = true;
               }
@@ -268,13 +275,13 @@ namespace Amontons
             if (has_common_normals(discretization, interface))
               point.normal = common_normal(discretization.scene, interface, point);
           }
-        integrate(discretization, std::move(points), carries.back(), stays, interface);
+        integrate(discretization, std::move(points), carries.back(), stays, true, interface);
       }
-    const auto again = resolve_crosspoints(interfaces, carries);
+    const auto again = resolve_crosspoints(interfaces, moved, carries);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         if (again[i])
-          integrate(discretization, interfaces[i].coupling.points, carries[i], stays, interfaces[i]);
+          integrate(discretization, interfaces[i].coupling.points, carries[i], stays, false, interfaces[i]);
         interfaces[i].carries = std::move(carries[i]);
       }
   }
@@ -294,7 +301,7 @@ namespace Amontons
           continue;
         auto points = std::move(interface.coupling.points);
         declare_gaps(*interface.pair, *interface.slave, t, false, points);
-        integrate(discretization, std::move(points), interface.carries, stays, interface);
+        integrate(discretization, std::move(points), interface.carries, stays, false, interface);
       }
   }
 

@@ -1,3 +1,4 @@
+#include <amontons/adaptivity/increment_error.h>
 #include <amontons/output/approach.h>
 #include <amontons/output/target_quantity.h>
 
@@ -36,6 +37,17 @@ namespace Amontons
     return {};
   }
 
+  template <int dim>
+  double
+  noteworthy_value(const std::string &name, const WorkDone<dim> &work)
+  {
+    return name == "dissipation" ? noteworthy_dissipation * work.largest_work : 0;
+  }
+
+  template double
+  noteworthy_value(const std::string &, const WorkDone<2> &);
+  template double
+  noteworthy_value(const std::string &, const WorkDone<3> &);
   template std::vector<double>
   target_quantity(const std::string &, const Answer<2> &, const WorkDone<2> &);
   template std::vector<double>

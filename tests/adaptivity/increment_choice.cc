@@ -109,6 +109,27 @@ main(int, char **)
   IncrementChoice by_dissipation(parameters, true);
   by_dissipation.choose(of_work, with_work, true, fails);
   check::is_close(by_dissipation.length(), 0.2, 1e-15, "dissipation: as many as may be");
+  // Less than 1e-4 of the work counts against that.
+  with_work.breakpoints[0].dissipation = 1e-6;
+  with_less.breakpoints[0].dissipation = 3e-6;
+  check::is_close(
+      error_of_increments(with_work, with_less).own_dissipation, 0.02, 1e-12, "dissipation: hardly any");
+
+  // A zone that sticks of 0.1 instead of 0.08, in a contact of 1: what counts is 20 % of itself.
+  LoadRecord sticks = record(4, 0.), less = record(2, 0.);
+  sticks.breakpoints[0].pairs[0].contact_size = less.breakpoints[0].pairs[0].contact_size = 1;
+  sticks.breakpoints[0].pairs[0].stick_size                                               = 0.1;
+  less.breakpoints[0].pairs[0].stick_size                                                 = 0.08;
+  const auto of_zone = error_of_increments(sticks, less);
+  for (unsigned int node = 0; node < 5; ++node)
+    {
+      check::is_true(!sticks.resolves_stick(), "a few nodes stick");
+      sticks.breakpoints[0].pairs[0].nodes[node] = {1, 1, 1, {}};
+    }
+  check::is_true(sticks.resolves_stick(), "a zone sticks");
+  check::is_close(of_zone.stick_size, 0.02, 1e-12, "stick size: of the contact");
+  check::is_close(of_zone.own_stick_size, 0.2, 1e-12, "stick size: of itself");
+  check::is_close(of_zone.of("stick size"), 0.2, 1e-12, "which counts");
   return check::result();
 }
 } // namespace test_increment_choice

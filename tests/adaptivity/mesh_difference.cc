@@ -128,6 +128,25 @@ main(int, char **)
       repeated.add(2 * last, {4.5 - 3 * 100 / (2 * last)});
       check::is_true(repeated.error() < before, "and a finer mesh with these");
     }
+
+  // A peak that grows with the logarithm of the DoFs has no limit; one that converges, swings or rests may
+  // have.
+  const auto keeps_on = [](const std::function<double(const double)> &value) {
+    QuantitySequence peak;
+    for (double m = 1000; m < 5000; m *= 1.3)
+      peak.add(m, {value(m)});
+    return peak.keeps_on_changing();
+  };
+  check::is_true(keeps_on([](const double m) { return -2 * std::log(m); }), "no limit");
+  check::is_true(!keeps_on([](const double m) { return 3 - 100 / m; }), "a limit");
+  check::is_true(!keeps_on([](const double) { return 3.; }), "no change");
+  check::is_true(!keeps_on([n = 0](const double) mutable { return 3. + (++n % 2); }), "swings");
+
+  // What is less than worth telling counts against what is.
+  QuantitySequence small;
+  for (const double m : {1000., 2000., 4000.})
+    small.add(m, {m * 1e-9}, 1e-3);
+  check::is_true(small.error() > 0 && small.error() < 0.02 && !small.is_zero(), "little work");
   return check::result();
 }
 } // namespace test_mesh_difference

@@ -9,8 +9,7 @@ namespace Amontons
   /// interpolation I g of degree 4 on the face. Half spaces answer a gap A cos kx with the pressure -E* k A/2
   /// cos kx, so the mean squares of what a gap makes are those of its slope: what a face does not see of a
   /// wavy gap is missing in the pressure. modulus: E* of both bodies. 0 on pairs that are tied or have no
-  /// declared gap, and on faces that are not `near` the contact, unless the gap dips below its mean there by
-  /// more than they are open.
+  /// declared gap, and on faces that are not `near` the contact, unless bodies overlap somewhere on them.
   template <int dim>
   std::vector<double>
   gap_errors(const ContactInterface<dim> &interface,

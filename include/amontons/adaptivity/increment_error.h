@@ -10,6 +10,9 @@
 
 namespace Amontons
 {
+  // The work of friction that is worth telling, as part of all: where all sticks, meshes make 1e-5 and less.
+  constexpr double noteworthy_dissipation = 1e-4;
+
   // A load program on one mesh, at the times that it lands on whatever the
   // increments are.
   struct LoadRecord
@@ -36,9 +39,9 @@ namespace Amontons
     unsigned int         n_increments = 0;
     double               largest_work = 0;
 
-    // Somewhere, some time.
+    // Enough nodes of a pair stick, some time, to tell how large that zone is.
     bool
-    has_stick() const;
+    resolves_stick() const;
   };
 
   // Estimated, relative, the largest of all pairs and landings.
@@ -53,7 +56,7 @@ namespace Amontons
     double       normal_force     = 0;
     double       tangential_force = 0; // of the largest that the bound allows
     double       dissipation      = 0; // of the work
-    double       own_dissipation  = 0; // of itself
+    double       own_dissipation  = 0; // of itself, or of what is noteworthy
 
     // With increments that are `factor` times as long.
     IncrementErrors

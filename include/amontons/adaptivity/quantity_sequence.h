@@ -10,26 +10,31 @@ namespace Amontons
   {
   public:
     /// The same number of values each time; of the same number of DoFs as the last ones: instead of those.
+    /// least: size of a value that is worth telling, against which smaller ones count.
     void
-    add(const double n_dofs, const std::vector<double> &values);
+    add(const double n_dofs, const std::vector<double> &values, const double least = 0);
 
     /// What has come of the last mesh is computed anew there, with other increments. What changes by them is
     /// none of the mesh: the numbers on the meshes before change alike.
     void
     repeat();
 
-    /// Relative to the largest value, of the worst. Between three meshes, each of twice as many DoFs as the
-    /// one before or more, the changes D fall by rho, so that D rho/(1 - rho) is left. rho is believed
-    /// between 0.4 and 0.8, and a change that happens to be small counts as no smaller than 0.4 of the one
-    /// before. Of two such meshes: their change. (A change is the largest from any mesh between.) At least
-    /// a quarter of the error on the mesh before: one mesh more does not take away more. Infinite as long as
-    /// there are no two meshes.
+    /// Relative to the largest value (or `least`), of the worst. Between three meshes, each of twice as many
+    /// DoFs as the one before or more, the changes D fall by rho, so that D rho/(1 - rho) is left. rho is
+    /// believed between 0.4 and 0.8, and a change that happens to be small counts as no smaller than 0.4 of
+    /// the one before. Of two such meshes: their change. (A change is the largest from any mesh between.) At
+    /// least a quarter of the error on the mesh before: one mesh more does not take away more. Infinite as
+    /// long as there are no two meshes.
     double
     error() const;
 
     /// All values on two meshes or more: what does not exist, or vanishes.
     bool
     is_zero() const;
+    /// One of the numbers has changed in one direction and hardly by less on the last meshes: it may have no
+    /// limit.
+    bool
+    keeps_on_changing() const;
 
   private:
     struct Mesh
@@ -48,5 +53,6 @@ namespace Amontons
                         settle();
     std::vector<Mesh>   meshes;
     std::vector<double> before; // on the last mesh, where that is repeated; else empty
+    double              least_value = 0;
   };
 } // namespace Amontons

@@ -19,4 +19,9 @@ namespace Amontons
   /// dissipation; at a tenth of the load 3, 7 and 13 %.) None: it does not follow from the shear.
   std::optional<double>
   sensitivity_to_shear(const std::string &name);
+
+  /// What smaller values count against: of the dissipation a part of the work, else nothing.
+  template <int dim>
+  double
+  noteworthy_value(const std::string &name, const WorkDone<dim> &work);
 } // namespace Amontons

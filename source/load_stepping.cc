@@ -182,16 +182,7 @@ namespace Amontons
         if ((name == "energy" ? error.energy_norm : error.pressure_norm) == 0) // no more than rounding
           std::fill(values.begin(), values.end(), 0.);
         history.quantity.add(n_dofs, values, noteworthy_value(name, history.work));
-        error.quantity = history.quantity.error();
-        // Pressures that swing from node to node may do so alike on two meshes, or let the peak jump on the
-        // way: it is not known much worse than the whole, unless it has no limit.
-        if (name == "peak pressure" && std::isfinite(*error.quantity) &&
-            !history.quantity.keeps_on_changing())
-          error.quantity = std::max(std::min(*error.quantity, 3 * error.contact), error.peak);
-        // What all meshes miss alike shows in no difference: bounds of friction between the nodes, too.
-        error.quantity = std::max({*error.quantity, error.data, 3 * error.friction_data});
-        if (name == "energy") // of a Galerkin solution it is off by the square of the error in its norm
-          error.quantity = std::max(*error.quantity, std::pow(error.bulk, 2));
+        evaluation.judge_quantity(name, history.quantity);
       }
     if (evaluation.touches() ? evaluation.resolves_contact() : error.data < 1) // 1: what touches is unseen
       history.meshes.add(n_dofs, error.of_target());

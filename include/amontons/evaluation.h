@@ -2,6 +2,7 @@
 #pragma once
 
 #include <amontons/adaptivity/error_estimator.h>
+#include <amontons/adaptivity/quantity_sequence.h>
 #include <amontons/model.h>
 
 namespace Amontons
@@ -43,6 +44,10 @@ namespace Amontons
     /// count, against that pressure.
     void
     judge_by_history();
+
+    /// The error of the target quantity, by its values on the meshes so far and by what the fields say.
+    void
+    judge_quantity(const std::string &name, const QuantitySequence &values);
 
     /// The increment is over: its error counts from now on; or it failed: back to that of the last one.
     void

@@ -44,7 +44,7 @@ namespace Amontons
             if (!history.last_report.converged || must_stop())
               return false;
           }
-        while (model->widen_search(history.state));
+        while (model->couple_better(history.state));
         evaluation.collect_fields(*model, history.state);
         program.accept(history.last_report.moved ? 0 : history.last_report.iterations_per_solve());
         commit(program);

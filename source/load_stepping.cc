@@ -107,7 +107,7 @@ namespace Amontons
         do
           if (!solve_on_mesh(program))
             return control.stop.is_there() ? Result::stopped : Result::failed;
-        while (widen_search());
+        while (couple_better());
         if (!refine_now(program) || must_stop() || !refine())
           return Result::converged;
         if (refinement == Refinement::on_the_way && program.number() > 1 && !rebalance(program))
@@ -118,9 +118,9 @@ namespace Amontons
 
   template <int dim>
   bool
-  LoadStepping<dim>::widen_search()
+  LoadStepping<dim>::couple_better()
   {
-    if (!model->widen_search(history.state))
+    if (!model->couple_better(history.state))
       return false;
     history.fallback      = history.state;
     history.fallback_mesh = model->mesh->n_refinements;

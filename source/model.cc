@@ -1,3 +1,4 @@
+#include <amontons/contact/shared_nodes.h>
 #include <amontons/base/points.h>
 #include <amontons/finite_strain_model.h>
 #include <amontons/geometry/small_obstacles.h>
@@ -76,6 +77,20 @@ namespace Amontons
       return;
     t        = now;
     supports = discretization().make_supports(t);
+    changed.clear();
+  }
+
+  template <int dim>
+  bool
+  Model<dim>::couple_better(const SolutionState<dim> &state)
+  {
+    if (widen_search(state))
+      return true;
+    TimerOutput::Scope scope(timer, "contact surfaces");
+    if (!prefer_overlapped(discretization(), state.displacement, interfaces, changed))
+      return false;
+    integrate_couplings(discretization(), supports, interfaces, finite_strain());
+    return true;
   }
 
   template <int dim>

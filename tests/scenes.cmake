@@ -1497,6 +1497,13 @@ endforeach()
 # One obstacle behind the other: the first pair had no nodes, and was refused. The force is 1446.7 by 1e5 DoFs.
 add_scene_test(NAME stepped_punch SCENE verification/stepped_punch.prm
                CHECK "status is converged" "sum(pairs.0:.normal_force.1) ~ -1446.7 1e-2" "pairs.0.normal_force.1 <= -1200" "pairs.1.normal_force.1 <= -100")
+# The one behind came through, and through the body: it had no nodes (0 for 80).
+foreach(friction 0 0.3)
+  add_comparison_test(NAME overtaken_${friction} SCENE verification/overtaken.prm SET "Contact first/Friction coefficient=${friction}" "Contact second/Friction coefficient=${friction}"
+                      RUN 1 2 CHECK "status is converged" "meshes.t=1.pairs.0.normal_force.1 ~ 40 1e-9" "pairs.0.normal_force.1 abs<= 1e-9" "pairs.1.normal_force.1 ~ 80 1e-9")
+endforeach()
+add_scene_test(NAME overtaken_finite SCENE verification/overtaken.prm SET "Kinematics=finite strain"
+               CHECK "status is converged" "pairs.0.normal_force.1 abs<= 1e-9" "pairs.1.normal_force.1 ~ 80.816 1e-4")
 # A peak that has no limit: what was claimed fell with the error of the pressure, of which it was thrice as much.
 add_scene_test(NAME peak_of_a_cone SCENE verification/cone.prm SET "Refinement/Cycles=-1" "Refinement/Target quantity=peak pressure" "Refinement/Target error=0.03"
                CHECK "status is converged" "error_estimate.quantity >= 0.5" "meshes.-1.dofs <= 20000")

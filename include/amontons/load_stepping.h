@@ -95,7 +95,7 @@ namespace Amontons
     bool
     solve_on_mesh(const LoadProgram &program);
     bool
-    widen_search();
+    couple_better();
     void
     judge();
     // The error that `Target error` is asked for.

@@ -70,10 +70,10 @@ namespace Amontons
     /// For an iteration that starts from the state, at the present time; must not outlive the model.
     virtual std::unique_ptr<Mechanics<dim>>
     mechanics(const SolutionState<dim> &state) = 0;
-    /// The couplings left something out that this state, their solution, closes or may close: the surfaces
-    /// are coupled anew, and it has to be solved again.
-    virtual bool
-    widen_search(const SolutionState<dim> &state) = 0;
+    /// The couplings left something out that this state, their solution, closes or may close, or has come
+    /// through: the surfaces are coupled anew, and it has to be solved again.
+    bool
+    couple_better(const SolutionState<dim> &state);
 
     /// Surfaces that touch in a small part of what faces each other are refined there, at most `times`.
     void
@@ -104,6 +104,9 @@ namespace Amontons
 
     virtual void
     couple_at_rest();
+    // Coupled anew in a larger part, if need be.
+    virtual bool
+    widen_search(const SolutionState<dim> &state) = 0;
     // As far as that can be done before move_to().
     virtual void
     couple_refined() = 0;
@@ -120,8 +123,9 @@ namespace Amontons
     void
     rebuild();
 
-    double      t;      // of the supports
-    DeeperCells deeper; // of the refinement that is marked
+    double                                          t;       // of the supports
+    DeeperCells                                     deeper;  // of the refinement that is marked
+    std::set<std::pair<unsigned int, unsigned int>> changed; // see prefer_overlapped(), at this time
   };
 
   /// At time t, with the surfaces coupled where the bodies are undeformed. timer: of the run.

@@ -1,5 +1,6 @@
 #include <amontons/contact/common_normal.h>
 #include <amontons/contact/node_to_segment.h>
+#include <amontons/contact/shared_nodes.h>
 #include <amontons/contact/surface_search.h>
 #include <amontons/discretization/elimination.h>
 
@@ -160,85 +161,6 @@ namespace Amontons
             "supports hold every node of the slave side, so that it cannot carry a contact pressure",
             "the other side as slave ('Slave = first' or 'second')");
     }
-
-    template <int dim>
-    struct Claim
-    {
-      unsigned int    interface, node;
-      double          gap, area;
-      Tensor<1, dim>  normal;
-      const PairData *pair;
-
-      bool
-      may_hold_all() const
-      {
-        return pair->tied || pair->has_friction();
-      }
-    };
-
-    template <int dim>
-    bool
-    same_normal(const Claim<dim> &a, const Claim<dim> &b)
-    {
-      return a.normal * b.normal > 0.99;
-    }
-
-    // Tied pairs go first, as they leave contact no freedom, then clearly closer ones (iterates must not take
-    // a node from one to the other). Of masters side by side the one that covers more of the node: so each
-    // part of a face keeps a node. Of masters one behind the other, which cover as much, the closer one, as
-    // long as nothing has moved. Names decide between equal ones, whatever the order of the pairs.
-    template <int dim>
-    bool
-    goes_before(const Claim<dim> &a, const Claim<dim> &b, const double size, const bool moved)
-    {
-      if (a.pair->tied != b.pair->tied)
-        return a.pair->tied;
-      if (std::abs(a.gap - b.gap) > 0.1 * size)
-        return a.gap < b.gap;
-      if (same_normal(a, b) && std::abs(a.area - b.area) > 0.01 * std::max(a.area, b.area))
-        return a.area > b.area;
-      if (!moved && std::abs(a.gap - b.gap) > 1e-6 * size)
-        return a.gap < b.gap;
-      return a.pair->name < b.pair->name;
-    }
-
-    // A node has dim freedoms. On several slave surfaces without friction it can stop each of them, if
-    // their normals differ; where one of them may hold it in all directions (tied, sticking), or they have
-    // the same normal, it stays with one pair and leaves its share in the others to its neighbours. Returns,
-    // by interface, whether it must be integrated again.
-    template <int dim>
-    std::vector<bool>
-    resolve_crosspoints(const std::vector<ContactInterface<dim>> &interfaces,
-                        const bool                                moved,
-                        std::vector<std::vector<bool>>           &carries)
-    {
-      std::vector<bool>                                          again(interfaces.size(), false);
-      std::map<types::global_dof_index, std::vector<Claim<dim>>> claims;
-      for (unsigned int i = 0; i < interfaces.size(); ++i)
-        for (const auto &row : interfaces[i].coupling.rows)
-          claims[interfaces[i].slave->nodes[row.node].dofs[0]].push_back(
-              {i, row.node, row.mean_gap, row.area, row.normal / row.normal.norm(), interfaces[i].pair});
-      for (auto &[dof, rivals] : claims)
-        {
-          (void)dof;
-          std::sort(rivals.begin(), rivals.end(), [](const auto &a, const auto &b) {
-            return a.pair->name < b.pair->name;
-          });
-          for (unsigned int k = 1; k < rivals.size(); ++k)
-            for (unsigned int j = 0; j < k; ++j)
-              {
-                const auto &a = rivals[j], &b = rivals[k];
-                if (!carries[a.interface][a.node] || !carries[b.interface][b.node] ||
-                    !(same_normal(a, b) || a.may_hold_all() || b.may_hold_all()))
-                  continue;
-                const auto &loser =
-                    goes_before(a, b, interfaces[a.interface].slave->mean_size, moved) ? b : a;
-                carries[loser.interface][loser.node] = false;
-                again[loser.interface]               = true;
-              }
-        }
-      return again;
-    }
   } // namespace
 
   template <int dim>
@@ -277,7 +199,7 @@ namespace Amontons
           }
         integrate(discretization, std::move(points), carries.back(), stays, true, interface);
       }
-    const auto again = resolve_crosspoints(interfaces, moved, carries);
+    const auto again = resolve_crosspoints(discretization, interfaces, moved, carries);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         if (again[i])

@@ -24,6 +24,9 @@ namespace Amontons
     // Gaps up to this are part of the coupling. 0: not known yet, chosen from the sizes of the surfaces.
     double search_distance = 0;
     bool   collocated      = false; // node to segment, see node_to_segment.h
+    // By slave node, empty: none. Another pair has it, whose master covers the same place; this pair comes
+    // first there, as the bodies overlapped (shared_nodes.h).
+    std::vector<bool> behind, preferred;
     // Slave faces that are coupled; empty: all.
     std::vector<bool> wanted_faces;
   };

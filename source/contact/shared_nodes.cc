@@ -1,0 +1,234 @@
+#include <amontons/contact/covered_shares.h>
+#include <amontons/contact/shared_nodes.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <map>
+
+namespace Amontons
+{
+  namespace
+  {
+    bool
+    is_marked(const std::vector<bool> &marks, const unsigned int node)
+    {
+      return node < marks.size() && marks[node];
+    }
+
+    void
+    mark(std::vector<bool> &marks, const unsigned int size, const unsigned int node)
+    {
+      marks.resize(size, false);
+      marks[node] = true;
+    }
+
+    // By slave face: the part that is opposite of the master.
+    template <int dim>
+    std::vector<double>
+    covered_parts(const ContactInterface<dim> &interface, const bool axisymmetric)
+    {
+      const auto           &slave = *interface.slave;
+      const QGauss<dim - 1> gauss(2);
+      std::vector<double>   parts(slave.faces.size(), 0.);
+      for (const auto &point : interface.coupling.points)
+        parts[point.slave_face] += point.weight;
+      for (unsigned int f = 0; f < parts.size(); ++f)
+        {
+          double area = 0;
+          for (unsigned int q = 0; q < gauss.size(); ++q)
+            {
+              double jacobian;
+              slave.face_normal(f, gauss.point(q), &jacobian);
+              area +=
+                  gauss.weight(q) * jacobian * area_factor(axisymmetric, slave.position(f, gauss.point(q)));
+            }
+          parts[f] /= area;
+        }
+      return parts;
+    }
+
+    // Two masters of the same slave surface cover the same of a face at the node: one lies behind the other,
+    // not beside it.
+    template <int dim>
+    bool
+    cover_the_same(const ContactSurface<dim> &slave,
+                   const unsigned int         node,
+                   const std::vector<double> &parts_of_one,
+                   const std::vector<double> &parts_of_other)
+    {
+      for (unsigned int f = 0; f < slave.faces.size(); ++f)
+        {
+          const auto &nodes = slave.faces[f].nodes;
+          if (parts_of_one[f] + parts_of_other[f] > 1.5 &&
+              std::find(nodes.begin(), nodes.end(), node) != nodes.end())
+            return true;
+        }
+      return false;
+    }
+
+    template <int dim>
+    struct Claim
+    {
+      unsigned int    interface, node;
+      double          gap, area;
+      Tensor<1, dim>  normal;
+      const PairData *pair;
+      bool            preferred;
+
+      bool
+      may_hold_all() const
+      {
+        return pair->tied || pair->has_friction();
+      }
+    };
+
+    template <int dim>
+    bool
+    same_normal(const Claim<dim> &a, const Claim<dim> &b)
+    {
+      return a.normal * b.normal > 0.99;
+    }
+
+    // Tied pairs go first, as they leave contact no freedom, then clearly closer ones (iterates must not take
+    // a node from one to the other). Of masters side by side the one that covers more of the node: so each
+    // part of a face keeps a node. Of masters one behind the other, which cover as much, the closer one, as
+    // long as nothing has moved. Names decide between equal ones, whatever the order of the pairs.
+    template <int dim>
+    bool
+    goes_before(const Claim<dim> &a, const Claim<dim> &b, const double size, const bool moved)
+    {
+      if (a.pair->tied != b.pair->tied)
+        return a.pair->tied;
+      if (a.preferred != b.preferred)
+        return a.preferred;
+      if (std::abs(a.gap - b.gap) > 0.1 * size)
+        return a.gap < b.gap;
+      if (same_normal(a, b) && std::abs(a.area - b.area) > 0.01 * std::max(a.area, b.area))
+        return a.area > b.area;
+      if (!moved && std::abs(a.gap - b.gap) > 1e-6 * size)
+        return a.gap < b.gap;
+      return a.pair->name < b.pair->name;
+    }
+
+    // By node, in the order of names.
+    template <int dim>
+    std::map<types::global_dof_index, std::vector<Claim<dim>>>
+    claims_of(const std::vector<ContactInterface<dim>> &interfaces)
+    {
+      std::map<types::global_dof_index, std::vector<Claim<dim>>> claims;
+      for (unsigned int i = 0; i < interfaces.size(); ++i)
+        for (const auto &row : interfaces[i].coupling.rows)
+          claims[interfaces[i].slave->nodes[row.node].dofs[0]].push_back(
+              {i,
+               row.node,
+               row.mean_gap,
+               row.area,
+               row.normal / row.normal.norm(),
+               interfaces[i].pair,
+               is_marked(interfaces[i].preferred, row.node)});
+      for (auto &[dof, rivals] : claims)
+        {
+          (void)dof;
+          std::sort(rivals.begin(), rivals.end(), [](const auto &a, const auto &b) {
+            return a.pair->name < b.pair->name;
+          });
+        }
+      return claims;
+    }
+  } // namespace
+
+  template <int dim>
+  std::vector<bool>
+  resolve_crosspoints(const Discretization<dim>          &discretization,
+                      std::vector<ContactInterface<dim>> &interfaces,
+                      const bool                          moved,
+                      std::vector<std::vector<bool>>     &carries)
+  {
+    for (auto &interface : interfaces)
+      interface.behind.clear();
+    std::vector<bool>                again(interfaces.size(), false);
+    std::vector<std::vector<double>> parts(interfaces.size()); // where asked for
+    const auto                       covered = [&](const unsigned int i) -> const std::vector<double>                       &{
+      if (parts[i].empty())
+        parts[i] = covered_parts(interfaces[i], discretization.scene.kind == ProblemType::axisymmetric);
+      return parts[i];
+    };
+    for (const auto &[dof, rivals] : claims_of(interfaces))
+      {
+        (void)dof;
+        for (unsigned int k = 1; k < rivals.size(); ++k)
+          for (unsigned int j = 0; j < k; ++j)
+            {
+              const auto &a = rivals[j], &b = rivals[k];
+              if (!carries[a.interface][a.node] || !carries[b.interface][b.node] ||
+                  !(same_normal(a, b) || a.may_hold_all() || b.may_hold_all()))
+                continue;
+              const auto &loser = goes_before(a, b, interfaces[a.interface].slave->mean_size, moved) ? b : a;
+              carries[loser.interface][loser.node] = false;
+              again[loser.interface]               = true;
+              const auto &one = *interfaces[a.interface].slave, &other = *interfaces[b.interface].slave;
+              if (same_normal(a, b) && !a.pair->tied && !b.pair->tied && a.node == b.node &&
+                  one.faces.size() == other.faces.size() &&
+                  cover_the_same(one, a.node, covered(a.interface), covered(b.interface)))
+                mark(interfaces[loser.interface].behind, one.nodes.size(), loser.node);
+            }
+      }
+    return again;
+  }
+
+  template <int dim>
+  bool
+  prefer_overlapped(const Discretization<dim>                       &discretization,
+                    const LA::Vector                                &u,
+                    std::vector<ContactInterface<dim>>              &interfaces,
+                    std::set<std::pair<unsigned int, unsigned int>> &changed)
+  {
+    bool any = false;
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        auto &interface = interfaces[i];
+        if (interface.behind.empty())
+          continue;
+        auto all = interface.carries;
+        for (unsigned int k = 0; k < all.size(); ++k)
+          all[k] = all[k] || interface.behind[k];
+        const auto coupling = integrate_coupling(
+            discretization, *interface.slave, interface.master, interface.coupling.points, all, all);
+        const double rounding = 1e-6 * interface.slave->mean_size;
+        for (const auto &row : coupling.rows)
+          {
+            const double gap = discretization.finite_strain ? row.gap : row.gap - row.normal * jump(row, u);
+            if (!interface.behind[row.node] || gap > -rounding || !changed.insert({i, row.node}).second)
+              continue;
+            for (auto &other : interfaces)
+              if (is_marked(other.preferred, row.node) && other.slave->nodes.size() == all.size() &&
+                  other.slave->nodes[row.node].dofs == interface.slave->nodes[row.node].dofs)
+                other.preferred[row.node] = false;
+            mark(interface.preferred, all.size(), row.node);
+            any = true;
+          }
+      }
+    return any;
+  }
+
+  template std::vector<bool>
+  resolve_crosspoints(const Discretization<2> &,
+                      std::vector<ContactInterface<2>> &,
+                      const bool,
+                      std::vector<std::vector<bool>> &);
+  template bool
+  prefer_overlapped(const Discretization<2> &,
+                    const LA::Vector &,
+                    std::vector<ContactInterface<2>> &,
+                    std::set<std::pair<unsigned int, unsigned int>> &);
+  template std::vector<bool>
+  resolve_crosspoints(const Discretization<3> &,
+                      std::vector<ContactInterface<3>> &,
+                      const bool,
+                      std::vector<std::vector<bool>> &);
+  template bool
+  prefer_overlapped(const Discretization<3> &,
+                    const LA::Vector &,
+                    std::vector<ContactInterface<3>> &,
+                    std::set<std::pair<unsigned int, unsigned int>> &);
+} // namespace Amontons

@@ -119,8 +119,6 @@ namespace Amontons
     result = std::max({result, error.data, 3 * error.friction_data});
     if (name == "energy") // of a Galerkin solution it is off by the square of the error in its norm
       result = std::max(result, std::pow(error.bulk, 2));
-    if (name == "stick size") // two meshes may have it alike by chance
-      result = std::max(result, error.shear / 3);
     error.quantity = result;
   }
 

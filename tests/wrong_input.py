@@ -298,6 +298,8 @@ def scenes():
     change("probe without a place", "set Kind", "subsection Probe P\nset Body = upper\nend\nset Kind", "no place")
     change("probe of an unknown body", "set Kind", "subsection Probe P\nset Body = uper\nset Point = 0, 0\nend\nset Kind", "unknown body 'uper'",
            part="Probe P")
+    change("probe without a body", "set Kind", "subsection Probe P\nset Point = 0, 0\nend\nset Kind", "the body is missing; allowed: body upper, lower",
+           part="Probe P")
 
     refinement = "subsection Refinement\n  set %s\nend\n"
     for name, entries, words in [("negative target", "Target error = -0.5", "Target error: found -0.5.*-1 .chosen"), ("target in per cent", "Target error = 5", r"Target error: found 5;.*0.05 is 5 %"), ("dissipation without friction", "Target quantity = dissipation", "dissipation of a scene without friction"),

@@ -3,6 +3,7 @@
 #include <amontons/contact/covered_shares.h>
 #include <amontons/contact/face_overlap.h>
 #include <amontons/contact/mortar_integrator.h>
+#include <amontons/geometry/rigid_surface.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
@@ -37,6 +38,18 @@ namespace Amontons
         points.push_back(node.x);
       const auto ends = BoundingBox<dim>(points).get_boundary_points();
       return ends.first.distance(ends.second);
+    }
+
+    // A round obstacle that the line along the normal meets on the other side of the body: the point, outside
+    // of it, faces away.
+    template <int dim>
+    bool
+    lies_behind(const ObstacleData &obstacle, const OverlapPoint<dim> &p)
+    {
+      const bool is_round =
+          obstacle.type == ObstacleData::Type::sphere || obstacle.type == ObstacleData::Type::cylinder;
+      return is_round && !obstacle.hollow && p.gap < 0 &&
+             distance_from_axis(obstacle, p.x_slave) > (1 + 1e-9) * obstacle.radius;
     }
 
     // The gap that counts at a point: declared, closed by `Adjust`, or geometric. Numbers of five digits make
@@ -197,6 +210,11 @@ namespace Amontons
       if (master.surface == nullptr)
         {
           overlap_obstacle(slave, s, *master.obstacle, master.motion, search_distance, points);
+          if (!moved)
+            points.erase(std::remove_if(points.begin(),
+                                        points.end(),
+                                        [&](const auto &p) { return lies_behind(*master.obstacle, p); }),
+                         points.end());
           return points;
         }
       candidates.clear();

@@ -32,7 +32,10 @@ namespace Amontons
         if (body.name == name)
           return body;
       const std::vector<std::string> names = names_of(scene.bodies);
-      throw InputError(where, "unknown body '" + name + "'" + suggestion(name, names), list("body", names));
+      throw InputError(where,
+                       name.empty() ? "the body is missing"
+                                    : "unknown body '" + name + "'" + suggestion(name, names),
+                       list("body", names));
     }
 
     // Motions are found by name later on.

@@ -325,27 +325,23 @@ namespace Amontons
     double                                largest = 0;
     for (const double value : q)
       largest = std::max(largest, std::abs(value));
-    std::ostringstream text;
-    const auto         n_bodies = discretization.scene.bodies.size();
-    std::string        separator;
+    std::string text;
+    const auto  n_bodies = discretization.scene.bodies.size();
     for (unsigned int i = 0; i < n_modes; ++i)
       if (std::abs(q[i]) > 0.1 * largest)
         {
           const unsigned int owner = i / modes_per_body, mode = i % modes_per_body;
-          text << separator;
-          if (modes_per_body == 1)
-            text << "axial motion";
-          else if (mode < dim)
-            text << "motion along " << axes[mode];
-          else
-            text << "rotation";
-          if (owner < n_bodies)
-            text << " of body '" << discretization.scene.bodies[owner].name << "'";
-          else
-            text << " of '" << discretization.geometry.carriers[owner - n_bodies].motion.name << "'";
-          separator = ", ";
+          const std::string  motion = modes_per_body == 1 ? "axial motion"
+                                      : mode < dim        ? "motion along " + axes[mode]
+                                                          : "rotation";
+          const std::string  part =
+              motion + " of " +
+              (owner < n_bodies ? "body '" + discretization.scene.bodies[owner].name + "'"
+                                : "'" + discretization.geometry.carriers[owner - n_bodies].motion.name + "'");
+          if (text.find(part) == std::string::npos)
+            text += (text.empty() ? "" : ", ") + part;
         }
-    return text.str();
+    return text;
   }
 
   template <int dim>

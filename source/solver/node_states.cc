@@ -198,7 +198,8 @@ namespace Amontons
   {
     std::string text;
     for (const auto &q : motions)
-      text += (text.empty() ? "" : "; ") + floating.describe(q);
+      if (const std::string motion = floating.describe(q); text.find(motion) == std::string::npos)
+        text += (text.empty() ? "" : "; ") + motion;
     return text;
   }
 

@@ -121,7 +121,7 @@ main(int, char **)
   sticks.breakpoints[0].pairs[0].stick_size                                               = 0.1;
   less.breakpoints[0].pairs[0].stick_size                                                 = 0.08;
   const auto of_zone = error_of_increments(sticks, less);
-  for (unsigned int node = 0; node < 5; ++node)
+  for (unsigned int node = 0; node < 9; ++node)
     {
       check::is_true(!sticks.resolves_stick(), "a few nodes stick");
       sticks.breakpoints[0].pairs[0].nodes[node] = {1, 1, 1, {}};

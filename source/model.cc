@@ -39,6 +39,7 @@ namespace Amontons
   void
   Model<dim>::find_surfaces()
   {
+    changed.clear();
     interfaces = make_interfaces(discretization(), mesh->first_is_slave);
     for (auto &interface : interfaces)
       {

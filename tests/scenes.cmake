@@ -1502,6 +1502,9 @@ foreach(friction 0 0.3)
   add_comparison_test(NAME overtaken_${friction} SCENE verification/overtaken.prm SET "Contact first/Friction coefficient=${friction}" "Contact second/Friction coefficient=${friction}"
                       RUN 1 2 CHECK "status is converged" "meshes.t=1.pairs.0.normal_force.1 ~ 40 1e-9" "pairs.0.normal_force.1 abs<= 1e-9" "pairs.1.normal_force.1 ~ 80 1e-9")
 endforeach()
+# All in one increment, which is where the mesh is refined.
+add_scene_test(NAME overtaken_on_finer_meshes SCENE verification/overtaken.prm SET "Increments=1" "Refinement/Cycles=2" "Refinement/Strategy=uniform"
+               CHECK "status is converged" "meshes.-1.mesh == 2" "pairs.0.normal_force.1 abs<= 1e-9" "pairs.1.normal_force.1 ~ 80 1e-9")
 add_scene_test(NAME overtaken_finite SCENE verification/overtaken.prm SET "Kinematics=finite strain"
                CHECK "status is converged" "pairs.0.normal_force.1 abs<= 1e-9" "pairs.1.normal_force.1 ~ 80.816 1e-4")
 # A side that faces away from the roller, which is behind it, through the block: "overlapped by 4.3". The same as without it.

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <map>
 
 namespace Amontons
@@ -148,10 +149,10 @@ namespace Amontons
       interface.behind.clear();
     std::vector<bool>                again(interfaces.size(), false);
     std::vector<std::vector<double>> parts(interfaces.size()); // where asked for
-    const auto                       covered = [&](const unsigned int i) -> const std::vector<double>                       &{
+    const auto                       parts_of = [&](const unsigned int i) {
       if (parts[i].empty())
         parts[i] = covered_parts(interfaces[i], discretization.scene.kind == ProblemType::axisymmetric);
-      return parts[i];
+      return &parts[i];
     };
     for (const auto &[dof, rivals] : claims_of(interfaces))
       {
@@ -169,7 +170,7 @@ namespace Amontons
               const auto &one = *interfaces[a.interface].slave, &other = *interfaces[b.interface].slave;
               if (same_normal(a, b) && !a.pair->tied && !b.pair->tied && a.node == b.node &&
                   one.faces.size() == other.faces.size() &&
-                  cover_the_same(one, a.node, covered(a.interface), covered(b.interface)))
+                  cover_the_same(one, a.node, *parts_of(a.interface), *parts_of(b.interface)))
                 mark(interfaces[loser.interface].behind, one.nodes.size(), loser.node);
             }
       }

@@ -127,7 +127,7 @@ CHANGES = [
     ("what stays in space", "adaptivity/mesh_refinement.cc", "dim == 3 && !has_history ? 0.85 : 0.5", "0.5", "^adaptivity/error_estimator$"),
     ("affordable cells", "adaptivity/mesh_refinement.cc", "growth * n_cells / (GeometryInfo<dim>::max_children_per_cell - 1)", "growth * n_cells / GeometryInfo<dim>::max_children_per_cell", "^adaptivity/"),
     ("errors of one rank", "adaptivity/mesh_refinement.cc", "        return Utilities::MPI::sum(mine, communicator);", "        return mine;", RANKS),
-    ("shear of the estimate", "adaptivity/error_estimator.cc", "square += weight * (t - (n * t) * n - shear).norm_square();", ";", "^adaptivity/error_estimator$"),
+    ("shear of the estimate", "adaptivity/error_estimator.cc", "square += weight * (t - (common * t) * common - shear).norm_square();", ";", "^adaptivity/error_estimator$"),
     ("share of the master's cells", "adaptivity/error_estimator.cc", "const double share = point.weight / areas[point.slave_face];", "const double share = point.weight;", "^adaptivity/error_estimator$"),
     ("levels for a target", "adaptivity/mesh_refinement.cc", "left > share; left /= per_level", "left > share && false; left /= per_level", "^adaptivity/error_estimator$"),
     ("stress for a target", "adaptivity/error_estimate.cc", "std::min(1., 2 * target)", "1", "^adaptivity/error_estimator$"),

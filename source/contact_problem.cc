@@ -185,7 +185,7 @@ namespace Amontons
   {
     const double allowed = std::max(1e-3, 10 * parameters.newton.tolerance);
     if (parameters.newton.method == "penalty") // bodies overlap
-      for (const char *const name : {"penetration", "complementarity"})
+      for (const char *const name : {"penetration", "complementarity", "overlap_behind"})
         checks.erase(name);
     const std::string broken = broken_laws(checks, allowed);
     if (broken.empty())

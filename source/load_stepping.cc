@@ -325,9 +325,10 @@ namespace Amontons
         std::sqrt(std::max(0., std::pow(error.decisive(), 2) - std::pow(error.facets, 2))));
     // A first mesh may be too coarse to see how wrong it is (a pin in its hole: by 5 %, estimated 1.2 %).
     const double believed = model->mesh->n_refinements == 0 ? target / 5 : target;
-    // A zone may be smaller than the faces of the first meshes.
-    const bool may_hide = quantity == "stick size" && history.quantity.is_zero() &&
-                          may_hide_stick(model->interfaces, history.state);
+    // A zone, or all of the contact, may be smaller than the faces of the first meshes.
+    const bool may_hide = (!evaluation.touches() && error.data >= 1) ||
+                          (quantity == "stick size" && history.quantity.is_zero() &&
+                           may_hide_stick(model->interfaces, history.state));
     const bool may_appear = quantity.find(" size") != std::string::npos && error.contact > target;
     const bool is_enough  = target > 0 && ((mendable <= believed && !may_hide) ||
                                           history.meshes.is_hopeless(target, parameters.refinement.max_dofs));

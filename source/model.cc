@@ -152,13 +152,13 @@ namespace Amontons
     const auto mark = [&](const Vector<float> &indicators) {
       return Amontons::mark_cells(discretization(), mesh->geometry, parameters, indicators);
     };
-    const bool bulk = mark(error.cell_indicators);
-    if (bulk && parameters.strategy == "adaptive")
+    bool any = mark(error.cell_indicators);
+    if (parameters.strategy == "adaptive" && (any || error.data >= 1)) // 1: what may touch shows there alone
       {
-        mark(error.contact_indicators);
+        any = mark(error.contact_indicators) || any;
         mark(error.shear_indicators);
       }
-    return bulk;
+    return any;
   }
 
   template <int dim>

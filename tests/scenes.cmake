@@ -1494,6 +1494,14 @@ foreach(kinematics small finite)
                  SET "Kinematics=${kinematics} strain" "Obstacle plate/Force=" "Obstacle plate/Displacement=0|-5e-5" "Contact face/Initial gap=1e-3*(1-exp(-((x-0.337)/0.01)^2))"
                  CHECK "status is converged" "pairs.0.normal_force.1 ~ -1.0929e-5 1e-2" "error_estimate.contact <= 0.01")
 endforeach()
+# The same whatever is asked for.
+foreach(quantity "total force" energy)
+  string(REPLACE " " "_" name "${quantity}")
+  add_scene_test(NAME tip_by_displacement_${name} SCENE verification/wavy_gap.prm
+                 SET "Obstacle plate/Force=" "Obstacle plate/Displacement=0|-5e-5" "Contact face/Initial gap=1e-3*(1-exp(-((x-0.337)/0.01)^2))"
+                     "Refinement/Target error=0.02" "Refinement/Target quantity=${quantity}"
+                 CHECK "status is converged" "pairs.0.normal_force.1 ~ -1.0929e-5 1e-2")
+endforeach()
 # One obstacle behind the other: the first pair had no nodes, and was refused. The force is 1446.7 by 1e5 DoFs.
 add_scene_test(NAME stepped_punch SCENE verification/stepped_punch.prm
                CHECK "status is converged" "sum(pairs.0:.normal_force.1) ~ -1446.7 1e-2" "pairs.0.normal_force.1 <= -1200" "pairs.1.normal_force.1 <= -100")
@@ -1502,6 +1510,11 @@ foreach(friction 0 0.3)
   add_comparison_test(NAME overtaken_${friction} SCENE verification/overtaken.prm SET "Contact first/Friction coefficient=${friction}" "Contact second/Friction coefficient=${friction}"
                       RUN 1 2 CHECK "status is converged" "meshes.t=1.pairs.0.normal_force.1 ~ 40 1e-9" "pairs.0.normal_force.1 abs<= 1e-9" "pairs.1.normal_force.1 ~ 80 1e-9")
 endforeach()
+# Both press at the same nodes, which obey one: 20 for 80/3 was "converged". With the other sides as slaves it is right.
+add_scene_test(NAME pressed_by_two SCENE verification/pressed_by_two.prm
+               CHECK "status is converged" "pairs.0.normal_force.1 abs<= 13.3334" "sum(pairs.0:.normal_force.1) ~ -26.6667 1e-5" "checks.overlap_behind <= 1e-9")
+add_scene_test(NAME pressed_by_two_on_one_slave SCENE verification/pressed_by_two.prm SET "Contact one/Slave=first" "Contact other/Slave=first"
+               CHECK "failure has broken laws" "message has no overlap with a master behind" FAILS)
 # All in one increment, which is where the mesh is refined.
 add_scene_test(NAME overtaken_on_finer_meshes SCENE verification/overtaken.prm SET "Increments=1" "Refinement/Cycles=2" "Refinement/Strategy=uniform"
                CHECK "status is converged" "meshes.-1.mesh == 2" "pairs.0.normal_force.1 abs<= 1e-9" "pairs.1.normal_force.1 ~ 80 1e-9")

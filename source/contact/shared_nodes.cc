@@ -48,23 +48,24 @@ namespace Amontons
       return parts;
     }
 
-    // Two masters of the same slave surface cover the same of a face at the node: one lies behind the other,
-    // not beside it.
+    // Two masters of the same slave surface, one behind the other, not beside it, on a face at the node: what
+    // both cover of all its faces at least; else 0.
     template <int dim>
-    bool
-    cover_the_same(const ContactSurface<dim> &slave,
-                   const unsigned int         node,
-                   const std::vector<double> &parts_of_one,
-                   const std::vector<double> &parts_of_other)
+    double
+    part_that_both_cover(const ContactSurface<dim> &slave,
+                         const unsigned int         node,
+                         const std::vector<double> &parts_of_one,
+                         const std::vector<double> &parts_of_other)
     {
+      double most = 0, least = 1;
       for (unsigned int f = 0; f < slave.faces.size(); ++f)
-        {
-          const auto &nodes = slave.faces[f].nodes;
-          if (parts_of_one[f] + parts_of_other[f] > 1.5 &&
-              std::find(nodes.begin(), nodes.end(), node) != nodes.end())
-            return true;
-        }
-      return false;
+        if (const auto &nodes = slave.faces[f].nodes;
+            std::find(nodes.begin(), nodes.end(), node) != nodes.end())
+          {
+            most  = std::max(most, parts_of_one[f] + parts_of_other[f]);
+            least = std::min({least, parts_of_one[f], parts_of_other[f]});
+          }
+      return most > 1.5 ? std::max(least, 1e-6) : 0;
     }
 
     template <int dim>
@@ -168,14 +169,43 @@ namespace Amontons
               carries[loser.interface][loser.node] = false;
               again[loser.interface]               = true;
               const auto &one = *interfaces[a.interface].slave, &other = *interfaces[b.interface].slave;
-              if (same_normal(a, b) && !a.pair->tied && !b.pair->tied && a.node == b.node &&
-                  one.faces.size() == other.faces.size() &&
-                  cover_the_same(one, a.node, *parts_of(a.interface), *parts_of(b.interface)))
-                mark(interfaces[loser.interface].behind, one.nodes.size(), loser.node);
+              if (!same_normal(a, b) || loser.pair->tied || a.node != b.node ||
+                  one.faces.size() != other.faces.size())
+                continue;
+              auto &behind = interfaces[loser.interface].behind;
+              behind.resize(one.nodes.size(), 0.);
+              behind[loser.node] =
+                  std::max(behind[loser.node],
+                           part_that_both_cover(one, a.node, *parts_of(a.interface), *parts_of(b.interface)));
             }
       }
     return again;
   }
+
+  namespace
+  {
+    // By node that is behind another master: its gap. u: see prefer_overlapped().
+    template <int dim>
+    std::map<unsigned int, double>
+    gaps_behind(const Discretization<dim>   &discretization,
+                const LA::Vector            &u,
+                const ContactInterface<dim> &interface)
+    {
+      std::map<unsigned int, double> gaps;
+      const auto                    &behind = interface.behind;
+      if (std::all_of(behind.begin(), behind.end(), [](const double part) { return part == 0; }))
+        return gaps;
+      auto all = interface.carries;
+      for (unsigned int k = 0; k < all.size(); ++k)
+        all[k] = all[k] || behind[k] > 0;
+      const auto coupling = integrate_coupling(
+          discretization, *interface.slave, interface.master, interface.coupling.points, all, all);
+      for (const auto &row : coupling.rows)
+        if (behind[row.node] > 0)
+          gaps[row.node] = discretization.finite_strain ? row.gap : row.gap - row.normal * jump(row, u);
+      return gaps;
+    }
+  } // namespace
 
   template <int dim>
   bool
@@ -187,29 +217,42 @@ namespace Amontons
     bool any = false;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
-        auto &interface = interfaces[i];
-        if (interface.behind.empty())
-          continue;
-        auto all = interface.carries;
-        for (unsigned int k = 0; k < all.size(); ++k)
-          all[k] = all[k] || interface.behind[k];
-        const auto coupling = integrate_coupling(
-            discretization, *interface.slave, interface.master, interface.coupling.points, all, all);
-        const double rounding = 1e-6 * interface.slave->mean_size;
-        for (const auto &row : coupling.rows)
+        auto        &interface = interfaces[i];
+        const double rounding  = 1e-6 * interface.slave->mean_size;
+        for (const auto &[node, gap] : gaps_behind(discretization, u, interface))
           {
-            const double gap = discretization.finite_strain ? row.gap : row.gap - row.normal * jump(row, u);
-            if (!interface.behind[row.node] || gap > -rounding || !changed.insert({i, row.node}).second)
+            if (gap > -rounding)
               continue;
+            bool is_tied = false; // to the other one
             for (auto &other : interfaces)
-              if (is_marked(other.preferred, row.node) && other.slave->nodes.size() == all.size() &&
-                  other.slave->nodes[row.node].dofs == interface.slave->nodes[row.node].dofs)
-                other.preferred[row.node] = false;
-            mark(interface.preferred, all.size(), row.node);
+              if (other.slave->nodes.size() == interface.slave->nodes.size() &&
+                  other.slave->nodes[node].dofs == interface.slave->nodes[node].dofs)
+                {
+                  is_tied = is_tied || (other.pair->tied && other.carries[node]);
+                  if (is_marked(other.preferred, node) && !changed.count({i, node}))
+                    other.preferred[node] = false;
+                }
+            if (is_tied || !changed.insert({i, node}).second)
+              continue;
+            mark(interface.preferred, interface.slave->nodes.size(), node);
             any = true;
           }
       }
     return any;
+  }
+
+  template <int dim>
+  double
+  overlap_behind(const Discretization<dim>                &discretization,
+                 const LA::Vector                         &u,
+                 const std::vector<ContactInterface<dim>> &interfaces)
+  {
+    double most = 0;
+    for (const auto &interface : interfaces)
+      for (const auto &[node, gap] : gaps_behind(discretization, u, interface))
+        if (interface.behind[node] > 0.99)
+          most = std::max(most, -gap / interface.slave->mean_size);
+    return most;
   }
 
   template std::vector<bool>
@@ -217,6 +260,8 @@ namespace Amontons
                       std::vector<ContactInterface<2>> &,
                       const bool,
                       std::vector<std::vector<bool>> &);
+  template double
+  overlap_behind(const Discretization<2> &, const LA::Vector &, const std::vector<ContactInterface<2>> &);
   template bool
   prefer_overlapped(const Discretization<2> &,
                     const LA::Vector &,
@@ -227,6 +272,8 @@ namespace Amontons
                       std::vector<ContactInterface<3>> &,
                       const bool,
                       std::vector<std::vector<bool>> &);
+  template double
+  overlap_behind(const Discretization<3> &, const LA::Vector &, const std::vector<ContactInterface<3>> &);
   template bool
   prefer_overlapped(const Discretization<3> &,
                     const LA::Vector &,

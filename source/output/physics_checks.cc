@@ -1,3 +1,4 @@
+#include <amontons/contact/shared_nodes.h>
 #include <amontons/algebra/eliminated_system.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/surface_rim.h>
@@ -132,7 +133,9 @@ namespace Amontons
               complementarity = std::max(complementarity, std::abs(node.pressure * node.gap) / (peak * h));
             }
         }
-      checks["penetration"]     = penetration;
+      checks["penetration"] = penetration;
+      checks["overlap_behind"] =
+          overlap_behind(answer.discretization, answer.state.displacement, answer.interfaces);
       checks["tension"]         = tension;
       checks["complementarity"] = complementarity;
       checks["normal_mismatch"] = mismatch;
@@ -241,12 +244,16 @@ namespace Amontons
   {
     std::ostringstream text;
     text.precision(2);
-    for (const auto &[name, law] : {std::make_pair("force_balance", "equilibrium of forces"),
-                                    std::make_pair("moment_balance", "equilibrium of moments"),
-                                    std::make_pair("tension", "no tension in the contact"),
-                                    std::make_pair("penetration", "no overlap in the contact"),
-                                    std::make_pair("complementarity", "no pressure across a gap"),
-                                    std::make_pair("coulomb_cone", "the bound of friction")})
+    for (const auto &[name, law] :
+         {std::make_pair("force_balance", "equilibrium of forces"),
+          std::make_pair("moment_balance", "equilibrium of moments"),
+          std::make_pair("tension", "no tension in the contact"),
+          std::make_pair("penetration", "no overlap in the contact"),
+          std::make_pair("overlap_behind",
+                         "no overlap with a master behind the one that a node obeys (it "
+                         "obeys one: where both press, make their sides the slaves)"),
+          std::make_pair("complementarity", "no pressure across a gap"),
+          std::make_pair("coulomb_cone", "the bound of friction")})
       if (const auto check = checks.find(name); check != checks.end() && !(check->second <= tolerance))
         text << (text.str().empty() ? "" : "; ") << law << " by " << check->second;
     if (const auto check = checks.find("normal_mismatch");

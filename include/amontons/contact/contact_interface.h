@@ -24,9 +24,10 @@ namespace Amontons
     // Gaps up to this are part of the coupling. 0: not known yet, chosen from the sizes of the surfaces.
     double search_distance = 0;
     bool   collocated      = false; // node to segment, see node_to_segment.h
-    // By slave node, empty: none. Another pair has it, whose master covers the same place; this pair comes
-    // first there, as the bodies overlapped (shared_nodes.h).
-    std::vector<bool> behind, preferred;
+    // By slave node, empty: none (shared_nodes.h). Another pair has it, whose master covers the same place,
+    // by this part; this pair comes first there, as the bodies overlapped.
+    std::vector<double> behind;
+    std::vector<bool>   preferred;
     // Slave faces that are coupled; empty: all.
     std::vector<bool> wanted_faces;
   };

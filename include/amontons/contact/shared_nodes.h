@@ -12,7 +12,7 @@ namespace Amontons
   /// normal, it stays with one pair and leaves its share in the others to its neighbours. carries: by
   /// interface and slave node, whether it may have a row; nodes that lose are taken out. Returns, by
   /// interface, whether it must be integrated again. Where a master covers what the one that wins covers,
-  /// too, the node is marked as `behind` another master.
+  /// too, the node is `behind` that one.
   template <int dim>
   std::vector<bool>
   resolve_crosspoints(const Discretization<dim>          &discretization,
@@ -30,4 +30,12 @@ namespace Amontons
                     const LA::Vector                                &u,
                     std::vector<ContactInterface<dim>>              &interfaces,
                     std::set<std::pair<unsigned int, unsigned int>> &changed);
+
+  /// How far nodes have come through masters behind those that they obey, over the mean size of faces; where
+  /// both cover all around the node. (Both ought to press there: a node has one multiplier.)
+  template <int dim>
+  double
+  overlap_behind(const Discretization<dim>                &discretization,
+                 const LA::Vector                         &u,
+                 const std::vector<ContactInterface<dim>> &interfaces);
 } // namespace Amontons

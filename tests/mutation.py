@@ -192,7 +192,7 @@ CHANGES = [
     ("a peak without limit", "adaptivity/quantity_sequence.cc", "change * before >= 0.8 * before * before", "false", "^adaptivity/mesh_difference$"),
     ("stick size by increments", "adaptivity/increment_error.cc", "return own_stick_size;", "return stick_size;", "^adaptivity/increment_choice$"),
     ("where the stick size is measured", "load_stepping.cc", "history.record.resolves_stick()", "true", "scenes/stick_size_of_growing_contact_finite$"),
-    ("view by rounding", "output/body_views.cc", "-std::numeric_limits<double>::infinity();", "-1;", "^output/body_picture$"),
+    ("view by rounding", "output/body_views.cc", "if (worth > most +", "if (most < 0 || worth > most +", "^output/body_picture$"),
     ("increments in the mesh's differences", "adaptivity/quantity_sequence.cc", "meshes.back().values[i] - before[i] : 0.", "0. : 0.", "^adaptivity/mesh_difference$"),
     ("shares of sent rows", "algebra/row_system.cc", ".emplace_back(dof, weight);", ".emplace_back(dof, 0.9 * weight);", "^scenes/ranks_"),
 ]

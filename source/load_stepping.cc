@@ -282,9 +282,10 @@ namespace Amontons
   bool
   LoadStepping<dim>::may_snap(const LoadProgram &program, Failures &failures) const
   {
+    const unsigned int patience = has_history() ? 5 : 3;
     if (!model->finite_strain() || history.follow_motion || surfaces_cross(history.last_report.failure))
       return false;
-    return ++failures.in_a_row == (has_history() ? 5u : 3u) || program.is_smallest();
+    return ++failures.in_a_row == patience || program.is_smallest();
   }
 
   template <int dim>

@@ -1,5 +1,5 @@
-#include <amontons/contact/shared_nodes.h>
 #include <amontons/base/points.h>
+#include <amontons/contact/shared_nodes.h>
 #include <amontons/finite_strain_model.h>
 #include <amontons/geometry/small_obstacles.h>
 #include <amontons/small_strain_model.h>

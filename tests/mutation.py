@@ -183,7 +183,7 @@ CHANGES = [
     ("the turn of forces", "adaptivity/model_selection.cc", "turned.norm() / force", "0 * turned.norm() / force", "^scenes/tilted_block"),
     ("reactions of pins", "solver/newton_residual.cc", "free(dof) = 0;", "free(dof) *= 1;", "^scenes/turned_rings"),
     ("spheres in units", "geometry/manifolds.cc", "std::ldexp(1., std::ilogb(radius))", "1 + 0 * radius", "^scenes/nanometres"),
-    ("overtaken obstacle", "contact/shared_nodes.cc", "if (gap > -rounding)", "if (true)", "scenes/overtaken_finite$"),
+    ("overtaken obstacle", "contact/shared_nodes.cc", "if (gap > -rounding ||", "if (true ||", "scenes/overtaken_finite$"),
     ("overlap behind", "contact/shared_nodes.cc", "std::max(most, -gap / interface.slave->mean_size)", "most", "scenes/pressed_by_two_on_one_slave$"),
     ("overtaken, whichever side", "contact/shared_nodes.cc", "row.gap - row.normal * jump(row, u)", "row.gap + row.normal * jump(row, u)", "scenes/overtaken_on_finer_meshes$"),
     ("overtaken on the next mesh", "model.cc", "  {\n    changed.clear();\n    interfaces =", "  {\n    interfaces =", "scenes/overtaken_on_finer_meshes$"),

@@ -221,7 +221,7 @@ namespace Amontons
         const double rounding  = 1e-6 * interface.slave->mean_size;
         for (const auto &[node, gap] : gaps_behind(discretization, u, interface))
           {
-            if (gap > -rounding)
+            if (gap > -rounding || changed.count({i, node}) > 0)
               continue;
             bool is_tied = false; // to the other one
             for (auto &other : interfaces)
@@ -229,11 +229,12 @@ namespace Amontons
                   other.slave->nodes[node].dofs == interface.slave->nodes[node].dofs)
                 {
                   is_tied = is_tied || (other.pair->tied && other.carries[node]);
-                  if (is_marked(other.preferred, node) && !changed.count({i, node}))
+                  if (is_marked(other.preferred, node))
                     other.preferred[node] = false;
                 }
-            if (is_tied || !changed.insert({i, node}).second)
+            if (is_tied)
               continue;
+            changed.insert({i, node});
             mark(interface.preferred, interface.slave->nodes.size(), node);
             any = true;
           }

@@ -1,6 +1,6 @@
-#include <amontons/contact/shared_nodes.h>
 #include <amontons/algebra/eliminated_system.h>
 #include <amontons/base/points.h>
+#include <amontons/contact/shared_nodes.h>
 #include <amontons/contact/surface_rim.h>
 #include <amontons/friction/shear_law.h>
 #include <amontons/output/nodal_forces.h>

@@ -1,6 +1,7 @@
 #include <amontons/adaptivity/gap_error.h>
 #include <amontons/adaptivity/surface_samples.h>
 #include <amontons/base/points.h>
+#include <amontons/contact/declared_gap.h>
 #include <amontons/elasticity/kinematics.h>
 
 #include <deal.II/base/polynomial.h>
@@ -36,14 +37,16 @@ namespace Amontons
         double least = 0, most = 0; // declared gap
       };
 
+      // Gaps beyond most_of_interest are taken for it.
       Unseen
-      operator()(const ContactInterface<dim> &interface,
-                 const unsigned int           face,
-                 const ProblemType            kind) const
+      operator()(const ContactSurface<dim> &slave,
+                 const DeclaredGap<dim>    &declared,
+                 const unsigned int         face,
+                 const ProblemType          kind,
+                 const double               most_of_interest) const
       {
-        const auto &slave = *interface.slave;
-        const auto  gap   = [&](const Point<dim - 1> &xi) {
-          return interface.pair->initial_gap->value(as_3d(slave.reference_position(face, xi)), interface.t);
+        const auto gap = [&](const Point<dim - 1> &xi) {
+          return std::min(declared.at(slave.reference_position(face, xi)), most_of_interest);
         };
         std::vector<double> nodal;
         for (const auto &xi : nodes.get_points())
@@ -130,11 +133,22 @@ namespace Amontons
     if (interface.pair->tied || !interface.pair->initial_gap ||
         !interface.pair->initial_gap->depends_on_place())
       return result;
-    const auto            gaps_beside = gaps_beside_declared(interface, fields);
-    const GapSampler<dim> sampler(slave.faces.size());
+    const auto             gaps_beside = gaps_beside_declared(interface, fields);
+    const DeclaredGap<dim> declared(*interface.pair, slave, interface.t);
+    const GapSampler<dim>  sampler(slave.faces.size());
     for (unsigned int f = 0; f < result.size(); ++f)
       {
-        const auto unseen = sampler(interface, f, kind);
+        // An edge between nodes is seen, as far as the mesh allows: its pressure tells. Of a tip or a notch
+        // between them counts whether it is open, not by how much.
+        auto unseen = sampler(slave, declared, f, kind, std::numeric_limits<double>::infinity());
+        if (declared.jumps(f))
+          {
+            if (declared.is_within_unknowns(f, unseen.least, unseen.most))
+              continue;
+            if (std::isfinite(gaps_beside[f]))
+              unseen = sampler(
+                  slave, declared, f, kind, std::max(unseen.least, -2 * gaps_beside[f] - unseen.least));
+          }
         if (near[f] || unseen.least + gaps_beside[f] < -1e-6 * (unseen.most - unseen.least)) // not rounding
           result[f] = modulus * modulus / 4 * unseen.slope_square;
       }

@@ -1,4 +1,5 @@
 #include <amontons/contact/common_normal.h>
+#include <amontons/contact/declared_gap.h>
 #include <amontons/contact/node_to_segment.h>
 #include <amontons/contact/shared_nodes.h>
 #include <amontons/contact/surface_search.h>

@@ -1,3 +1,4 @@
+#include <amontons/contact/declared_gap.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/contact/face_lattice.h>
 #include <amontons/contact/face_overlap.h>

@@ -9,7 +9,6 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace Amontons
 {
@@ -29,17 +28,6 @@ namespace Amontons
       return box;
     }
 
-    template <int dim>
-    double
-    diameter(const ContactSurface<dim> &surface)
-    {
-      std::vector<Point<dim>> points;
-      for (const auto &node : surface.nodes)
-        points.push_back(node.x);
-      const auto ends = BoundingBox<dim>(points).get_boundary_points();
-      return ends.first.distance(ends.second);
-    }
-
     // A round obstacle that the line along the normal meets on the other side of the body: the point, outside
     // of it, faces away.
     template <int dim>
@@ -50,35 +38,6 @@ namespace Amontons
           obstacle.type == ObstacleData::Type::sphere || obstacle.type == ObstacleData::Type::cylinder;
       return is_round && !obstacle.hollow && p.gap < 0 &&
              distance_from_axis(obstacle, p.x_slave) > (1 + 1e-9) * obstacle.radius;
-    }
-
-    // The gap that counts at a point: declared, closed by `Adjust`, or geometric. Numbers of five digits make
-    // overlaps, of whatever size the faces are.
-    template <int dim>
-    void
-    apply_declared_gap(const PairData    &pair,
-                       const double       t,
-                       const double       face_size,
-                       const double       surface_size,
-                       OverlapPoint<dim> &p)
-    {
-      if (pair.initial_gap)
-        {
-          p.gap = pair.initial_gap->value(as_3d(p.x_slave), t);
-          return;
-        }
-      if (std::abs(p.gap) <= std::max(pair.adjust, 1e-10 * face_size))
-        p.gap = 0;
-      if (p.gap < -std::max(1e-4 * face_size, 1e-5 * surface_size) && !pair.tied)
-        {
-          std::ostringstream found;
-          found << "the bodies overlap by " << -p.gap << " near (" << p.x_slave << ")";
-          throw InputError(
-              pair.where,
-              found.str(),
-              "declare an interference with 'Initial gap' (negative), close mesh gaps up to a size with "
-              "'Adjust', declare round boundaries in 'Curved boundaries', or move the bodies apart");
-        }
     }
   } // namespace
 
@@ -234,29 +193,6 @@ namespace Amontons
       p.weight *= area_factor(axisymmetric, p.x_slave);
     return points;
   }
-
-  template <int dim>
-  void
-  declare_gaps(const PairData                 &pair,
-               const ContactSurface<dim>      &slave,
-               const double                    t,
-               const bool                      moved,
-               std::vector<OverlapPoint<dim>> &points)
-  {
-    const double size = moved || points.empty() ? 0 : diameter(slave);
-    for (auto &p : points)
-      if (!moved)
-        apply_declared_gap(pair, t, slave.faces[p.slave_face].size, size, p);
-      else if (pair.initial_gap)
-        p.gap += pair.initial_gap->value(as_3d(slave.reference_position(p.slave_face, p.xi_slave)), t);
-  }
-
-  template void
-  declare_gaps(
-      const PairData &, const ContactSurface<2> &, const double, const bool, std::vector<OverlapPoint<2>> &);
-  template void
-  declare_gaps(
-      const PairData &, const ContactSurface<3> &, const double, const bool, std::vector<OverlapPoint<3>> &);
 
   template std::vector<OverlapPoint<2>>
   find_overlaps(const PairData &,

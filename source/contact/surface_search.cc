@@ -1,3 +1,4 @@
+#include <amontons/contact/declared_gap.h>
 #include <amontons/contact/surface_search.h>
 #include <amontons/geometry/rigid_surface.h>
 

@@ -293,4 +293,12 @@ namespace Amontons
     return !constant && (has_identifier(parser->text, "x") || has_identifier(parser->text, "y") ||
                          has_identifier(parser->text, "z"));
   }
+
+  bool
+  Expression::may_jump() const
+  {
+    const auto has = [&](const std::string &name) { return has_identifier(parser->text, name); };
+    return depends_on_place() && (parser->text.find_first_of("<>=?") != std::string::npos || has("if") ||
+                                  has("sign") || has("rint") || has("int") || has("ceil") || has("floor"));
+  }
 } // namespace Amontons

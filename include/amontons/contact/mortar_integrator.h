@@ -53,17 +53,6 @@ namespace Amontons
                 const bool                 moved  = false,
                 const std::vector<bool>   &wanted = {});
 
-  // From geometric gaps to those that the pair declares (`Initial gap`, at time t, and `Adjust`). Throws
-  // InputError where the bodies overlap without a declared interference. Where the bodies have moved, gaps
-  // may be negative, and a declared one is added to the geometric one.
-  template <int dim>
-  void
-  declare_gaps(const PairData                 &pair,
-               const ContactSurface<dim>      &slave,
-               const double                    t,
-               const bool                      moved,
-               std::vector<OverlapPoint<dim>> &points);
-
   // carries_multiplier: by slave node, false where supports own the node whole. `points` in the order of the
   // slave faces. carried, for moved surfaces: which nodes did before. stays: surfaces that are never moved
   // may have nodal traces (nodal_traces.h). Collective: each rank integrates over its part of the points, and

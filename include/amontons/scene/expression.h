@@ -47,6 +47,8 @@ namespace Amontons
     depends_on_time() const;
     bool
     depends_on_place() const;
+    bool
+    may_jump() const; // from place to place: it compares, chooses or rounds
 
   private:
     [[noreturn]] void

@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/load_record.h>
+#include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/load_stepping.h>
 #include <amontons/output/target_quantity.h>
 
@@ -173,19 +174,22 @@ namespace Amontons
   void
   LoadStepping<dim>::follow_target()
   {
-    const double       n_dofs = model->discretization().dof_handler.n_dofs();
-    const std::string &name   = parameters.refinement.target_quantity;
-    auto              &error  = evaluation.error;
+    const double       n_dofs      = model->discretization().dof_handler.n_dofs();
+    const std::string &name        = parameters.refinement.target_quantity;
+    auto              &error       = evaluation.error;
+    const bool         is_resolved = small_contacts_are_resolved(model->interfaces, evaluation.fields);
     if (name != "contact pressure")
       {
         auto values = target_quantity(name, answer(), history.work);
         if ((name == "energy" ? error.energy_norm : error.pressure_norm) == 0) // no more than rounding
           std::fill(values.begin(), values.end(), 0.);
-        history.quantity.add(n_dofs, values, noteworthy_value(name, history.work));
+        if (is_resolved)
+          history.quantity.add(n_dofs, values, noteworthy_value(name, history.work));
         evaluation.judge_quantity(name, history.quantity);
       }
-    if (evaluation.touches() ? evaluation.resolves_contact() : error.data < 1) // 1: what touches is unseen
-      history.meshes.add(n_dofs, error.of_target());
+    // Where error.data is 1 what touches is unseen.
+    if (evaluation.touches() ? evaluation.resolves_contact() && is_resolved : error.data < 1)
+      history.meshes.add(n_dofs, error.of_target(), error.quantity ? 4 : 2);
   }
 
   template <int dim>
@@ -327,9 +331,11 @@ namespace Amontons
     // A first mesh may be too coarse to see how wrong it is (a pin in its hole: by 5 %, estimated 1.2 %).
     const double believed = model->mesh->n_refinements == 0 ? target / 5 : target;
     // A zone, or all of the contact, may be smaller than the faces of the first meshes.
-    const bool may_hide = (!evaluation.touches() && error.data >= 1) ||
-                          (quantity == "stick size" && history.quantity.is_zero() &&
-                           may_hide_stick(model->interfaces, history.state));
+    const bool may_hide =
+        (!evaluation.touches() && error.data >= 1) ||
+        (error.quantity && !small_contacts_are_resolved(model->interfaces, evaluation.fields)) ||
+        (quantity == "stick size" && history.quantity.is_zero() &&
+         may_hide_stick(model->interfaces, history.state));
     const bool may_appear = quantity.find(" size") != std::string::npos && error.contact > target;
     const bool is_enough  = target > 0 && ((mendable <= believed && !may_hide) ||
                                           history.meshes.is_hopeless(target, parameters.refinement.max_dofs));

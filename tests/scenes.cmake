@@ -986,6 +986,21 @@ add_scene_test(NAME target_of_more_increments SCENE nafems_roller_friction.prm S
                CHECK "meshes.-1.increment == 5" "meshes.0.t == 0.125" "error_estimate.shear <= 0.08" "newton.:.iterations <= 12")
 add_scene_test(NAME target_at_a_sharp_edge SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"
                CHECK "status is converged" "notes.1 has out of reach" "notes.1 has (10 " "dofs <= 5000" "pairs.0.normal_force.1 ~ -5000 1e-8")
+# Numbers of each pair, whatever its load is beside that of others (from a run to 0.2 %).
+foreach(quantity "total force" "contact size" "peak pressure" "approach")
+  string(REPLACE " " "_" name ${quantity})
+  add_scene_test(NAME target_of_three_contacts_${name} SCENE verification/three_contacts.prm SET "Refinement/Target quantity=${quantity}"
+                 CHECK "error_estimate.quantity <= 0.02" "dofs <= 40000"
+                       "pairs.0.normal_force.1 ~ -641.26 0.02" "pairs.1.normal_force.1 ~ -16.372 0.02" "pairs.2.normal_force.1 ~ -2.1188 0.02"
+                       "pairs.0.contact_size ~ 0.19273 0.02" "pairs.1.contact_size ~ 0.030793 0.02" "pairs.2.contact_size ~ 0.011078 0.02"
+                       "pairs.2.peak_pressure ~ 121.82 0.02" "pairs.2.approach ~ 2e-5 0.02")
+endforeach()
+# Hertz; the traction of the tied joint is infinite.
+foreach(quantity "contact pressure" "contact size" "approach")
+  string(REPLACE " " "_" name ${quantity})
+  add_scene_test(NAME target_beside_a_joint_${name} SCENE verification/tied_bracket.prm SET "Refinement/Target quantity=${quantity}"
+                 CHECK "dofs <= 25000" "pairs.0.contact_size ~ 0.034039 0.01" "pairs.0.peak_pressure ~ 374.05 0.01")
+endforeach()
 # A contact smaller than a cell is not one that does not converge.
 add_scene_test(NAME target_from_a_coarse_mesh SCENE verification/two_cylinders.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.03" "Discretization/Degree=1" "Refinement/Initial refinements=0"
                CHECK "error_estimate.contact <= 0.03" "meshes.-1.reference.errors.pressure_l2 <= 0.03")

@@ -61,6 +61,8 @@ def stopped_by(number, place):
     process = start([SCENE, "--output", out] + LONG, place)
     wait_for(os.path.join(out, "history.csv"))
     process.send_signal(number)
+    time.sleep(0.001)
+    process.send_signal(number)  # as `timeout` does, to the process and to its group
     said, _ = process.communicate(timeout=300)
     check(process.returncode == 2, f"{name}: exit code {process.returncode}")
     summary = summary_of(out)
@@ -120,6 +122,17 @@ def in_a_long_solve(place):
         check({"report.html", "bodies.pvd", "contact.pvd"} <= set(os.listdir(out)), f"long solve on {n_ranks}: {os.listdir(out)}")
         again = run(["--resume", out, "--time-limit", "0.1s"])
         check(again.returncode == 2 and "3 solves are known" in " ".join(again.stdout.split()), f"long solve on {n_ranks}, resumed: {again.stdout[-500:]}{again.stderr}")
+
+
+def by_a_second_signal(place):
+    """A second after the first one it ends the process."""
+    process = start(SLOW + SLOW_AT_ONCE + ["--output", os.path.join(place, "second")], place)
+    wait_for(os.path.join(place, "second", "amontons.log"))
+    process.send_signal(signal.SIGTERM)
+    time.sleep(1.2)
+    process.send_signal(signal.SIGTERM)
+    process.communicate(timeout=300)
+    check(process.returncode == -signal.SIGTERM, f"second signal: exit code {process.returncode}")
 
 
 def in_the_first_solve(place):
@@ -376,7 +389,7 @@ with tempfile.TemporaryDirectory(prefix="amontons-stopped-") as folder:
     whole = [(mesh["t"], mesh["dofs"], mesh["iterations"], mesh["energy"]) for mesh in summary_of(os.path.join(folder, "whole"))["meshes"]]
     stopped_by(signal.SIGTERM, folder)
     stopped_by(signal.SIGINT, folder)
-    for part in (in_a_long_solve, in_the_first_solve, time_limit, other_entries, damaged_part, missing_part, refused_while_it_runs, killed_again, parts_of_another_run, other_files, other_mesh_file, full_disk, two_at_once, earlier_run, links, tables, inputs):
+    for part in (in_a_long_solve, by_a_second_signal, in_the_first_solve, time_limit, other_entries, damaged_part, missing_part, refused_while_it_runs, killed_again, parts_of_another_run, other_files, other_mesh_file, full_disk, two_at_once, earlier_run, links, tables, inputs):
         part(folder)
 print("\n".join(failures) or "all right")
 sys.exit(1 if failures else 0)

@@ -30,10 +30,19 @@ namespace Amontons
       for (const auto &row : interfaces[i].coupling.rows)
         squares[i] += interfaces[i].pair->tied ? fields[i].force[row.node].norm_square() / row.area
                                                : row.area * std::pow(fields[i].multiplier[row.node], 2);
-    const double largest = squares.empty() ? 0. : *std::max_element(squares.begin(), squares.end());
-    for (double &square : squares)
-      square = largest > 0 ? largest / std::max(square, least * least * largest) : 1.;
-    return squares;
+    double of_tied = 0, of_others = 0; // the largest
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        double &of = interfaces[i].pair->tied ? of_tied : of_others;
+        of         = std::max(of, squares[i]);
+      }
+    const double        largest = of_others > 0 ? of_others : of_tied;
+    std::vector<double> weights;
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      weights.push_back(interfaces[i].pair->tied && of_others > 0 ? 0.
+                        : largest > 0 ? largest / std::max(squares[i], least * least * largest)
+                                      : 1.);
+    return weights;
   }
 
   template struct ErrorEstimate<2>;

@@ -7,8 +7,9 @@
 namespace Amontons
 {
   void
-  MeshSequence::add(const double n_dofs, const double error)
+  MeshSequence::add(const double n_dofs, const double error, const double growth)
   {
+    least_growth = growth;
     if (!meshes.empty() && meshes.back().n_dofs == n_dofs)
       meshes.pop_back();
     if (std::isfinite(error))
@@ -23,7 +24,7 @@ namespace Amontons
       return std::numeric_limits<double>::quiet_NaN();
     const auto &last = meshes.back();
     for (unsigned int i = meshes.size() - n_refinements; i-- > 0;)
-      if (last.n_dofs >= 2 * meshes[i].n_dofs && last.error > 0)
+      if (last.n_dofs >= least_growth * meshes[i].n_dofs && last.error > 0)
         return std::log(meshes[i].error / last.error) / std::log(last.n_dofs / meshes[i].n_dofs);
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -35,7 +36,8 @@ namespace Amontons
     if (meshes.size() <= n_refinements)
       return false;
     const auto &last = meshes.back(), &before = meshes[meshes.size() - 1 - n_refinements];
-    return last.n_dofs >= 4 * before.n_dofs && std::abs(last.error - before.error) <= 0.01 * before.error;
+    return last.n_dofs >= least_growth * least_growth * before.n_dofs &&
+           std::abs(last.error - before.error) <= 0.01 * before.error;
   }
 
   double

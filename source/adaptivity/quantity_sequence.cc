@@ -110,7 +110,12 @@ namespace Amontons
     const unsigned int n = meshes.size(), half = half_of(last), quarter = half < n ? half_of(half) : n;
     if (half == n)
       return std::numeric_limits<double>::infinity();
-    double most = 0, largest = least_value;
+    double largest = least_value;
+    for (unsigned int i = 0; i < meshes[last].values.size(); ++i)
+      largest = std::max(largest, std::abs(value(last, i)));
+    if (largest == 0)
+      return std::numeric_limits<double>::infinity();
+    double worst = 0;
     for (unsigned int i = 0; i < meshes[last].values.size(); ++i)
       {
         const auto change = [&](const unsigned int from, const unsigned int to) {
@@ -119,10 +124,11 @@ namespace Amontons
             result = std::max(result, std::abs(value(to, i) - value(k, i)));
           return result;
         };
-        most = std::max(
-            most, quarter == n ? change(half, last) : rest_of(change(quarter, half), change(half, last)));
-        largest = std::max(largest, std::abs(value(last, i)));
+        const double left =
+            quarter == n ? change(half, last) : rest_of(change(quarter, half), change(half, last));
+        worst = std::max(
+            worst, left / std::max({std::abs(value(last, i)), least_of_largest * largest, least_value}));
       }
-    return largest > 0 ? most / largest : std::numeric_limits<double>::infinity();
+    return worst;
   }
 } // namespace Amontons

@@ -44,8 +44,59 @@ namespace Amontons
     return unseen;
   }
 
+  namespace
+  {
+    template <int dim>
+    bool
+    is_resolved(const ContactSurface<dim> &slave, const SurfaceFields<dim> &fields)
+    {
+      constexpr unsigned int few       = dim == 2 ? 4 : 9;
+      const auto             is_closed = [&](const unsigned int node) {
+        return fields.state[node] != ContactStatus::open;
+      };
+      unsigned int n_closed = 0;
+      for (unsigned int node = 0; node < fields.state.size(); ++node)
+        n_closed += is_closed(node);
+      double area = 0, smallest = std::numeric_limits<double>::max();
+      for (const auto &face : slave.faces)
+        {
+          area += std::pow(face.size, dim - 1);
+          if (std::any_of(face.unknowns.begin(), face.unknowns.end(), is_closed))
+            smallest = std::min(smallest, face.size);
+        }
+      constexpr double point = 1e-5; // of the surface
+      return n_closed >= few || smallest < point * std::pow(area, 1. / (dim - 1));
+    }
+  } // namespace
+
+  template <int dim>
+  bool
+  small_contacts_are_resolved(const std::vector<ContactInterface<dim>> &interfaces,
+                              const std::vector<SurfaceFields<dim>>    &fields)
+  {
+    std::vector<double> forces;
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      forces.push_back(
+          interfaces[i].pair->tied ? 0. : (fields[i].normal_force + fields[i].tangential_force).norm());
+    const double least      = forces.empty() ? 0. : 1e-6 * *std::max_element(forces.begin(), forces.end());
+    unsigned int n_touching = 0, n_resolved = 0;
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      if (forces[i] > least)
+        {
+          ++n_touching;
+          n_resolved += is_resolved(*interfaces[i].slave, fields[i]);
+        }
+    return n_touching < 2 || n_resolved == n_touching;
+  }
+
   template std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<2> &, const SurfaceFields<2> &, const std::vector<double> &);
   template std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<3> &, const SurfaceFields<3> &, const std::vector<double> &);
+  template bool
+  small_contacts_are_resolved(const std::vector<ContactInterface<2>> &,
+                              const std::vector<SurfaceFields<2>> &);
+  template bool
+  small_contacts_are_resolved(const std::vector<ContactInterface<3>> &,
+                              const std::vector<SurfaceFields<3>> &);
 } // namespace Amontons

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <csignal>
+#include <ctime>
 #include <sstream>
 
 namespace Amontons
@@ -9,10 +10,23 @@ namespace Amontons
   namespace
   {
     volatile std::sig_atomic_t signal_that_came = 0;
+    struct timespec            time_of_signal   = {};
 
+    // Whoever stops a process and its group may signal it twice at once (timeout of coreutils does). Later, a
+    // second signal ends the process.
     extern "C" void
     note_signal_to_stop(const int number)
     {
+      constexpr double at_once = 1; // seconds
+      struct timespec  now     = {};
+      clock_gettime(CLOCK_MONOTONIC, &now);
+      if (signal_that_came == 0)
+        time_of_signal = now;
+      else if (now.tv_sec - time_of_signal.tv_sec + 1e-9 * (now.tv_nsec - time_of_signal.tv_nsec) > at_once)
+        {
+          std::signal(number, SIG_DFL);
+          std::raise(number); // as this function returns
+        }
       signal_that_came = number;
     }
 
@@ -26,7 +40,7 @@ namespace Amontons
     signal_that_came        = 0;
     struct sigaction action = {};
     action.sa_handler       = note_signal_to_stop;
-    action.sa_flags         = SA_RESETHAND | SA_RESTART;
+    action.sa_flags         = SA_RESTART;
     for (unsigned int i = 0; notes_signals && i < signals_to_note.size(); ++i)
       {
         sigaction(signals_to_note[i], &action, &actions_before[i]);

@@ -11,16 +11,17 @@ namespace Amontons
   {
   public:
     /// Of the same number of DoFs as the last one: instead of it. Infinite errors, which are not known yet,
-    /// are left out.
+    /// are left out. growth: of the DoFs, within which errors need not fall; of numbers, whose errors are
+    /// differences between meshes of so many DoFs, 4.
     void
-    add(const double n_dofs, const double error);
+    add(const double n_dofs, const double error, const double growth = 2);
 
-    /// r in error ~ DoFs^-r over the last meshes, at least four refinements and a doubling of the DoFs; NaN
+    /// r in error ~ DoFs^-r over the last meshes, at least four refinements and that growth of the DoFs; NaN
     /// where there are not so many yet.
     double
     order() const;
 
-    /// Two refinements to four times the DoFs have changed the error by less than 1 %.
+    /// Two refinements to the square of that growth have changed the error by less than 1 %.
     bool
     stands_still() const;
 
@@ -48,5 +49,6 @@ namespace Amontons
       double n_dofs, error;
     };
     std::vector<Mesh> meshes;
+    double            least_growth = 2;
   };
 } // namespace Amontons

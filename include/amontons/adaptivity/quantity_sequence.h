@@ -9,6 +9,8 @@ namespace Amontons
   class QuantitySequence
   {
   public:
+    static constexpr double least_of_largest = 1e-3;
+
     /// The same number of values each time; of the same number of DoFs as the last ones: instead of those.
     /// least: size of a value that is worth telling, against which smaller ones count.
     void
@@ -19,12 +21,12 @@ namespace Amontons
     void
     repeat();
 
-    /// Relative to the largest value (or `least`), of the worst. Between three meshes, each of twice as many
-    /// DoFs as the one before or more, the changes D fall by rho, so that D rho/(1 - rho) is left. rho is
-    /// believed between 0.4 and 0.8, and a change that happens to be small counts as no smaller than 0.4 of
-    /// the one before. Of two such meshes: their change. (A change is the largest from any mesh between.) At
-    /// least a quarter of the error on the mesh before: one mesh more does not take away more. Infinite as
-    /// long as there are no two meshes.
+    /// Of the worst value, relative to itself (or `least`, or least_of_largest of the largest value). Between
+    /// three meshes, each of twice as many DoFs as the one before or more, the changes D fall by rho, so that
+    /// D rho/(1 - rho) is left. rho is believed between 0.4 and 0.8, and a change that happens to be small
+    /// counts as no smaller than 0.4 of the one before. Of two such meshes: their change. (A change is the
+    /// largest from any mesh between.) At least a quarter of the error on the mesh before: one mesh more does
+    /// not take away more. Infinite as long as there are no two meshes.
     double
     error() const;
 

@@ -15,4 +15,11 @@ namespace Amontons
   faces_of_unseen_contact(const ContactInterface<dim> &interface,
                           const SurfaceFields<dim>    &fields,
                           const std::vector<double>   &gap_errors);
+
+  // Of several pairs that touch with more than a millionth of the largest force: whether none does so with a
+  // few nodes only that are much farther apart than a point is wide. Tied pairs do not count.
+  template <int dim>
+  bool
+  small_contacts_are_resolved(const std::vector<ContactInterface<dim>> &interfaces,
+                              const std::vector<SurfaceFields<dim>>    &fields);
 } // namespace Amontons

@@ -19,7 +19,7 @@ namespace Amontons
   {
   public:
     /// time_limit: in seconds from now; 0: none. SIGINT and SIGTERM (unless they are ignored) are noted from
-    /// now on, if `signals`; the second of a kind ends the process as if nobody looked.
+    /// now on, if `signals`; another one, a second later or more, ends the process as if nobody looked.
     explicit StopRequest(const double time_limit = 0, const bool signals = true);
     ~StopRequest();
 

@@ -57,6 +57,7 @@ PICTURES |= {
     "mindlin_sphere": ("States",), "verification/compressed_block_3d": ("Bodies",), "verification/oblique_drag": ("States",), "verification/turned_platens": ("Where the work goes",),
     "verification/rings": COARSE, "verification/wavy_gap": ("Contact pressure",), "verification/turned_rings": COARSE, "verification/peers_sphere_3d": ("Pressure on the surface", "Refinement/Cycles=3"),
     "verification/slide_off_edge": ("Deformed mesh", "End time=1.4"), "verification/slide_over_edges": ("Deformed mesh", "End time=0.3", "Increments=18"),
+    "verification/three_contacts": ("Deformed mesh", "Refinement/Cycles=12"),
     "verification/opened_again": ("Deformed mesh", "End time=1"), "verification/lifted_off": ("States", "End time=1"),
 }
 

@@ -66,13 +66,14 @@ namespace Amontons
     const auto [it, is_new] = known.emplace(face, false);
     if (!is_new)
       return it->second;
-    constexpr unsigned int n = dim == 2 ? 32 : 8; // parts along each direction
+    // In the middles of n parts along each direction: what jumps at a node is no jump inside.
+    constexpr unsigned int n = dim == 2 ? 32 : 8;
     std::vector<double>    values;
-    for (unsigned int q = 0; q < std::pow(n + 1, dim - 1); ++q)
+    for (unsigned int q = 0; q < std::pow(n, dim - 1); ++q)
       {
         Point<dim - 1> xi;
-        for (unsigned int d = 0, rest = q; d < dim - 1; ++d, rest /= n + 1)
-          xi[d] = static_cast<double>(rest % (n + 1)) / n;
+        for (unsigned int d = 0, rest = q; d < dim - 1; ++d, rest /= n)
+          xi[d] = (rest % n + 0.5) / n;
         values.push_back(at(slave.reference_position(face, xi)));
       }
     double     step       = 0;
@@ -80,23 +81,23 @@ namespace Amontons
       step = std::max(step, std::abs(next - first));
     };
     for (unsigned int q = 0; q < values.size(); ++q)
-      for (unsigned int d = 0, stride = 1; d < dim - 1; ++d, stride *= n + 1)
-        if (q / stride % (n + 1) < n)
+      for (unsigned int d = 0, stride = 1; d < dim - 1; ++d, stride *= n)
+        if (q / stride % n + 1 < n)
           look_along(values[q], values[q + stride]);
-    Point<dim - 1> middle;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      middle[d] = 0.5;
     if (!slave.faces[face].subdivision.empty()) // and beyond it, as far as its unknowns
-      for (const unsigned int node : slave.faces[face].unknowns)
-        {
-          const Point<dim> centre = slave.reference_position(face, middle);
-          for (unsigned int q = 0; q <= n; ++q)
+      {
+        Point<dim - 1> middle;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          middle[d] = 0.5;
+        const Point<dim> centre = slave.reference_position(face, middle);
+        for (const unsigned int node : slave.faces[face].unknowns)
+          for (unsigned int q = 0; q < n; ++q)
             {
-              values.push_back(at(centre + q * (slave.nodes[node].X - centre) / n));
+              values.push_back(at(centre + (q + 0.5) / n * (slave.nodes[node].X - centre)));
               if (q > 0)
                 look_along(values[values.size() - 2], values.back());
             }
-        }
+      }
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     return it->second        = step > 0.5 * (*most - *least);
   }

@@ -293,22 +293,23 @@ check_declared_gaps()
 
 // A node that is open all around stays open, though psi, which changes its sign, finds a negative gap beside
 // a step of the other side: at x = 2, between gaps of 0.3 and a step to 3 at 2.5, (0.3 - 0.375)/2 = -0.0375.
-// The mean gap weighs with B: (0.3/2 + 0.3 3/8 + 3/8)/1 = 0.6375.
+// The mean gap weighs with B: (0.3/2 + 0.3 3/8 + 3/8)/1 = 0.6375. Where the declared gap is seen to jump
+// inside the face, it goes from node to node: 0.3 at 2, 3 at 3, and (0.3/2 + 0.3/3 + 3/6)/1 = 0.75.
 void
-check_open_beside_a_step()
+check_open_beside_a_step(const std::string &gap, const double (&gaps)[5], const double (&means)[5])
 {
   Scene scene;
   scene.bodies = {block("lower", {0, 0, 0}, {4, 1, 0}, 8), block("upper", {0, 1, 0}, {4, 2, 0}, 4)};
   scene.pairs  = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};
-  scene.pairs[0].initial_gap = Expression("if(x < 1, 0, if(x < 2.5, 0.3, 3))", {});
+  scene.pairs[0].initial_gap = Expression(gap, {});
   const Problem<2> problem(scene, 1);
-  const double     gaps[] = {0, 0.15, 0.3, 3.3375, 3}, means[] = {0, 0.15, 0.6375, 2.6625, 3};
   check::is_close(problem.coupling().rows.size(), 5, 0, "beside a step: rows");
   for (const auto &row : problem.coupling().rows)
     {
-      const int x = std::lround(problem.slave().nodes[row.node].X[0]);
-      check::is_close(row.gap, gaps[x], 1e-12, "beside a step: gap at " + std::to_string(x), 1);
-      check::is_close(row.mean_gap, means[x], 1e-12, "beside a step: mean gap at " + std::to_string(x), 1);
+      const int         x    = std::lround(problem.slave().nodes[row.node].X[0]);
+      const std::string name = "at " + std::to_string(x) + " for " + gap;
+      check::is_close(row.gap, gaps[x], 1e-12, "beside a step: gap " + name, 1);
+      check::is_close(row.mean_gap, means[x], 1e-12, "beside a step: mean gap " + name, 1);
     }
 }
 
@@ -409,7 +410,11 @@ main(int argc, char **argv)
     }
   check_normals_at_symmetry();
   check_declared_gaps();
-  check_open_beside_a_step();
+  check_open_beside_a_step("0.3/2*(1 + (x - 1)/abs(x - 1)) + 2.7/2*(1 + (x - 2.5)/abs(x - 2.5))",
+                           {0, 0.15, 0.3, 3.3375, 3},
+                           {0, 0.15, 0.6375, 2.6625, 3});
+  check_open_beside_a_step(
+      "if(x < 1, 0, if(x < 2.5, 0.3, 3))", {0, 0.15, 0.3, 3, 3}, {0, 0.15, 0.75, 2.55, 3});
   return check::result();
 }
 } // namespace test_mortar

@@ -475,7 +475,7 @@ namespace Amontons
   RunReport<dim>::note_limits(const Answer<dim> &answer, const Ending &ending)
   {
     const auto  &error  = ending.evaluation.error;
-    const double target = ending.refinement.target_error;
+    const double target = control.stop.is_there() ? 0. : ending.refinement.target_error; // not the end of it
     if (target > 0 && !(error.of_target() <= target))
       note(finer_mesh_failed ? "the target error was not reached, as the finer mesh failed"
            : !error.quantity && error.facets > target

@@ -67,6 +67,7 @@ def stopped_by(number, place):
     check(process.returncode == 2, f"{name}: exit code {process.returncode}")
     summary = summary_of(out)
     check(summary["failure"] == "stopped" and f"stopped by {name}" in summary["message"], f"{name}: {summary['message']}")
+    check(not any("allow more" in note for note in summary["notes"]), f"{name}: advice on a target that was still on its way: {summary['notes']}")
     check("--resume" in said and os.path.isfile(os.path.join(out, "checkpoint", "run")), f"{name}: no checkpoint")
     check(json.load(open(os.path.join(out, "progress.json")))["state"] == "stopped", f"{name}: progress.json")
     check(0 < summary["meshes"][-1]["t"] <= 4 and summary["pairs"], f"{name}: no answer")

@@ -249,13 +249,14 @@ namespace Amontons
       }
     result.centre               = components<dim>(fields.centre);
     result.n_without_multiplier = interface.n_without_multiplier;
-    for (const MortarRow<dim> &row : interface.coupling.rows)
-      ++(fields.state[row.node] == ContactStatus::open   ? result.n_open
-         : fields.state[row.node] == ContactStatus::slip ? result.n_slip
-                                                         : result.n_stick);
-    for (const double gap : fields.gap) // NaN is smaller than nothing
-      if (!(gap >= result.smallest_gap) && !std::isnan(gap))
-        result.smallest_gap = gap;
+    for (const MortarRow<dim> &row : interface.coupling.rows) // hanging nodes have none
+      {
+        ++(fields.state[row.node] == ContactStatus::open   ? result.n_open
+           : fields.state[row.node] == ContactStatus::slip ? result.n_slip
+                                                           : result.n_stick);
+        if (const double gap = fields.gap[row.node]; !(gap >= result.smallest_gap) && !std::isnan(gap))
+          result.smallest_gap = gap; // NaN is smaller than nothing
+      }
     result.touched = result.n_slip + result.n_stick > 0;
     return result;
   }

@@ -190,7 +190,7 @@ CHANGES = [
     ("gaps that jump inside a face", "contact/declared_gap.cc", "if (!gap.may_jump())", "if (true)", "scenes/punch_by_gap"),
     ("gaps that jump beside hanging nodes", "contact/declared_gap.cc", "of.subdivision);", "FullMatrix<double>());", "scenes/punch_by_gap$"),
     ("edges of a gap are seen", "adaptivity/gap_error.cc", "if (declared.is_within_unknowns(f, unseen.least, unseen.most))", "if (false)", "scenes/punch_by_gap"),
-    ("numbers against the largest pair", "adaptivity/quantity_sequence.cc", "least_of_largest * largest, ", "largest, ", "scenes/target_of_three_contacts"),
+    ("numbers against the largest pair", "adaptivity/quantity_sequence.cc", "least_of_largest * largest, ", "largest, ", "^adaptivity/mesh_difference$"),
     ("small contacts are believed", "adaptivity/unseen_contact.cc", "return n_touching < 2 || n_resolved == n_touching;", "return true;", "scenes/target_of_three_contacts"),
     ("joints count as contact", "adaptivity/error_estimate.cc", "interfaces[i].pair->tied && of_others > 0 ? 0.", "interfaces[i].pair->tied && of_others > 0 ? 1.", "scenes/target_beside_a_joint"),
     ("two signals at once", "base/stop_request.cc", "> at_once)", "> -1)", "^stopped$"),

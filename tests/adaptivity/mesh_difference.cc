@@ -147,6 +147,25 @@ main(int, char **)
   for (const double m : {1000., 2000., 4000.})
     small.add(m, {m * 1e-9}, 1e-3);
   check::is_true(small.error() > 0 && small.error() < 0.02 && !small.is_zero(), "little work");
+
+  // Each number counts against itself, down to a thousandth of the largest.
+  const auto error_of_two = [](const double least) {
+    QuantitySequence two;
+    for (const double m : {1000., 2000.})
+      two.add(m, {1, least * (m == 1000 ? 0.9 : 1)});
+    return two.error();
+  };
+  check::is_close(error_of_two(0.01), 0.1, 1e-12, "a small number");
+  check::is_close(error_of_two(1e-5), 1e-3, 1e-12, "one that is hardly there");
+
+  // Estimates of numbers stand still between doublings of the unknowns, those of fields do not.
+  MeshSequence of_field, of_number;
+  for (unsigned int i = 0; i < 7; ++i)
+    {
+      of_field.add(1000 * std::pow(1.2, i), 0.04);
+      of_number.add(1000 * std::pow(1.2, i), 0.04, 4);
+    }
+  check::is_true(of_field.is_hopeless(0.01, 1e5) && !of_number.is_hopeless(0.01, 1e5), "hopeless");
   return check::result();
 }
 } // namespace test_mesh_difference

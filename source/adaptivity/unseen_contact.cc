@@ -46,10 +46,21 @@ namespace Amontons
 
   namespace
   {
+    // A contact at a sharp edge of either side is as small as any mesh.
     template <int dim>
     bool
-    is_resolved(const ContactSurface<dim> &slave, const SurfaceFields<dim> &fields)
+    is_at_an_edge(const ContactSurface<dim> *surface, const Point<dim> &place, const double size)
     {
+      constexpr double sharp = 30; // degrees
+      return surface != nullptr && surface->sharpest_edge > sharp &&
+             place.distance(surface->sharpest_at) < size;
+    }
+
+    template <int dim>
+    bool
+    is_resolved(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+    {
+      const auto            &slave     = *interface.slave;
       constexpr unsigned int few       = dim == 2 ? 4 : 9;
       const auto             is_closed = [&](const unsigned int node) {
         return fields.state[node] != ContactStatus::open;
@@ -61,8 +72,12 @@ namespace Amontons
       for (const auto &face : slave.faces)
         {
           area += std::pow(face.size, dim - 1);
-          if (std::any_of(face.unknowns.begin(), face.unknowns.end(), is_closed))
-            smallest = std::min(smallest, face.size);
+          if (std::none_of(face.unknowns.begin(), face.unknowns.end(), is_closed))
+            continue;
+          smallest = std::min(smallest, face.size);
+          if (is_at_an_edge<dim>(&slave, face.centre, 2 * face.size) ||
+              is_at_an_edge<dim>(interface.master_surface.get(), face.centre, 2 * face.size))
+            return true;
         }
       constexpr double point = 1e-5; // of the surface
       return n_closed >= few || smallest < point * std::pow(area, 1. / (dim - 1));
@@ -84,7 +99,7 @@ namespace Amontons
       if (forces[i] > least)
         {
           ++n_touching;
-          n_resolved += is_resolved(*interfaces[i].slave, fields[i]);
+          n_resolved += is_resolved(interfaces[i], fields[i]);
         }
     return n_touching < 2 || n_resolved == n_touching;
   }

@@ -9,7 +9,9 @@ namespace Amontons
   /// interpolation I g of degree 4 on the face. Half spaces answer a gap A cos kx with the pressure -E* k A/2
   /// cos kx, so the mean squares of what a gap makes are those of its slope: what a face does not see of a
   /// wavy gap is missing in the pressure. modulus: E* of both bodies. 0 on pairs that are tied or have no
-  /// declared gap, and on faces that are not `near` the contact, unless bodies overlap somewhere on them.
+  /// declared gap, and on faces that are not `near` the contact, unless bodies overlap somewhere on them; and
+  /// where the gap jumps between nodes that have both of its values, an edge that the pressure tells of.
+  /// (Beside other jumps, gaps count no farther than twice what closes.)
   template <int dim>
   std::vector<double>
   gap_errors(const ContactInterface<dim> &interface,

@@ -17,7 +17,8 @@ namespace Amontons
                           const std::vector<double>   &gap_errors);
 
   // Of several pairs that touch with more than a millionth of the largest force: whether none does so with a
-  // few nodes only that are much farther apart than a point is wide. Tied pairs do not count.
+  // few nodes only that are much farther apart than a point is wide. Tied pairs do not count; nor do contacts
+  // at a sharp edge of a side, which are as small as any mesh.
   template <int dim>
   bool
   small_contacts_are_resolved(const std::vector<ContactInterface<dim>> &interfaces,

@@ -117,9 +117,12 @@ namespace Amontons
   {
     bool                     given_up = false;
     const ContactSolver<dim> solver   = {
-          parameters.newton, parameters.linear_solver, model->discretization(), timer, [&]() {
-          return given_up = given_up || control.gives_up(model->mesh->geometry.communicator);
-        }};
+          parameters.newton,
+          parameters.linear_solver,
+          model->discretization(),
+          timer,
+          [&]() { return given_up = given_up || control.gives_up(model->mesh->geometry.communicator); },
+          model->kept_system.get()};
     const auto save_if_urgent = [&](const NewtonReport::Iteration &iteration) {
       observer(iteration);
       if (StopRequest::is_urgent()) // whoever sends signals may not wait for the end of the increment

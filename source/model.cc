@@ -3,6 +3,7 @@
 #include <amontons/finite_strain_model.h>
 #include <amontons/geometry/small_obstacles.h>
 #include <amontons/small_strain_model.h>
+#include <amontons/solver/kept_system.h>
 
 namespace Amontons
 {
@@ -39,6 +40,7 @@ namespace Amontons
   void
   Model<dim>::find_surfaces()
   {
+    kept_system = std::make_shared<KeptSystem<dim>>();
     changed.clear();
     interfaces = make_interfaces(discretization(), mesh->first_is_slave);
     for (auto &interface : interfaces)

@@ -19,7 +19,9 @@ namespace Amontons
   std::unique_ptr<Model<dim>>
   SmallStrainModel<dim>::at_rest(const double t) const
   {
-    return std::make_unique<SmallStrainModel<dim>>(this->mesh, t, timer, search_distances);
+    auto result         = std::make_unique<SmallStrainModel<dim>>(this->mesh, t, timer, search_distances);
+    result->kept_system = this->kept_system;
+    return result;
   }
 
   template <int dim>

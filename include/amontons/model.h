@@ -10,6 +10,9 @@
 
 namespace Amontons
 {
+  template <int dim>
+  class KeptSystem;
+
   /// The mesh with its unknowns. It may serve several models, one after the other: the same bodies with small
   /// and with finite strain.
   template <int dim>
@@ -90,6 +93,8 @@ namespace Amontons
     std::vector<ContactInterface<dim>>   interfaces;
     Constraints                          supports;
     LA::Vector                           loads; // of the last update_loads()
+    /// Small strain; of the mesh, for all models on it at rest.
+    std::shared_ptr<KeptSystem<dim>> kept_system;
 
     /// Points of faces where bodies lie on each other, on which pressure does not act.
     std::vector<CoveredPoint<dim>>

@@ -43,6 +43,26 @@ namespace Amontons
              std::abs(a.constant - b.constant) > 1e-10 * std::abs(a.constant);
     }
 
+    // Inputs that lead from some states and laws to these.
+    template <int dim>
+    std::vector<ContactInput>
+    inputs_between(const BaseSolution<dim>          &base,
+                   const std::vector<ContactStatus> &from,
+                   const std::vector<SlipLaw<dim>>  &laws,
+                   const NodeStates<dim>            &to)
+    {
+      std::vector<ContactInput> result;
+      for (unsigned int k = 0; k < from.size(); ++k)
+        {
+          const bool slips_otherwise = to[k] == ContactStatus::slip && differ(to.law(k), laws[k]);
+          if ((to[k] == ContactStatus::open) != (from[k] == ContactStatus::open))
+            result.emplace_back(k, NodeInput::across);
+          if (base.nodes[k].frictional && base.movable[k] && (to[k] != from[k] || slips_otherwise))
+            result.emplace_back(k, NodeInput::along);
+        }
+      return result;
+    }
+
     template <int dim>
     void
     add(const double factor, const NodalContacts<dim> &response, NodalContacts<dim> &sum)
@@ -89,52 +109,37 @@ namespace Amontons
   template <int dim>
   ActiveSetLookahead<dim>::ActiveSetLookahead(const BaseSolution<dim> &base,
                                               const Respond           &respond,
-                                              const unsigned int       n_most)
-      : base(base), respond(respond), n_most(n_most)
+                                              const unsigned int       n_most,
+                                              Responses<dim>          &responses)
+      : base(base), respond(respond), n_most(n_most), responses(responses)
   {
   }
 
   template <int dim>
-  std::vector<typename ActiveSetLookahead<dim>::Input>
-  ActiveSetLookahead<dim>::inputs(const NodeStates<dim> &states) const
+  unsigned int
+  ActiveSetLookahead<dim>::n_unknown(const NodeStates<dim> &states) const
   {
-    std::vector<Input> result;
-    for (unsigned int k = 0; k < base.nodes.size(); ++k)
-      {
-        const bool closes_or_opens =
-                       (states[k] == ContactStatus::open) != (base.states[k] == ContactStatus::open),
-                   slips_otherwise = states[k] == ContactStatus::slip && differ(states.law(k), base.laws[k]);
-        if (closes_or_opens)
-          result.emplace_back(k, NodeInput::across);
-        if (base.nodes[k].frictional && base.movable[k] && (states[k] != base.states[k] || slips_otherwise))
-          result.emplace_back(k, NodeInput::along);
-      }
-    return result;
+    const auto all = inputs_between(base, base.states, base.laws, states);
+    return std::count_if(
+        all.begin(), all.end(), [&](const ContactInput &input) { return responses.count(input) == 0; });
   }
 
   template <int dim>
-  bool
-  ActiveSetLookahead<dim>::is_base(const NodeStates<dim> &states) const
+  std::optional<std::map<ContactInput, double>>
+  ActiveSetLookahead<dim>::inputs(const NodeStates<dim> &states)
   {
-    return inputs(states).empty();
-  }
-
-  template <int dim>
-  std::optional<NodalContacts<dim>>
-  ActiveSetLookahead<dim>::answers(const NodeStates<dim> &states)
-  {
-    const auto         rows  = inputs(states);
-    const unsigned int n_new = std::count_if(
-        rows.begin(), rows.end(), [&](const Input &input) { return responses.count(input) == 0; });
-    if (responses.size() + n_new > n_most)
+    if (responses.size() + n_unknown(states) > n_most)
       return {};
-
+    const auto                              rows = inputs_between(base, base.states, base.laws, states);
     std::vector<const NodalContacts<dim> *> columns;
     for (const auto &input : rows)
       {
         auto response = responses.find(input);
         if (response == responses.end())
-          response = responses.emplace(input, respond(input.first, input.second)).first;
+          {
+            response = responses.emplace(input, respond(input.first, input.second)).first;
+            ++n_new;
+          }
         columns.push_back(&response->second);
       }
     FullMatrix<double> matrix(rows.size());
@@ -148,19 +153,34 @@ namespace Amontons
         for (unsigned int j = 0; j < rows.size(); ++j)
           matrix(i, j) = statement(node, states[k], states.law(k), (*columns[j])[k], input);
       }
-    auto result = base.answers;
     if (!rows.empty() && !solve(matrix, x))
       return {};
-    for (unsigned int j = 0; j < rows.size(); ++j)
-      add(x[j], *columns[j], result);
+    std::map<ContactInput, double> result;
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      result[rows[i]] = x[i];
+    return result;
+  }
+
+  template <int dim>
+  std::optional<NodalContacts<dim>>
+  ActiveSetLookahead<dim>::answers(const NodeStates<dim> &states)
+  {
+    const auto x = inputs(states);
+    if (!x)
+      return {};
+    auto result = base.answers;
+    for (const auto &[input, factor] : *x)
+      add(factor, responses.at(input), result);
     return result;
   }
 
   template <int dim>
   bool
-  ActiveSetLookahead<dim>::lead(NodeStates<dim>   &states,
-                                const double       rounding,
-                                const unsigned int n_most_updates)
+  ActiveSetLookahead<dim>::lead(NodeStates<dim>                  &states,
+                                const std::vector<ContactStatus> &before,
+                                const std::vector<SlipLaw<dim>>  &laws_before,
+                                const double                      rounding,
+                                const unsigned int                n_most_updates)
   {
     bool goes_on = true;
     for (unsigned int n = 0; n < n_most_updates && goes_on && states.free_rigid_modes().empty(); ++n)
@@ -168,7 +188,7 @@ namespace Amontons
         const auto next = answers(states);
         goes_on         = next && (states.update(*next, rounding) > 0 || states.frozen());
       }
-    return !is_base(states);
+    return !inputs_between(base, before, laws_before, states).empty();
   }
 
   template class ActiveSetLookahead<2>;

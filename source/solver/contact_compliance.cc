@@ -42,16 +42,17 @@ namespace Amontons
 
   template <int dim>
   NodalContacts<dim>
-  ContactCompliance<dim>::respond(const unsigned int node, const NodeInput input) const
+  ContactCompliance<dim>::respond(const unsigned int node, const NodeInput input, LA::Vector *motion) const
   {
     const auto &n      = base.nodes[node];
     const auto  state  = base.states[node];
     const bool  across = input == NodeInput::across;
     if (state == ContactStatus::stick || (state == ContactStatus::slip && across))
       return answers(displacement_of(node, across ? n.normal / n.normal.norm_square() : n.tangent()),
-                     discretization.make_owned_vector());
+                     discretization.make_owned_vector(),
+                     motion);
     const Tensor<1, dim> traction = n.c * (across ? n.normal : n.tangent());
-    auto                 result   = answers(discretization.make_owned_vector(), force_of(node, traction));
+    auto result = answers(discretization.make_owned_vector(), force_of(node, traction), motion);
     if (across)
       result[node].pressure += n.c;
     else
@@ -70,7 +71,7 @@ namespace Amontons
 
   template <int dim>
   NodalContacts<dim>
-  ContactCompliance<dim>::answers(const LA::Vector &offset, const LA::Vector &force) const
+  ContactCompliance<dim>::answers(const LA::Vector &offset, const LA::Vector &force, LA::Vector *motion) const
   {
     LA::Vector unbalanced = internal_forces(offset), dw = discretization.make_owned_vector(), rhs = dw;
     unbalanced.sadd(-1, 1, force);
@@ -82,6 +83,8 @@ namespace Amontons
     constraints.trial().distribute(dw);
     dw -= base.displacement;
     dw += offset;
+    if (motion != nullptr)
+      *motion = dw;
     unbalanced = internal_forces(dw);
     unbalanced -= force;
     const auto mu       = multipliers_of(unbalanced, supports, constraints);

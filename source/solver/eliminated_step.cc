@@ -1,4 +1,3 @@
-#include <amontons/algebra/rigid_body_modes.h>
 #include <amontons/elasticity/geometric_forces.h>
 #include <amontons/solver/condensed_friction.h>
 #include <amontons/solver/eliminated_step.h>
@@ -17,50 +16,76 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  EliminatedStep<dim>::EliminatedStep(const ContactEquilibrium<dim> &problem)
-      : problem(problem), any_friction(problem.contact.any_friction()),
-        system(problem.discretization.locally_owned,
-               problem.discretization.relevant,
-               problem.discretization.geometry.communicator),
-        solver(problem.solver_parameters, dim, !any_friction, problem.gives_up)
+  EliminatedStep<dim>::EliminatedStep(const ContactEquilibrium<dim> &problem, KeptSystem<dim> &kept)
+      : problem(problem), any_friction(problem.contact.any_friction()), kept(kept)
   {
   }
 
-  // The pattern, and the bulk of the matrix.
   template <int dim>
   void
   EliminatedStep<dim>::prepare(const LA::Vector *springs)
   {
-    if (!solver.is_direct(problem.discretization.dof_handler.n_dofs()))
-      solver.set_near_null_space(rigid_body_modes(problem.discretization));
-
-    TimerOutput::Scope           scope(problem.timer, "sparsity and bulk matrix");
-    std::vector<ContactEquation> candidates;
-    for (const auto &node : problem.contact.nodes())
-      for (const auto *equation : node.holding())
-        {
-          candidates.push_back(*equation);
-          substitute(candidates.back().equation, problem.supports);
-        }
-    for (const auto &node : problem.contact.nodes())
-      if (node.frictional || (node.tied && !node.planes.empty())) // slip and planes mix components
-        {
-          candidates.push_back(all_components(node));
-          substitute(candidates.back().equation, problem.supports);
-        }
-    system.setup(problem.mechanics.bodies().tangent(), problem.supports, candidates, springs);
+    kept.prepare(problem, springs);
   }
 
   template <int dim>
   void
-  EliminatedStep<dim>::linearise(Iterate<dim> &now, const LA::Vector *springs, const Drag *drag)
+  EliminatedStep<dim>::linearise(Iterate<dim> &now, const LA::Vector *new_springs, const Drag *drag)
   {
     Assert(drag == nullptr, ExcNotImplemented());
     (void)drag;
+    springs = new_springs;
+    by_base = is_near_base(now);
+    if (!by_base)
+      assemble(now);
+  }
+
+  template <int dim>
+  void
+  EliminatedStep<dim>::assemble(const Iterate<dim> &now)
+  {
     TimerOutput::Scope scope(problem.timer, "assemble condensed system");
-    system.assemble(
-        problem.mechanics.bodies().tangent(), *now.constraints, springs, stiffness_of_contact(now));
-    solver.matrix_changed(now.is_first() ? LinearSolver::all_rows : now.report.iterations.back().n_changes);
+    const bool is_known = kept.has_states() && kept.has_springs(springs) && problem.penalty == nullptr;
+    const unsigned int n_others = is_known ? kept.n_other_states(now.states) : LinearSolver::all_rows;
+    if (!any_friction && n_others == 0)
+      return; // the same matrix
+    base.reset();
+    kept.assemble(problem, now, springs, stiffness_of_contact(now));
+    if (looks_ahead(now))
+      kept.solver->values_changed(); // what responds to single inputs are factors
+    else
+      kept.solver->matrix_changed(n_others);
+  }
+
+  // What tells of the present states costs less than a factorisation does.
+  template <int dim>
+  bool
+  EliminatedStep<dim>::is_near_base(const Iterate<dim> &now)
+  {
+    constexpr unsigned int n_most_unknown = 8;
+    if (!looks_ahead(now) || !kept.has_states() || !kept.solver->has_factors() || !kept.has_springs(springs))
+      return false;
+    const auto from = base_solution(kept.states, kept.laws, now);
+    return condensed(from).n_unknown(now.states) <= n_most_unknown;
+  }
+
+  // With the states and laws of the matrix, at the present loads.
+  template <int dim>
+  void
+  EliminatedStep<dim>::find_base(const Iterate<dim> &now)
+  {
+    base.emplace(now);
+    for (unsigned int k = 0; k < kept.states.size(); ++k)
+      base->states.impose(k, kept.states[k], kept.laws[k]);
+    base->laws        = kept.laws;
+    base->constraints = std::make_shared<ContactConstraints>(
+        constraints_of(problem, problem.supports, base->states, &base->first_equation));
+    base->u += solve_system(*base).change;
+    const auto &u       = problem.state.displacement; // that of the base
+    LA::Vector  balance = problem.mechanics.bodies().internal_forces(u);
+    balance -= problem.mechanics.loads();
+    balance -= known_contact_forces(problem, *base);
+    base->answers = nodal_answers(problem, *base, problem.supports, balance);
   }
 
   template <int dim>
@@ -85,30 +110,82 @@ namespace Amontons
   typename EliminatedStep<dim>::Solved
   EliminatedStep<dim>::solve(const Iterate<dim> &now, const Drag *)
   {
-    const auto &owned  = problem.discretization.locally_owned;
-    LA::Vector  moved  = now.u, du;
-    auto       &u      = problem.state.displacement;
-    const auto &bodies = problem.mechanics.bodies();
+    if (by_base)
+      {
+        if (auto solved = solve_by_base(now))
+          return *solved;
+        by_base = false;
+        assemble(now);
+      }
+    return solve_system(now);
+  }
+
+  // `moved` obeys the constraints of `now` then, and is the displacement of the state.
+  template <int dim>
+  typename EliminatedStep<dim>::Push
+  EliminatedStep<dim>::push_at(const Iterate<dim> &now, LA::Vector &moved) const
+  {
+    auto &u = problem.state.displacement;
     distribute(now.constraints->trial(), moved, u);
     LA::Vector       residual = problem.mechanics.loads();
-    const LA::Vector internal = bodies.internal_forces(u);
+    const LA::Vector internal = problem.mechanics.bodies().internal_forces(u);
     residual -= internal;
     if (any_friction || problem.penalty != nullptr)
       residual += known_contact_forces(problem, now);
-    Solved result;
-    result.push = condense(residual, now.constraints->test(), residual);
-    zero_constrained(now.constraints->test(), owned, result.push);
+    Push result = {condense(residual, now.constraints->test(), residual), internal.l2_norm()};
+    zero_constrained(now.constraints->test(), problem.discretization.locally_owned, result.condensed);
+    return result;
+  }
+
+  template <int dim>
+  typename EliminatedStep<dim>::Solved
+  EliminatedStep<dim>::solve_system(const Iterate<dim> &now) const
+  {
+    LA::Vector moved = now.u, du;
+    const Push push  = push_at(now, moved);
+    Solved     result;
+    result.push = push.condensed;
 
     TimerOutput::Scope scope(problem.timer, "linear solve");
     du.reinit(moved);
     // Where nothing has changed since the increment before, what is left of its forces is noise.
     const double scale =
-        now.is_first() ? std::max(result.push.l2_norm(), fine_tolerance() * internal.l2_norm() / forcing(now))
+        now.is_first() ? std::max(result.push.l2_norm(), fine_tolerance() * push.internal / forcing(now))
                        : now.force_scale;
-    const auto report = solver.solve(system.matrix(), du, result.push, forcing(now) * scale);
-    result.linear     = report;
+    result.linear = kept.solver->solve(kept.system->matrix(), du, result.push, forcing(now) * scale);
     moved += du;
-    distribute(now.constraints->trial(), moved, u);
+    distribute(now.constraints->trial(), moved, problem.state.displacement);
+    result.change = moved;
+    result.change -= now.u;
+    return result;
+  }
+
+  // The displacement is that of the base and what the inputs that lead to the present states make of it:
+  // nothing if rounding leaves too much of the forces.
+  template <int dim>
+  std::optional<typename EliminatedStep<dim>::Solved>
+  EliminatedStep<dim>::solve_by_base(const Iterate<dim> &now)
+  {
+    TimerOutput::Scope scope(problem.timer, "condensed contact");
+    LA::Vector         moved = now.u;
+    const Push         start = push_at(now, moved);
+    Solved             result;
+    result.push              = start.condensed;
+    result.linear.iterations = base ? 0 : 1;
+    if (!base)
+      find_base(now);
+    const auto from = base_solution(base->states.all(), base->laws, *base);
+    auto       only = condensed(from);
+    const auto x    = only.inputs(now.states);
+    if (!x)
+      return {};
+    result.linear.iterations += only.n_asked();
+    moved = base->u;
+    for (const auto &[input, factor] : *x)
+      moved.add(factor, kept.motions.at(input));
+    const Push left = push_at(now, moved);
+    if (!(left.condensed.l2_norm() <= fine_tolerance() * std::max(start.condensed.l2_norm(), left.internal)))
+      return {};
     result.change = moved;
     result.change -= now.u;
     return result;
@@ -146,7 +223,7 @@ namespace Amontons
   EliminatedStep<dim>::looks_ahead(const Iterate<dim> &now) const
   {
     return dim == 2 && any_friction && problem.penalty == nullptr && now.free_modes.empty() &&
-           !looked_in_vain && solver.is_direct(problem.discretization.dof_handler.n_dofs());
+           !looked_in_vain && kept.solver->is_direct(problem.discretization.dof_handler.n_dofs());
   }
 
   template <int dim>
@@ -165,16 +242,36 @@ namespace Amontons
   // Of the system as it stands, with the constraints of `at`.
   template <int dim>
   ContactCompliance<dim>
-  EliminatedStep<dim>::compliance(const Iterate<dim> &at, const BaseSolution<dim> &base)
+  EliminatedStep<dim>::compliance(const Iterate<dim> &at, const BaseSolution<dim> &from) const
   {
     return {problem.discretization,
             problem.mechanics.bodies(),
             problem.supports,
             *at.constraints,
             at.first_equation,
-            base,
-            system.matrix(),
-            solver};
+            from,
+            kept.system->matrix(),
+            *kept.solver};
+  }
+
+  template <int dim>
+  BaseSolution<dim>
+  EliminatedStep<dim>::base_solution(const std::vector<ContactStatus> &states,
+                                     const std::vector<SlipLaw<dim>>  &laws,
+                                     const Iterate<dim>               &at) const
+  {
+    return {problem.contact.nodes(), states, laws, at.answers, movable_nodes(), at.u};
+  }
+
+  // From the base, whose responses serve as long as its matrix does.
+  template <int dim>
+  ActiveSetLookahead<dim>
+  EliminatedStep<dim>::condensed(const BaseSolution<dim> &from)
+  {
+    const auto respond = [&](const unsigned int k, const NodeInput input) {
+      return compliance(*base, from).respond(k, input, &kept.motions[{k, input}]);
+    };
+    return {from, respond, most_responses(problem.discretization.dof_handler.n_dofs()), kept.responses};
   }
 
   // Where this ends where it began, rounding speaks differently here and there: systems of the bodies decide
@@ -187,18 +284,19 @@ namespace Amontons
   {
     if (!looks_ahead(now))
       return pivot(now, before);
-    TimerOutput::Scope      scope(problem.timer, "condensed contact");
-    const BaseSolution<dim> base{
-        problem.contact.nodes(), before, now.laws, now.answers, movable_nodes(), now.u};
-    const auto              responses = compliance(now, base);
-    ActiveSetLookahead<dim> condensed(
-        base,
-        [&](const unsigned int k, const NodeInput input) { return responses.respond(k, input); },
-        most_responses(problem.discretization.dof_handler.n_dofs()));
-    looked_in_vain = !condensed.lead(now.states, rounding, problem.parameters.max_iterations);
+    TimerOutput::Scope scope(problem.timer, "condensed contact");
+    if (!by_base)
+      {
+        base.emplace(now);
+        for (unsigned int k = 0; k < before.size(); ++k)
+          base->states.impose(k, before[k], now.laws[k]);
+      }
+    const auto from = base_solution(base->states.all(), base->laws, *base);
+    auto       only = condensed(from);
+    looked_in_vain  = !only.lead(now.states, before, now.laws, rounding, problem.parameters.max_iterations);
     if (looked_in_vain)
       now.states.update(now.answers, rounding);
-    return condensed.n_responses();
+    return only.n_asked();
   }
 
   // The system and the bodies with all nodes open but the tied ones, and what the nodes answer there.
@@ -215,9 +313,11 @@ namespace Amontons
     open.laws.assign(nodes.size(), SlipLaw<dim>());
     open.constraints = std::make_shared<ContactConstraints>(
         constraints_of(problem, problem.supports, open.states, &open.first_equation));
-    system.assemble(problem.mechanics.bodies().tangent(), *open.constraints, springs, {});
-    solver.matrix_changed(LinearSolver::all_rows);
-    open.u += solve(open, nullptr).change;
+    base.reset();
+    by_base = false;
+    kept.assemble(problem, open, springs, {});
+    kept.solver->values_changed();
+    open.u += solve_system(open).change;
     u = open.u;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
@@ -261,7 +361,8 @@ namespace Amontons
       zero_constrained(now.constraints->test(), discretization.locally_owned, push);
       v = 0;
       if (push.l2_norm() > 0)
-        solver.solve(system.matrix(), v, push, 0.1 * push.l2_norm()); // Ritz values are right in any space
+        kept.solver->solve(
+            kept.system->matrix(), v, push, 0.1 * push.l2_norm()); // Ritz values are right in any space
       return motion(v);
     };
     LA::Vector smooth = discretization.make_owned_vector(); // and different in all places
@@ -293,15 +394,15 @@ namespace Amontons
     const unsigned int most  = 160; // nodes: each takes two solves, and four rows of a dense problem
     const auto        &nodes = problem.contact.nodes();
     if (dim == 3 || !any_friction || problem.penalty != nullptr || nodes.size() > most ||
-        !solver.is_direct(problem.discretization.dof_handler.n_dofs()))
+        !kept.solver->is_direct(problem.discretization.dof_handler.n_dofs()))
       return false;
     TimerOutput::Scope scope(problem.timer, "condensed contact");
     now.states.forget(); // bounds follow pressures again
-    const auto              open = with_open_nodes(now, springs);
-    const BaseSolution<dim> base{nodes, open.states.all(), open.laws, open.answers, movable_nodes(), open.u};
-    const auto              responses = compliance(open, base);
-    const auto              found     = solve_condensed_friction<dim>(
-        base,
+    const auto open      = with_open_nodes(now, springs);
+    const auto from      = base_solution(open.states.all(), open.laws, open);
+    const auto responses = compliance(open, from);
+    const auto found     = solve_condensed_friction<dim>(
+        from,
         [&](const unsigned int k, const NodeInput input) { return responses.respond(k, input); },
         linear_bounds(now));
     if (found)
@@ -316,16 +417,15 @@ namespace Amontons
   {
     constexpr unsigned int n_most = 800, n_most_times = 3;
     if (any_friction || !now.states.safeguarded() || !now.free_modes.empty() || problem.penalty != nullptr ||
-        n_pivoted == n_most_times || !solver.is_direct(problem.discretization.dof_handler.n_dofs()))
+        n_pivoted == n_most_times || !kept.solver->is_direct(problem.discretization.dof_handler.n_dofs()))
       return 0;
     TimerOutput::Scope scope(problem.timer, "condensed contact");
     ++n_pivoted;
-    unsigned int            n_responses = 0;
-    const BaseSolution<dim> base{
-        problem.contact.nodes(), before, now.laws, now.answers, movable_nodes(), now.u};
-    const auto responses = compliance(now, base);
-    const auto found     = solve_condensed_contact<dim>(
-        base,
+    unsigned int n_responses = 0;
+    const auto   from        = base_solution(before, now.laws, now);
+    const auto   responses   = compliance(now, from);
+    const auto   found       = solve_condensed_contact<dim>(
+        from,
         [&](const unsigned int k, const NodeInput input) {
           ++n_responses;
           return responses.respond(k, input);

@@ -1,4 +1,3 @@
-#include <amontons/solver/contact_compliance.h>
 #include <amontons/solver/diagnosis.h>
 #include <amontons/solver/newton.h>
 #include <amontons/solver/newton_residual.h>
@@ -289,36 +288,7 @@ namespace Amontons
     balance = problem.mechanics.unbalanced();
     if (problem.contact.any_friction() || problem.penalty != nullptr)
       balance -= known_contact_forces(problem, at);
-    const auto multipliers = multipliers_of(balance_with_drag(), step.supports(), *at.constraints);
-    for (unsigned int k = 0; k < at.answers.size(); ++k)
-      at.answers[k] = answer(k, multipliers);
-  }
-
-  template <int dim>
-  NodalContact<dim>
-  Newton<dim>::answer(const unsigned int k, const std::vector<double> &multipliers) const
-  {
-    const auto &node = problem.contact.nodes()[k];
-    const auto &u    = problem.state.displacement;
-    if (!problem.by_equations(k))
-      return problem.penalty->answer(k, at.states);
-    if (at.states[k] == ContactStatus::open)
-      {
-        NodalContact<dim> result;
-        result.gap = problem.contact.open_gap(k, u);
-        if (node.frictional && problem.contact.is_opposite(k)) // where its law starts if it closes
-          result.slip = problem.contact.slip(k, u);
-        return result;
-      }
-    const unsigned int e           = at.first_equation[k];
-    const bool         has_a_pivot = at.constraints->pivots()[e].has_value();
-    return answer_of_closed(node,
-                            at.states[k],
-                            at.laws[k],
-                            node.frictional ? problem.contact.slip(k, u) : Tensor<1, dim>(),
-                            has_a_pivot ? 0. : problem.contact.gap(k, u),
-                            has_a_pivot,
-                            &multipliers[e]);
+    at.answers = nodal_answers(problem, at, step.supports(), balance_with_drag());
   }
 
   // In effect: where springs hold all motions that the present equations leave free, pins are not needed.

@@ -1,3 +1,4 @@
+#include <amontons/solver/contact_compliance.h>
 #include <amontons/solver/newton_step.h>
 
 namespace Amontons
@@ -78,6 +79,53 @@ namespace Amontons
     return forces;
   }
 
+  namespace
+  {
+    template <int dim>
+    NodalContact<dim>
+    nodal_answer(const ContactEquilibrium<dim> &problem,
+                 const Iterate<dim>            &now,
+                 const unsigned int             k,
+                 const std::vector<double>     &multipliers)
+    {
+      const auto &node = problem.contact.nodes()[k];
+      const auto &u    = problem.state.displacement;
+      if (!problem.by_equations(k))
+        return problem.penalty->answer(k, now.states);
+      if (now.states[k] == ContactStatus::open)
+        {
+          NodalContact<dim> result;
+          result.gap = problem.contact.open_gap(k, u);
+          if (node.frictional && problem.contact.is_opposite(k)) // where its law starts if it closes
+            result.slip = problem.contact.slip(k, u);
+          return result;
+        }
+      const unsigned int e           = now.first_equation[k];
+      const bool         has_a_pivot = now.constraints->pivots()[e].has_value();
+      return answer_of_closed(node,
+                              now.states[k],
+                              now.laws[k],
+                              node.frictional ? problem.contact.slip(k, u) : Tensor<1, dim>(),
+                              has_a_pivot ? 0. : problem.contact.gap(k, u),
+                              has_a_pivot,
+                              &multipliers[e]);
+    }
+  } // namespace
+
+  template <int dim>
+  NodalContacts<dim>
+  nodal_answers(const ContactEquilibrium<dim> &problem,
+                const Iterate<dim>            &now,
+                const Constraints             &supports,
+                const LA::Vector              &unbalanced)
+  {
+    const auto         multipliers = multipliers_of(unbalanced, supports, *now.constraints);
+    NodalContacts<dim> result;
+    for (unsigned int k = 0; k < problem.contact.nodes().size(); ++k)
+      result.push_back(nodal_answer(problem, now, k, multipliers));
+    return result;
+  }
+
   template <int dim>
   LA::Vector
   what_rounding_sees(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now)
@@ -144,6 +192,10 @@ namespace Amontons
   known_contact_forces(const ContactEquilibrium<2> &, const Iterate<2> &);
   template LA::Vector
   known_contact_forces(const ContactEquilibrium<3> &, const Iterate<3> &);
+  template NodalContacts<2>
+  nodal_answers(const ContactEquilibrium<2> &, const Iterate<2> &, const Constraints &, const LA::Vector &);
+  template NodalContacts<3>
+  nodal_answers(const ContactEquilibrium<3> &, const Iterate<3> &, const Constraints &, const LA::Vector &);
   template LA::Vector
   what_rounding_sees(const ContactEquilibrium<2> &, const Iterate<2> &);
   template LA::Vector

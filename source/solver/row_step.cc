@@ -333,12 +333,16 @@ namespace Amontons
     TimerOutput::Scope      scope(problem.timer, "condensed contact");
     const BaseSolution<dim> base{
         contact.nodes(), before, now.laws, now.answers, std::vector<bool>(before.size(), true), now.u};
+    Responses<dim>          responses;
     ActiveSetLookahead<dim> condensed(
-        base, [&](const unsigned int k, const NodeInput) { return respond(now, base, k); }, n_most);
+        base,
+        [&](const unsigned int k, const NodeInput) { return respond(now, base, k); },
+        n_most,
+        responses);
     now.states.forget();
-    if (!condensed.lead(now.states, rounding, n_most_updates))
+    if (!condensed.lead(now.states, before, now.laws, rounding, n_most_updates))
       now.states.update(now.answers, rounding);
-    return condensed.n_responses();
+    return condensed.n_asked();
   }
 
   template <int dim>

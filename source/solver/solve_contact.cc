@@ -151,7 +151,8 @@ namespace Amontons
       {
         FixedContact<dim>   contact(discretization, interfaces, state, parameters.scaling);
         const auto          problem = problem_with(contact);
-        EliminatedStep<dim> step(problem);
+        KeptSystem<dim>     own;
+        EliminatedStep<dim> step(problem, kept != nullptr ? *kept : own);
         Newton<dim>         newton(problem, step, smallest_cell, observer);
         auto                report = run_method(problem, step, newton, penalty ? &*penalty : nullptr, false);
         check_region(problem, newton.floating_bodies(), report);
@@ -181,7 +182,8 @@ namespace Amontons
     FixedContact<dim>  contact(discretization, interfaces, state, parameters.scaling);
     const auto problem = equilibrium<dim>(*this, mechanics, contact, interfaces, supports, state, nullptr);
     const typename Newton<dim>::Observer observer = [](const auto &) {};
-    EliminatedStep<dim>                  step(problem);
+    KeptSystem<dim>                      own; // which no step leaves to what it knows of other states
+    EliminatedStep<dim>                  step(problem, own);
     Newton<dim>                          newton(
         problem, step, GridTools::minimal_cell_diameter(discretization.geometry.triangulation), observer);
     if (!newton.prepare())

@@ -85,6 +85,21 @@ namespace Amontons
     bool
     is_direct(const types::global_dof_index n_dofs) const;
 
+    // Factors of the matrix as it is: a solve costs little.
+    bool
+    has_factors() const
+    {
+      return direct != nullptr && !factorisation_is_old;
+    }
+
+    // For the solves that come.
+    void
+    set_gives_up(const GivesUp &now)
+    {
+      gives_up = now;
+      given_up = false;
+    }
+
   private:
     void
     build_preconditioner(const LA::SparseMatrix &matrix);
@@ -102,7 +117,7 @@ namespace Amontons
     const LinearSolverParameters                      &parameters;
     const int                                          dim;
     const bool                                         symmetric;
-    const GivesUp                                      gives_up;
+    GivesUp                                            gives_up;
     bool                                               given_up = false;
     std::vector<std::vector<double>>                   modes;
     std::unique_ptr<TrilinosWrappers::PreconditionAMG> amg;

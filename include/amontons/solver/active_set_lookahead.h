@@ -30,6 +30,13 @@ namespace Amontons
     along
   };
 
+  // Of a node.
+  using ContactInput = std::pair<unsigned int, NodeInput>;
+
+  // What all nodes answer to a unit of an input.
+  template <int dim>
+  using Responses = std::map<ContactInput, NodalContacts<dim>>;
+
   // The bodies are linear. So what the nodes answer in other states than those of the base is
   //
   //   answer = base + sum_j x_j response_j   (doc/introduction.md, (18)),
@@ -49,35 +56,42 @@ namespace Amontons
   public:
     using Respond = std::function<NodalContacts<dim>(const unsigned int node, const NodeInput input)>;
 
-    // n_most: of responses that may be asked for.
-    ActiveSetLookahead(const BaseSolution<dim> &base, const Respond &respond, const unsigned int n_most);
+    // responses: those that are known already, to which others are added, n_most in all.
+    ActiveSetLookahead(const BaseSolution<dim> &base,
+                       const Respond           &respond,
+                       const unsigned int       n_most,
+                       Responses<dim>          &responses);
 
     // Updates the states by what the nodes answer in them, until they stay or take too many responses (or
-    // updates, or leave a rigid motion). False if that ends in the base.
+    // updates, or leave a rigid motion). False if that ends where it began, in the states `before`.
     bool
-    lead(NodeStates<dim> &states, const double rounding, const unsigned int n_most_updates);
+    lead(NodeStates<dim>                  &states,
+         const std::vector<ContactStatus> &before,
+         const std::vector<SlipLaw<dim>>  &laws_before,
+         const double                      rounding,
+         const unsigned int                n_most_updates);
 
-    // What all nodes answer in these states; nothing if that takes too many responses.
+    // The inputs x_j that lead to these states; nothing if that takes too many responses.
+    std::optional<std::map<ContactInput, double>>
+    inputs(const NodeStates<dim> &states);
+
+    // Of these states, responses that are not known yet.
+    unsigned int
+    n_unknown(const NodeStates<dim> &states) const;
+    unsigned int
+    n_asked() const // so far
+    {
+      return n_new;
+    }
+
+  private:
     std::optional<NodalContacts<dim>>
     answers(const NodeStates<dim> &states);
 
-    unsigned int
-    n_responses() const // so far
-    {
-      return responses.size();
-    }
-    bool
-    is_base(const NodeStates<dim> &states) const;
-
-  private:
-    using Input = std::pair<unsigned int, NodeInput>; // of a node
-
-    std::vector<Input>
-    inputs(const NodeStates<dim> &states) const;
-
-    const BaseSolution<dim>            &base;
-    const Respond                       respond;
-    const unsigned int                  n_most;
-    std::map<Input, NodalContacts<dim>> responses;
+    const BaseSolution<dim> &base;
+    const Respond            respond;
+    const unsigned int       n_most;
+    Responses<dim>          &responses;
+    unsigned int             n_new = 0;
   };
 } // namespace Amontons

@@ -34,8 +34,9 @@ namespace Amontons
                       const LA::SparseMatrix          &matrix,
                       LinearSolver                    &solver);
 
+    // motion (may be null): of the bodies, w.
     NodalContacts<dim>
-    respond(const unsigned int node, const NodeInput input) const;
+    respond(const unsigned int node, const NodeInput input, LA::Vector *motion = nullptr) const;
 
   private:
     LA::Vector
@@ -45,7 +46,7 @@ namespace Amontons
     LA::Vector
     internal_forces(const LA::Vector &w) const;
     NodalContacts<dim>
-    answers(const LA::Vector &offset, const LA::Vector &force) const;
+    answers(const LA::Vector &offset, const LA::Vector &force, LA::Vector *motion) const;
     NodalContact<dim>
     answer(const unsigned int node, const LA::Vector &w, const std::vector<double> &mu) const;
 

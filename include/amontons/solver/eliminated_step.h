@@ -1,23 +1,25 @@
 /// Newton's step at small strain: closed nodes are eliminated from the system.
 #pragma once
 
-#include <amontons/algebra/eliminated_system.h>
 #include <amontons/solver/contact_compliance.h>
-#include <amontons/solver/newton_step.h>
+#include <amontons/solver/kept_system.h>
 
 namespace Amontons
 {
   /// Moves on to the constraints of the closed nodes, then solves for the homogeneous increment:
   ///   C~^T K C du = C~^T (loads - K u),
   /// doc/introduction.md, (16): symmetric without friction. Only rows of closed nodes change with the set, so
-  /// that the bulk of the matrix and a factorisation serve again.
+  /// that the bulk of the matrix and a factorisation serve again, from one increment to the next, too.
+  /// Plane problems with friction and a direct solver: as long as states are near those that the factors
+  /// belong to (the base), the solution is (18), and no system is made.
   template <int dim>
   class EliminatedStep : public NewtonStep<dim>
   {
   public:
     using typename NewtonStep<dim>::Solved;
 
-    explicit EliminatedStep(const ContactEquilibrium<dim> &problem);
+    /// kept: of this mesh, from the steps before.
+    EliminatedStep(const ContactEquilibrium<dim> &problem, KeptSystem<dim> &kept);
 
     const Constraints &
     supports() const override
@@ -47,8 +49,32 @@ namespace Amontons
     stress_stiffening(const Iterate<dim> &now, const double most_strain);
 
   private:
+    struct Push
+    {
+      LA::Vector condensed;
+      double     internal; // norm of the internal forces
+    };
+
+    void
+    assemble(const Iterate<dim> &now);
+    bool
+    is_near_base(const Iterate<dim> &now);
+    void
+    find_base(const Iterate<dim> &now);
+    Push
+    push_at(const Iterate<dim> &now, LA::Vector &moved) const;
+    Solved
+    solve_system(const Iterate<dim> &now) const;
+    std::optional<Solved>
+    solve_by_base(const Iterate<dim> &now);
     ContactCompliance<dim>
-    compliance(const Iterate<dim> &at, const BaseSolution<dim> &base);
+    compliance(const Iterate<dim> &at, const BaseSolution<dim> &from) const;
+    BaseSolution<dim>
+    base_solution(const std::vector<ContactStatus> &states,
+                  const std::vector<SlipLaw<dim>>  &laws,
+                  const Iterate<dim>               &at) const;
+    ActiveSetLookahead<dim>
+    condensed(const BaseSolution<dim> &from);
     Iterate<dim>
     with_open_nodes(const Iterate<dim> &now, const LA::Vector *springs);
     double
@@ -68,8 +94,10 @@ namespace Amontons
 
     const ContactEquilibrium<dim> &problem;
     const bool                     any_friction;
-    EliminatedSystem               system;
-    LinearSolver                   solver; // its factorisation refers to the matrix, which must outlive it
+    KeptSystem<dim>               &kept;
+    const LA::Vector              *springs = nullptr; // of the last linearise()
+    std::optional<Iterate<dim>>    base;              // with the states of the matrix, at the present loads
+    bool                           by_base        = false;
     bool                           looked_in_vain = false;
     unsigned int                   n_pivoted      = 0; // see pivot()
   };

@@ -114,8 +114,6 @@ namespace Amontons
     update_constraints();
     void
     recover_contact();
-    NodalContact<dim>
-    answer(const unsigned int k, const std::vector<double> &multipliers) const;
     LA::Vector
     balance_with_drag() const;
     std::vector<types::global_dof_index>

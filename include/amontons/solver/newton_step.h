@@ -170,6 +170,15 @@ namespace Amontons
   LA::Vector
   known_contact_forces(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now);
 
+  /// What the contact nodes answer: multipliers from what is left of the forces, unbalanced, at the pivots of
+  /// the constraints; gaps of the open nodes at the displacement of the state.
+  template <int dim>
+  NodalContacts<dim>
+  nodal_answers(const ContactEquilibrium<dim> &problem,
+                const Iterate<dim>            &now,
+                const Constraints             &supports,
+                const LA::Vector              &unbalanced);
+
   /// Displacements, readable. Those of pivots are differences of the other terms of their equations, whose
   /// rounding stiff slaves turn into forces: the sum of their sizes.
   /// (Finite strain: u, as equations are those of its changes.)

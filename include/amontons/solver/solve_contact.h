@@ -1,6 +1,7 @@
 /// From bodies, surfaces and supports to a state in equilibrium: doc/introduction.md, (2) and (3).
 #pragma once
 
+#include <amontons/solver/kept_system.h>
 #include <amontons/solver/newton.h>
 
 namespace Amontons
@@ -13,6 +14,7 @@ namespace Amontons
     const Discretization<dim>    &discretization;
     TimerOutput                  &timer;
     GivesUp                       gives_up = {};
+    KeptSystem<dim>              *kept = nullptr; // of the discretization, from the solves before; or null
 
     /// state: displacement is the start and the result, committed the last converged one; contact (if known)
     /// the first guess. interfaces: coupled; at finite strain in the end at the result. follow_motion (finite

@@ -1,7 +1,6 @@
 // Cells cut by a plane: each as small cubes of six tetrahedra, linear in between.
+#include <amontons/base/gather.h>
 #include <amontons/output/body_surfaces.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <iterator>
@@ -210,8 +209,8 @@ namespace Amontons
   {
     BodyCut              cut;
     std::vector<BodyCut> parts =
-        Utilities::MPI::gather(discretization.geometry.communicator,
-                               own_cut(discretization, recovery, displacement, rounding, plane));
+        gather_on_first(discretization.geometry.communicator,
+                        own_cut(discretization, recovery, displacement, rounding, plane));
     for (BodyCut &part : parts)
       {
         std::move(part.triangles.begin(), part.triangles.end(), std::back_inserter(cut.triangles));

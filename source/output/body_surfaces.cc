@@ -1,3 +1,4 @@
+#include <amontons/base/gather.h>
 #include <amontons/output/body_surfaces.h>
 
 #include <deal.II/base/mpi.h>
@@ -100,7 +101,7 @@ namespace Amontons
     for_each_face(discretization, [&](const auto &, const unsigned int) { ++n_faces; });
     const unsigned int        n = divisions(Utilities::MPI::sum(n_faces, communicator));
     std::vector<BodySurfaces> parts =
-        Utilities::MPI::gather(communicator, own_faces(discretization, recovery, displacement, rounding, n));
+        gather_on_first(communicator, own_faces(discretization, recovery, displacement, rounding, n));
     BodySurfaces surfaces;
     for (BodySurfaces &part : parts)
       std::move(part.begin(), part.end(), std::back_inserter(surfaces));

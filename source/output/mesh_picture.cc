@@ -1,7 +1,6 @@
+#include <amontons/base/gather.h>
 #include <amontons/contact/surface_fields.h>
 #include <amontons/output/mesh_picture.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <iterator>
 #include <set>
@@ -66,7 +65,7 @@ namespace Amontons
                       const LA::Vector        &displacement,
                       const double             rounding)
   {
-    std::vector<MeshPicture> parts = Utilities::MPI::gather(
+    std::vector<MeshPicture> parts = gather_on_first(
         discretization.geometry.communicator, own_cells(discretization, recovery, displacement, rounding));
     MeshPicture picture;
     for (MeshPicture &part : parts)

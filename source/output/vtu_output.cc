@@ -1,3 +1,4 @@
+#include <amontons/base/gather.h>
 #include <amontons/output/files.h>
 #include <amontons/output/summary.h>
 #include <amontons/output/vtu_output.h>
@@ -111,7 +112,7 @@ namespace Amontons
         if (n_mine > 0 || (n_all == 0 && is_root)) // ParaView wants no empty part beside others
           DataOutBase::write_vtu_main(
               this->get_patches(), this->get_dataset_names(), this->get_nonscalar_data_ranges(), flags, part);
-        const auto parts = gather(together, part.str());
+        const auto parts = gather_on_first(together, part.str());
         MPI_Comm_free(&together);
         std::string text = head.str();
         for (const std::string &one : parts)

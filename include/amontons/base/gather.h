@@ -37,6 +37,33 @@ namespace Amontons
     return objects;
   }
 
+  // Utilities::MPI::gather without its compression: by rank on the first one, nothing on the others.
+  template <typename T>
+  std::vector<T>
+  gather_on_first(const MPI_Comm communicator, T object)
+  {
+    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const bool         first   = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    std::vector<T>     objects;
+    if (n_ranks == 1)
+      {
+        objects.push_back(std::move(object));
+        return objects;
+      }
+    const std::vector<char> mine = dealii::Utilities::pack(object, false);
+    const int               size = mine.size();
+    std::vector<int>        sizes(n_ranks), begins(n_ranks + 1, 0);
+    MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, communicator);
+    std::partial_sum(sizes.begin(), sizes.end(), begins.begin() + 1);
+    std::vector<char> all(first ? begins.back() : 0);
+    MPI_Gatherv(
+        mine.data(), size, MPI_CHAR, all.data(), sizes.data(), begins.data(), MPI_CHAR, 0, communicator);
+    for (unsigned int rank = 0; first && rank < n_ranks; ++rank)
+      objects.push_back(
+          dealii::Utilities::unpack<T>(all.cbegin() + begins[rank], all.cbegin() + begins[rank + 1], false));
+    return objects;
+  }
+
   // compute(0), ..., compute(n - 1) on all ranks: each computes every n_ranks-th, so that neighbours, which
   // cost about the same, are shared out.
   template <typename Compute>

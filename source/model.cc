@@ -40,9 +40,9 @@ namespace Amontons
   void
   Model<dim>::find_surfaces()
   {
-    kept_system = std::make_shared<KeptSystem<dim>>();
     changed.clear();
-    interfaces = make_interfaces(discretization(), mesh->first_is_slave);
+    interfaces  = make_interfaces(discretization(), mesh->first_is_slave);
+    kept_system = std::make_shared<KeptSystem<dim>>();
     for (auto &interface : interfaces)
       {
         interface.t          = t;

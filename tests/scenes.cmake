@@ -145,6 +145,26 @@ endforeach()
 add_scene_test(NAME patch_q1_displacement SCENE patch_test.prm SET "Discretization/Degree=1" CHECK ${EXACT})
 add_scene_test(NAME patch_q2_plane_stress SCENE verification/patch_pressure.prm SET "Kind=plane stress" "Discretization/Degree=2" CHECK ${EXACT})
 add_scene_test(NAME patch_q2_confined SCENE verification/patch_confined.prm SET "Discretization/Degree=2" CHECK ${EXACT})
+# Nodes lie on nodes: the wall holds the upper block through the lower one, whichever is the slave.
+foreach(slave first second)
+  set(guided SCENE verification/guided_block.prm)
+  add_scene_test(NAME guided_block_${slave} ${guided} SET "Contact interface/Slave=${slave}"
+                 CHECK "energy ~ 49.5846205664 1e-9" "meshes.-1.dissipation ~ 0.3840686566 1e-7" "pairs.0.n_stick == 8" "pairs.0.n_slip == 1")
+  add_scene_test(NAME guided_block_symmetry_${slave} ${guided} SET "Contact interface/Slave=${slave}" "Boundary condition wall/Type=symmetry" "Boundary condition wall/Value="
+                 CHECK "energy ~ 49.5846205664 1e-9" "meshes.-1.dissipation ~ 0.3840686566 1e-7")
+  add_scene_test(NAME guided_block_finite_${slave} ${guided} SET "Contact interface/Slave=${slave}" "Kinematics=finite strain"
+                 CHECK "energy ~ 48.695 1e-4" "pairs.0.n_stick == 8" "pairs.0.n_slip == 1")
+  add_scene_test(NAME guided_block_tied_${slave} ${guided} SET "Contact interface/Slave=${slave}" "Contact interface/Friction coefficient=" "Contact interface/Tied=true"
+                 CHECK "energy ~ 49.4164065871 1e-9")
+  add_scene_test(NAME guided_block_tied_finite_${slave} ${guided} SET "Contact interface/Slave=${slave}" "Contact interface/Friction coefficient=" "Contact interface/Tied=true" "Kinematics=finite strain"
+                 CHECK "energy ~ 48.306159179 1e-9")
+  set(in_space "Kind=3D" "Body lower/Lower corner=0, 0, -5" "Body lower/Upper corner=10, 10, 0" "Body lower/Cells=3, 3, 1" "Body upper/Lower corner=0, 0, 0" "Body upper/Upper corner=10, 10, 5" "Body upper/Cells=3, 3, 1"
+               "Boundary condition bottom/Value=0|0|0" "Boundary condition wall/Value=0|free|free" "Boundary condition load/Value=200*t|100*t|-3000*t" "End time=1")
+  add_scene_test(NAME guided_block_3d_${slave} ${guided} SET ${in_space} "Contact interface/Slave=${slave}" "Boundary condition wall/Boundaries=upper/left" "Contact interface/Friction coefficient=0.3"
+                 CHECK "energy ~ 534.365904507 1e-9")
+  add_scene_test(NAME guided_block_tied_3d_${slave} ${guided} SET ${in_space} "Contact interface/Slave=${slave}" "Contact interface/Friction coefficient=" "Contact interface/Tied=true"
+                 CHECK "energy ~ 540.37705984 1e-9")
+endforeach()
 add_scene_test(NAME two_punches_q1 SCENE verification/two_punches.prm SET "Discretization/Degree=1" CHECK ${EXACT})
 add_scene_test(NAME three_blocks_q1 SCENE three_blocks.prm SET "Discretization/Degree=1" CHECK ${EXACT})
 add_scene_test(NAME patch_stiffness_1e6 SCENE verification/patch_pressure.prm

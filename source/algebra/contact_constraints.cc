@@ -20,6 +20,15 @@ namespace Amontons
     }
   } // namespace
 
+  bool
+  others_hold(const ContactEquation &equation, const Constraints &supports)
+  {
+    const auto is_held = [&](const types::global_dof_index dof) { return supports.is_constrained(dof); };
+    return !equation.others.empty() &&
+           std::all_of(equation.candidates.begin(), equation.candidates.end(), is_held) &&
+           std::none_of(equation.others.begin(), equation.others.end(), is_held);
+  }
+
   ContactConstraints::ContactConstraints(const Constraints                  &supports,
                                          const std::vector<ContactEquation> &equations)
       : trial_constraints(supports.get_local_lines()),
@@ -55,8 +64,11 @@ namespace Amontons
               test.coefficients = e.equation.coefficients;
             substitute(test, test_constraints);
           }
-        pivot_dofs[i] =
-            choose_pivot(symmetric ? trial : product(trial, test), trial_constraints, e.candidates);
+        const bool by_others = others_hold(e, supports); // of these, those that would not move far more
+        pivot_dofs[i]        = choose_pivot(symmetric ? trial : product(trial, test),
+                                     trial_constraints,
+                                     by_others ? e.others : e.candidates,
+                                     by_others ? 0.1 : 1e-6);
         if (pivot_dofs[i])
           {
             eliminate(trial, *pivot_dofs[i], trial_constraints);

@@ -70,8 +70,9 @@ namespace Amontons
     // (masters, carriers) end a chain.
     std::unordered_map<types::global_dof_index, std::vector<const LinearEquation *>> eliminating;
     for (const auto &candidate : candidates)
-      for (const auto dof : candidate.candidates)
-        eliminating[dof].push_back(&candidate.equation);
+      for (const auto *dofs : {&candidate.candidates, &candidate.others})
+        for (const auto dof : *dofs)
+          eliminating[dof].push_back(&candidate.equation);
     const auto add_replacements = [&](const types::global_dof_index      first,
                                       std::set<types::global_dof_index> &found) {
       std::vector<types::global_dof_index> open = {first};

@@ -74,22 +74,16 @@ namespace Amontons
     }
 
     std::string
-    krylov_text(const unsigned int iterations)
-    {
-      return iterations == 0 ? "direct" : std::to_string(iterations);
-    }
-
-    std::string
     iteration_text(const IterationLine &l)
     {
-      return format("  %9u  %s %8u %8u %8u %8u %8s",
+      return format("  %9u  %s %8u %8u %8u %8u %8u",
                     l.iteration,
                     residual_text(l.residual).c_str(),
                     l.n_open,
                     l.n_stick,
                     l.n_slip,
                     l.changes,
-                    krylov_text(l.krylov_iterations).c_str());
+                    l.krylov_iterations);
     }
 
     double
@@ -219,7 +213,7 @@ namespace Amontons
     unsigned int        krylov = 0;
     for (const IterationLine &l : iterations)
       krylov += l.krylov_iterations;
-    line(format("  %9u %12.6g %11u  %s %8u %8u %8u %8s %15s",
+    line(format("  %9u %12.6g %11u  %s %8u %8u %8u %8u %15s",
                 increment_number,
                 increment_end,
                 static_cast<unsigned int>(iterations.size()),
@@ -227,7 +221,7 @@ namespace Amontons
                 last.n_open,
                 last.n_stick,
                 last.n_slip,
-                krylov_text(krylov).c_str(),
+                krylov,
                 short_number(estimate.contact).c_str()));
   }
 

@@ -68,23 +68,47 @@ namespace Amontons
       return result;
     }
 
-    // At a plane that the slave's surface does not cross smoothly, opposite of nodes of the same plane.
+    // Of the slave's node: nodes of the same plane are opposite.
+    template <int dim>
+    bool
+    is_shared(const Tensor<1, dim> &plane, const ContactInterface<dim> &interface, const MortarRow<dim> &row)
+    {
+      for (const auto &other : interface.master_surface->nodes)
+        if (std::any_of(other.symmetry_planes.begin(),
+                        other.symmetry_planes.end(),
+                        [&](const auto &others) { return std::abs(others * plane) > 1 - 1e-10; }) &&
+            std::any_of(row.master.begin(), row.master.end(), [&](const auto &entry) {
+              return entry.first == other.dofs;
+            }))
+          return true;
+      return false;
+    }
+
+    // At a plane that the slave's surface does not cross smoothly.
     template <int dim>
     bool
     is_at_ridge(const ContactInterface<dim> &interface, const MortarRow<dim> &row)
     {
       const auto &node = interface.slave->nodes[row.node];
-      if (node.symmetry_planes.size() == node.crossed_planes.size() || !interface.master_surface)
-        return false;
-      for (const auto &other : interface.master_surface->nodes)
-        for (const auto &plane : other.symmetry_planes)
-          for (const auto &own : node.symmetry_planes)
-            if (std::abs(plane * own) > 1 - 1e-10 &&
-                std::any_of(row.master.begin(), row.master.end(), [&](const auto &entry) {
-                  return entry.first == other.dofs;
-                }))
-              return true;
-      return false;
+      return node.symmetry_planes.size() > node.crossed_planes.size() && interface.master_surface &&
+             std::any_of(node.symmetry_planes.begin(), node.symmetry_planes.end(), [&](const auto &plane) {
+               return is_shared(plane, interface, row);
+             });
+    }
+
+    // Those that what is opposite stays in, too: else the node slides along it, or holds it.
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    shared_planes(std::vector<Tensor<1, dim>>  planes,
+                  const ContactInterface<dim> &interface,
+                  const MortarRow<dim>        &row)
+    {
+      if (interface.master_surface)
+        planes.erase(std::remove_if(planes.begin(),
+                                    planes.end(),
+                                    [&](const auto &plane) { return !is_shared(plane, interface, row); }),
+                     planes.end());
+      return planes;
     }
   } // namespace
 
@@ -218,7 +242,10 @@ namespace Amontons
     for (unsigned int c = 0; c < dim; ++c)
       node.X[c] = surface_node.X[c];
     node.at_ridge = (node.tied || node.frictional) && is_at_ridge(interfaces[interface], row);
-    node.planes   = node.tied || node.at_ridge ? surface_node.symmetry_planes : surface_node.crossed_planes;
+    node.planes =
+        shared_planes(node.tied || node.at_ridge ? surface_node.symmetry_planes : surface_node.crossed_planes,
+                      interfaces[interface],
+                      row);
     node.directions =
         node.at_ridge ? directions_at_ridge(node.planes, row.normal) : directions_in(node.planes, row.normal);
     node.closing = equation_along(row.normal, node.gap, row, surface_node);
@@ -227,6 +254,9 @@ namespace Amontons
         Tensor<1, dim> unit;
         unit[c]            = 1;
         node.components[c] = equation_along(unit, 0, row, surface_node);
+        if (interfaces[interface].master_surface)
+          for (const auto &entry : row.master)
+            node.components[c].others.push_back(entry.first[c]);
       }
     return node;
   }

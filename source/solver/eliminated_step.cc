@@ -234,7 +234,9 @@ namespace Amontons
     for (const auto &node : problem.contact.nodes())
       result.push_back(
           std::none_of(node.components.begin(), node.components.end(), [&](const auto &component) {
-            return !component.candidates.empty() && problem.supports.is_constrained(component.candidates[0]);
+            return !component.candidates.empty() &&
+                   problem.supports.is_constrained(component.candidates[0]) &&
+                   !others_hold(component, problem.supports);
           }));
     return result;
   }

@@ -98,6 +98,8 @@ namespace Amontons
       for (const auto *equation : node.holding())
         {
           candidates.push_back(*equation);
+          if (!others_hold(*equation, problem.supports))
+            candidates.back().others.clear();
           substitute(candidates.back().equation, problem.supports);
         }
     for (const auto &node : problem.contact.nodes())

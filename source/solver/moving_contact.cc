@@ -114,7 +114,8 @@ namespace Amontons
     if (all[k].at_ridge)
       return along(all[k], E).norm();
     for (unsigned int c = 0; c < dim; ++c)
-      if (supports.is_constrained(all[k].components[c].candidates[0]) && is_along_axes(all[k].planes))
+      if (supports.is_constrained(all[k].components[c].candidates[0]) && is_along_axes(all[k].planes) &&
+          !others_hold(all[k].components[c], supports))
         E[c] = 0;
     return E.norm();
   }

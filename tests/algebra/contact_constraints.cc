@@ -233,6 +233,28 @@ check_cases()
              {true, true});
 }
 
+// A node that a support keeps from moving along an axis: what is opposite of it is held.
+void
+check_others()
+{
+  const auto held   = make({{0, 1.}}, 0.1, {0});
+  auto       along  = make({{0, 1.}, {2, -0.8}, {4, -0.2}}, 0, {0});
+  along.others      = {2, 4};
+  const auto across = make({{1, 1.}, {3, -0.8}, {5, -0.2}}, 0, {1});
+  check_case("held by a support", {held}, {along, across}, {true, true});
+  check_case("not held", {}, {along, across}, {true, true});
+  check_case(
+      "what is opposite is held, too", {held, make({{2, 1.}}, 0.3, {2})}, {along, across}, {false, true});
+  auto far   = make({{0, 1.}, {2, -0.05}, {4, -0.95}}, 0, {0});
+  far.others = {2};
+  check_case("by what hardly moves it", {held}, {far}, {false});
+  auto next   = make({{6, 1.}, {2, -0.1}, {4, -0.9}}, 0, {6});
+  next.others = {2, 4};
+  check_case(
+      "beside another one", {held, make({{6, 1.}}, 0, {6})}, {along, next, across}, {true, true, true});
+  check_case("beside a free one", {held}, {next, along, across}, {true, true, true});
+}
+
 // A slipping node: test functions obey (n + mu d) . Delta = 0.
 ContactEquation
 slipping(ContactEquation equation, const Coefficients &along, const double mu)
@@ -280,6 +302,7 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_cases();
+  check_others();
   check_friction();
   return check::result();
 }

@@ -11,11 +11,14 @@ namespace Amontons
   // One scalar statement of a closed node: sum_d coefficient_d u_d = value, with multiplier mu: the contact
   // force on DoF d is -coefficient_d mu. `candidates`: the DoFs of the node, one of which is eliminated.
   // Friction: test functions v obey sum_d test_d v_d = 0 instead, and the force on DoF d is -test_d mu.
+  // others: those of what is opposite, where a support of the node alone has all candidates, see
+  // others_hold().
   struct ContactEquation
   {
     LinearEquation                       equation;
     std::vector<types::global_dof_index> candidates;
-    Coefficients                         test = {}; // empty: the coefficients of the equation
+    Coefficients                         test   = {}; // empty: the coefficients of the equation
+    std::vector<types::global_dof_index> others = {};
 
     const Coefficients &
     force_coefficients() const
@@ -24,6 +27,11 @@ namespace Amontons
     }
   };
 
+  // Supports keep the node from moving, and not what is opposite of it: that has to be held then. Where both
+  // end at a support, it takes what would hold one of them to the other.
+  bool
+  others_hold(const ContactEquation &equation, const Constraints &supports);
+
   // Frictionless contact, tied interfaces and stick: trial and test functions obey the same constraints
   // (doc/introduction.md, (12)), and the condensed matrix is symmetric. Slip with
   // friction: both eliminate the same DoF, by different lines.
@@ -31,8 +39,9 @@ namespace Amontons
   {
   public:
     // Adds the equations to the supports, in their order, each eliminating the candidate with the largest
-    // coefficient (friction: product of both) after substitution of what is eliminated already. Equations
-    // without a pivot (the supports own the node) are left out: pivots() has no entry for them.
+    // coefficient (friction: product of both) after substitution of what is eliminated already, or one of the
+    // others. Equations without a pivot (the supports own the node) are left out: pivots() has no entry for
+    // them.
     ContactConstraints(const Constraints &supports, const std::vector<ContactEquation> &equations);
 
     // What displacements obey.

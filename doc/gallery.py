@@ -28,7 +28,7 @@ GROUPS = [
      "verification/klarbring verification/patch_friction verification/equal_blocks verification/clamped verification/tee verification/oblique_touch verification/opened_again verification/large_increment verification/wedge_self_lock verification/small_shear"),
     ("Held by contact and friction alone", "floating_slab incline verification/leaning_weight verification/steep_slope verification/tipping verification/tipping_tower "
      "verification/far_gap verification/floating_slab_3d verification/tipping_3d"),
-    ("Finite strain", "ironing wall_buckling snap_away nafems_roller_finite verification/rubber_indentation verification/fluid_pressure verification/tube_in_bore verification/compressed_rubber verification/compressed_block_3d verification/o_ring verification/o_ring_half verification/thin_ring "
+    ("Finite strain", "ironing wall_buckling snap_away nafems_roller_finite verification/rubber_indentation verification/fluid_pressure verification/tube_in_bore verification/compressed_rubber verification/compressed_block_3d verification/o_ring verification/o_ring_half verification/ring_in_groove verification/thin_ring "
      "verification/press_finite verification/slide_off_edge verification/slide_over_edges verification/slid_block verification/ring_rolls verification/corner_on_corner verification/turned_disk "
      "verification/objectivity verification/turned_rigid_body verification/turned_obstacle verification/turned_platens verification/turned_with_friction verification/patch_finite "
      "verification/patch_finite_3d verification/patch_finite_turned verification/patch_finite_turned_3d verification/uniaxial_finite verification/simple_shear_finite "
@@ -43,7 +43,7 @@ GROUPS = [
      "verification/patch_3d_punch verification/patch_3d_hanging_nodes"),
     ("Tied bodies", "verification/tied_patch verification/tied_patch_3d verification/tied_beam verification/beam_in_one_piece verification/tied_column verification/tied_bracket"),
     ("Unusual input", "verification/no_contact verification/just_touching verification/tension verification/stiff_punch verification/gap_closes_on_incompressible verification/piston verification/narrow_load verification/thin_wire verification/edge_beyond_nodes verification/wavy_gap verification/two_loads verification/beam_on_stop verification/corner_on_plane verification/edge_on_plate_3d "
-     "verification/touched_at_the_axis verification/rider verification/v_joint verification/disk_in_groove verification/disk_squeezed verification/stack_without_friction verification/ball_between_planes verification/friction_band verification/displaced_bump verification/growing_stick verification/growing_stick_3d verification/receding_layer_rough verification/tied_and_turned verification/tied_shear verification/light_beside_heavy"),
+     "verification/touched_at_the_axis verification/rider verification/v_joint verification/disk_in_groove verification/disk_squeezed verification/stack_without_friction verification/ball_between_planes verification/half_ring_below_lid verification/friction_band verification/displaced_bump verification/growing_stick verification/growing_stick_3d verification/receding_layer_rough verification/tied_and_turned verification/tied_shear verification/light_beside_heavy"),
 ]
 
 # Where the bodies as a whole (in space: the pressure on the first surface) are not what is to be seen: the title of the picture; entries of a run for the picture.

@@ -18,6 +18,17 @@ namespace Amontons
           result.coefficients[dof] = coefficient * other->second;
       return result;
     }
+
+    // Of the others, one that would not move far more than the jump.
+    std::optional<types::global_dof_index>
+    pivot_of(const ContactEquation &equation,
+             const LinearEquation  &substituted,
+             const Constraints     &present,
+             const Constraints     &supports)
+    {
+      return others_hold(equation, supports) ? choose_pivot(substituted, present, equation.others, 0.1)
+                                             : choose_pivot(substituted, present, equation.candidates);
+    }
   } // namespace
 
   bool
@@ -64,11 +75,7 @@ namespace Amontons
               test.coefficients = e.equation.coefficients;
             substitute(test, test_constraints);
           }
-        const bool by_others = others_hold(e, supports); // of these, those that would not move far more
-        pivot_dofs[i]        = choose_pivot(symmetric ? trial : product(trial, test),
-                                     trial_constraints,
-                                     by_others ? e.others : e.candidates,
-                                     by_others ? 0.1 : 1e-6);
+        pivot_dofs[i] = pivot_of(e, symmetric ? trial : product(trial, test), trial_constraints, supports);
         if (pivot_dofs[i])
           {
             eliminate(trial, *pivot_dofs[i], trial_constraints);

@@ -16,6 +16,7 @@
 #include <ml_utils.h>
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 
 namespace Amontons
@@ -236,7 +237,15 @@ namespace Amontons
   {
   }
 
-  LinearSolver::~LinearSolver() = default;
+  // Ranks free factors together, and an error may end the program on one of them first.
+  LinearSolver::~LinearSolver()
+  {
+    if (std::uncaught_exceptions() > 0)
+      {
+        (void)direct.release(); // NOLINT(bugprone-unused-return-value): lost
+        (void)amg.release();    // NOLINT(bugprone-unused-return-value)
+      }
+  }
 
   bool
   LinearSolver::is_given_up()

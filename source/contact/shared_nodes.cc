@@ -184,7 +184,9 @@ namespace Amontons
 
   namespace
   {
-    // By node that is behind another master: its gap. u: see prefer_overlapped().
+    // By node that is behind another master: its gap. Along a normal that nearly misses the master, distances
+    // differ by far more than faces are large, and a weighted mean says little: overlaps are seen by the
+    // plain one, too. u: see prefer_overlapped().
     template <int dim>
     std::map<unsigned int, double>
     gaps_behind(const Discretization<dim>   &discretization,
@@ -202,7 +204,10 @@ namespace Amontons
           discretization, *interface.slave, interface.master, interface.coupling.points, all, all);
       for (const auto &row : coupling.rows)
         if (behind[row.node] > 0)
-          gaps[row.node] = discretization.finite_strain ? row.gap : row.gap - row.normal * jump(row, u);
+          {
+            const double gap = std::max(row.gap, row.mean_gap);
+            gaps[row.node]   = discretization.finite_strain ? gap : gap - row.normal * jump(row, u);
+          }
       return gaps;
     }
   } // namespace

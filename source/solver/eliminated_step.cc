@@ -45,9 +45,10 @@ namespace Amontons
   EliminatedStep<dim>::assemble(const Iterate<dim> &now)
   {
     TimerOutput::Scope scope(problem.timer, "assemble condensed system");
-    const bool is_known = kept.has_states() && kept.has_springs(springs) && problem.penalty == nullptr;
+    const bool         by_equations = problem.penalty == nullptr;
+    const bool is_known = kept.has_states() && kept.has_springs(springs) && (by_equations || !now.is_first());
     const unsigned int n_others = is_known ? kept.n_other_states(now.states) : LinearSolver::all_rows;
-    if (!any_friction && n_others == 0)
+    if (!any_friction && by_equations && n_others == 0)
       return; // the same matrix
     base.reset();
     kept.assemble(problem, now, springs, stiffness_of_contact(now));
@@ -80,7 +81,9 @@ namespace Amontons
     base->laws        = kept.laws;
     base->constraints = std::make_shared<ContactConstraints>(
         constraints_of(problem, problem.supports, base->states, &base->first_equation));
-    base->u += solve_system(*base).change;
+    by_base = false;
+    base->u += solve(*base, nullptr).change;
+    by_base             = true;
     const auto &u       = problem.state.displacement; // that of the base
     LA::Vector  balance = problem.mechanics.bodies().internal_forces(u);
     balance -= problem.mechanics.loads();
@@ -106,20 +109,6 @@ namespace Amontons
     return matrices;
   }
 
-  template <int dim>
-  typename EliminatedStep<dim>::Solved
-  EliminatedStep<dim>::solve(const Iterate<dim> &now, const Drag *)
-  {
-    if (by_base)
-      {
-        if (auto solved = solve_by_base(now))
-          return *solved;
-        by_base = false;
-        assemble(now);
-      }
-    return solve_system(now);
-  }
-
   // `moved` obeys the constraints of `now` then, and is the displacement of the state.
   template <int dim>
   typename EliminatedStep<dim>::Push
@@ -139,8 +128,15 @@ namespace Amontons
 
   template <int dim>
   typename EliminatedStep<dim>::Solved
-  EliminatedStep<dim>::solve_system(const Iterate<dim> &now) const
+  EliminatedStep<dim>::solve(const Iterate<dim> &now, const Drag *)
   {
+    if (by_base)
+      {
+        if (auto solved = solve_by_base(now))
+          return *solved;
+        by_base = false;
+        assemble(now);
+      }
     LA::Vector moved = now.u, du;
     const Push push  = push_at(now, moved);
     Solved     result;
@@ -319,7 +315,7 @@ namespace Amontons
     by_base = false;
     kept.assemble(problem, open, springs, {});
     kept.solver->values_changed();
-    open.u += solve_system(open).change;
+    open.u += solve(open, nullptr).change;
     u = open.u;
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {

@@ -374,14 +374,16 @@ namespace Amontons
     return at.report.pivoted;
   }
 
-  // Small strain: weak springs are all that holds a motion, and they are not coming to rest.
+  // Small strain: weak springs are all that holds a motion, and they are not coming to rest. In the first
+  // solution of a set they resist what its nodes have let go.
   template <int dim>
   bool
   Newton<dim>::moves_apart() const
   {
-    const unsigned int n = at.report.iterations.size();
-    return problem.mechanics.is_linear() && n > 1 && !at.free_modes.empty() &&
-           at.report.iterations[n - 1].residual > 0.5 * at.report.iterations[n - 2].residual;
+    const auto        &lines = at.report.iterations;
+    const unsigned int n     = lines.size();
+    return problem.mechanics.is_linear() && n > 1 && !at.free_modes.empty() && lines[n - 2].n_changes == 0 &&
+           lines[n - 1].residual > 0.5 * lines[n - 2].residual;
   }
 
   // Finite strain: how many times their size, if that is far beyond what any increment does and supports

@@ -63,8 +63,6 @@ namespace Amontons
     find_base(const Iterate<dim> &now);
     Push
     push_at(const Iterate<dim> &now, LA::Vector &moved) const;
-    Solved
-    solve_system(const Iterate<dim> &now) const;
     std::optional<Solved>
     solve_by_base(const Iterate<dim> &now);
     ContactCompliance<dim>

@@ -7,11 +7,13 @@ namespace Amontons
 {
   namespace
   {
-    // A response costs a tenth to a twentieth of a factorisation, in small systems less than their assembly.
+    // A response costs a tenth to a twentieth of a factorisation, in small systems less than their assembly:
+    // beyond that a new one, from which they are nearer, is better. The known ones take memory.
     unsigned int
-    most_responses(const types::global_dof_index n_dofs)
+    most_responses(const unsigned int n_known, const types::global_dof_index n_dofs)
     {
-      return std::max<types::global_dof_index>(100, 400000 / n_dofs);
+      const unsigned int of_small = 400000 / n_dofs;
+      return std::min(n_known + std::max(16u, of_small), std::max(100u, of_small));
     }
   } // namespace
 
@@ -266,10 +268,16 @@ namespace Amontons
   ActiveSetLookahead<dim>
   EliminatedStep<dim>::condensed(const BaseSolution<dim> &from)
   {
-    const auto respond = [&](const unsigned int k, const NodeInput input) {
-      return compliance(*base, from).respond(k, input, &kept.motions[{k, input}]);
+    const auto respond = [this, &from, solver = std::shared_ptr<ContactCompliance<dim>>()](
+                             const unsigned int k, const NodeInput input) mutable {
+      if (solver == nullptr) // takes a while
+        solver = std::make_shared<ContactCompliance<dim>>(compliance(*base, from));
+      return solver->respond(k, input, &kept.motions[{k, input}]);
     };
-    return {from, respond, most_responses(problem.discretization.dof_handler.n_dofs()), kept.responses};
+    return {from,
+            respond,
+            most_responses(kept.responses.size(), problem.discretization.dof_handler.n_dofs()),
+            kept.responses};
   }
 
   // Where this ends where it began, rounding speaks differently here and there: systems of the bodies decide

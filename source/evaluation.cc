@@ -8,7 +8,8 @@ namespace Amontons
 {
   namespace
   {
-    // What the shear of sticking nodes leaves of the bound of friction, by coupling row.
+    // What the shear of sticking nodes leaves of the bound of friction, by coupling row. Nodes that slipped
+    // and are held then are at their bound.
     template <int dim>
     std::vector<double>
     unused_shears(const ContactInterface<dim> &interface, const NodalContacts<dim> &contact, const double t)
@@ -19,7 +20,8 @@ namespace Amontons
           const auto  &node  = contact[row.node];
           const auto   X     = as_3d(interface.slave->nodes[row.node].X);
           const double bound = shear_bound(*interface.pair, X, t, node.pressure).value;
-          unused.push_back(node.state == ContactStatus::stick ? std::max(0., bound - node.shear.norm()) : 0);
+          const double left  = bound - node.shear.norm();
+          unused.push_back(node.state == ContactStatus::stick && left > 1e-8 * bound ? left : 0);
         }
       return unused;
     }

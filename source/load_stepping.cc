@@ -334,6 +334,7 @@ namespace Amontons
     const bool may_hide =
         (!evaluation.touches() && error.data >= 1) ||
         (error.quantity && !small_contacts_are_resolved(model->interfaces, evaluation.fields)) ||
+        (quantity == "contact size" && !sizes_are_resolved(model->interfaces, evaluation.fields, target)) ||
         (quantity == "stick size" && history.quantity.is_zero() &&
          may_hide_stick(model->interfaces, history.state));
     const bool may_appear = quantity.find(" size") != std::string::npos && error.contact > target;

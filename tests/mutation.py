@@ -196,6 +196,7 @@ CHANGES = [
     ("first solution of a set", "solver/newton.cc", "lines[n - 2].n_changes == 0 &&", "true &&", "scenes/half_ring_below_lid$"),
     ("overlaps along a normal that misses", "contact/shared_nodes.cc", "std::max(row.gap, row.mean_gap);", "row.gap;", "scenes/ring_in_groove$"),
     ("held at the bound", "evaluation.cc", "left > 1e-8 * bound", "left > 0", "scenes/capstan_held_at_its_bound$"),
+    ("sizes of a few nodes", "load_stepping.cc", "!sizes_are_resolved(", "false && !sizes_are_resolved(", "scenes/target_size_by_chance$"),
     ("walls beside the contact", "algebra/contact_constraints.cc", "? choose_pivot(substituted, present, equation.others, 0.1)", "? choose_pivot(substituted, present, equation.candidates)", "scenes/guided_block"),
     ("walls of both bodies", "algebra/contact_constraints.cc", "           std::none_of(equation.others.begin(), equation.others.end(), is_held);", "           true;", "^algebra/contact_constraints$"),
     ("planes of one body", "solver/contact_nodes.cc", "return !is_shared(plane, interface, row);", "return false;", "scenes/guided_block_symmetry"),

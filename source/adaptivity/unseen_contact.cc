@@ -58,11 +58,12 @@ namespace Amontons
 
     template <int dim>
     bool
-    is_resolved(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+    is_resolved(const ContactInterface<dim> &interface,
+                const SurfaceFields<dim>    &fields,
+                const double                 few = dim == 2 ? 4 : 9)
     {
-      const auto            &slave     = *interface.slave;
-      constexpr unsigned int few       = dim == 2 ? 4 : 9;
-      const auto             is_closed = [&](const unsigned int node) {
+      const auto &slave     = *interface.slave;
+      const auto  is_closed = [&](const unsigned int node) {
         return fields.state[node] != ContactStatus::open;
       };
       unsigned int n_closed = 0;
@@ -102,6 +103,31 @@ namespace Amontons
           n_resolved += is_resolved(interfaces[i], fields[i]);
         }
     return n_touching < 2 || n_resolved == n_touching;
+  }
+
+  template <>
+  bool
+  sizes_are_resolved(const std::vector<ContactInterface<2>> &interfaces,
+                     const std::vector<SurfaceFields<2>>    &fields,
+                     const double                            target)
+  {
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        const double n_of_half = std::sqrt(0.5 / target), n = fields[i].symmetry_planes.empty() ? 2 : 1;
+        if (!interfaces[i].pair->tied && fields[i].normal_force.norm() > 0 &&
+            !is_resolved(interfaces[i], fields[i], n * n_of_half))
+          return false;
+      }
+    return true;
+  }
+
+  template <>
+  bool
+  sizes_are_resolved(const std::vector<ContactInterface<3>> &,
+                     const std::vector<SurfaceFields<3>> &,
+                     const double)
+  {
+    return true;
   }
 
   template std::vector<bool>

@@ -23,4 +23,13 @@ namespace Amontons
   bool
   small_contacts_are_resolved(const std::vector<ContactInterface<dim>> &interfaces,
                               const std::vector<SurfaceFields<dim>>    &fields);
+
+  // Whether contacts have as many closed nodes as their size to this relative error takes, which goes like
+  /// the square of the faces' part of it: two coarse meshes may agree by chance. Sharp edges: as above. In
+  /// space, where nodes are many, always.
+  template <int dim>
+  bool
+  sizes_are_resolved(const std::vector<ContactInterface<dim>> &interfaces,
+                     const std::vector<SurfaceFields<dim>>    &fields,
+                     const double                              target);
 } // namespace Amontons

@@ -1690,6 +1690,13 @@ foreach(case "free:Kinematics=small strain" "rough:Contact joint/Friction coeffi
                          "error_estimate.contact <= 1e-9" "newton.:.iterations <= 6")
   endforeach()
 endforeach()
+# Walls along an axis, for both bodies, are planes as well: no states were found.
+foreach(kinematics "small strain" "finite strain")
+  string(MAKE_C_IDENTIFIER "v_joint_walls_${kinematics}" test)
+  add_scene_test(NAME ${test} SCENE verification/v_joint.prm
+                 SET "Kinematics=${kinematics}" "Contact joint/Friction coefficient=0.3" "Boundary condition symmetry/Type=displacement" "Boundary condition symmetry/Value=0|free"
+                 CHECK "status is converged" "pairs.0.normal_force.0 ~ -1.92308 1e-3" "pairs.0.normal_force.1 ~ 3.84615 1e-3" "pairs.0.tangential_force.: abs<= 1e-8" "newton.:.iterations <= 6")
+endforeach()
 add_scene_test(NAME rider_friction SCENE verification/rider.prm SET "Contact interface/Friction coefficient=0.2"
                CHECK "status is converged" "pairs.0.normal_force.0 ~ 6.5269 1e-3" "pairs.0.normal_force.1 ~ 11.305 1e-3" "pairs.0.tangential_force.0 ~ 2.261 1e-3" "pairs.0.n_stick == 0")
 # What lies between nodes: a band of friction (0.4 came out), a bump of a prescribed displacement (80), a sphere that touches at its axis alone (0).

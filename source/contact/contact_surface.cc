@@ -230,53 +230,99 @@ namespace Amontons
     face.centre = face.geometry[face.geometry.size() / 2];
   }
 
+  namespace
+  {
+    // The component that a condition keeps at zero, if it is one only.
+    std::optional<unsigned int>
+    held_component(const ConditionData &condition, const unsigned int dim)
+    {
+      std::optional<unsigned int> result;
+      for (unsigned int c = 0; c < dim; ++c)
+        if (const auto &u = condition.displacement[c])
+          {
+            if (result || !u->is_zero())
+              return {};
+            result = c;
+          }
+      return result;
+    }
+
+    // By boundary: of symmetry (no component), or held along an axis.
+    template <int dim>
+    std::map<types::boundary_id, std::optional<unsigned int>>
+    plane_boundaries(const Discretization<dim> &discretization)
+    {
+      std::map<types::boundary_id, std::optional<unsigned int>> result;
+      for (const auto &condition : discretization.scene.conditions)
+        for (const auto &name : condition.boundaries)
+          {
+            const auto id = discretization.geometry.boundary(name, discretization.scene).id;
+            if (condition.type == ConditionData::Type::symmetry)
+              result[id].reset();
+            else if (const auto c = held_component(condition, dim);
+                     c && condition.type == ConditionData::Type::displacement)
+              result.emplace(id, c);
+          }
+      return result;
+    }
+
+    template <int dim>
+    void
+    add_direction(const Tensor<1, dim> &normal, std::vector<Tensor<1, dim>> &known)
+    {
+      if (std::none_of(
+              known.begin(), known.end(), [&](const auto &m) { return std::abs(m * normal) > 1 - 1e-6; }))
+        known.push_back(normal);
+    }
+  } // namespace
+
   template <int dim>
   void
   ContactSurface<dim>::find_symmetry_planes(const Discretization<dim> &discretization)
   {
-    std::set<types::boundary_id> planes;
-    for (const auto &condition : discretization.scene.conditions)
-      if (condition.type == ConditionData::Type::symmetry)
-        for (const auto &name : condition.boundaries)
-          planes.insert(discretization.geometry.boundary(name, discretization.scene).id);
+    const auto planes       = plane_boundaries(discretization);
     const bool axisymmetric = discretization.scene.kind == ProblemType::axisymmetric;
     if (planes.empty() && !axisymmetric)
       return;
 
+    using Normals = std::vector<Tensor<1, dim>>;
     std::map<types::global_dof_index, unsigned int> node_of_dof;
     for (unsigned int i = 0; i < nodes.size(); ++i)
       node_of_dof[nodes[i].dofs[0]] = i;
     const auto                                         &fe   = discretization.fe;
     const auto                                         &base = fe.base_element(0);
     std::vector<types::global_dof_index>                dofs(fe.n_dofs_per_cell());
-    std::map<unsigned int, std::vector<Tensor<1, dim>>> plane_normals;
+    std::map<unsigned int, std::pair<Normals, Normals>> found; // by node: planes, walls
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->at_boundary())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              (planes.count(cell->face(f)->boundary_id()) > 0 ||
-               (axisymmetric && std::abs(cell->face(f)->center()[0]) < 1e-10 * cell->diameter())))
-            {
-              std::array<Tensor<1, dim>, dim - 1> t;
-              for (unsigned int k = 0; k < dim - 1; ++k)
-                t[k] = cell->face(f)->vertex(1 << k) - cell->face(f)->vertex(0);
-              const Tensor<1, dim> normal = area_vector(t);
-              cell->get_dof_indices(dofs);
-              for (const unsigned int i : nodes_on_face(base, f))
-                if (const auto node = node_of_dof.find(dofs[fe.component_to_system_index(0, i)]);
-                    node != node_of_dof.end())
-                  plane_normals[node->second].push_back(normal / normal.norm());
-            }
-    for (const auto &part : gather_on_all(discretization.geometry.communicator, plane_normals))
+      for (const unsigned int f : cell->face_indices())
+        {
+          if (!cell->is_locally_owned() || !cell->face(f)->at_boundary())
+            continue;
+          const auto known = planes.find(cell->face(f)->boundary_id());
+          if (known == planes.end() &&
+              !(axisymmetric && std::abs(cell->face(f)->center()[0]) < 1e-10 * cell->diameter()))
+            continue;
+          std::array<Tensor<1, dim>, dim - 1> t;
+          for (unsigned int k = 0; k < dim - 1; ++k)
+            t[k] = cell->face(f)->vertex(1 << k) - cell->face(f)->vertex(0);
+          const Tensor<1, dim> area = area_vector(t), normal = area / area.norm();
+          const bool           is_wall = known != planes.end() && known->second;
+          if (is_wall && std::abs(normal[*known->second]) < 1 - 1e-6)
+            continue;
+          cell->get_dof_indices(dofs);
+          for (const unsigned int i : nodes_on_face(base, f))
+            if (const auto node = node_of_dof.find(dofs[fe.component_to_system_index(0, i)]);
+                node != node_of_dof.end())
+              (is_wall ? found[node->second].second : found[node->second].first).push_back(normal);
+        }
+    for (const auto &part : gather_on_all(discretization.geometry.communicator, found))
       for (const auto &[i, normals] : part)
-        for (const auto &normal : normals)
-          {
-            auto &known = nodes[i].symmetry_planes;
-            if (std::none_of(known.begin(), known.end(), [&](const auto &m) {
-                  return std::abs(m * normal) > 1 - 1e-6;
-                }))
-              known.push_back(normal);
-          }
+        {
+          for (const auto &normal : normals.first)
+            add_direction(normal, nodes[i].symmetry_planes);
+          for (const auto &normal : normals.second)
+            add_direction(normal, nodes[i].walls);
+        }
   }
 
   template <int dim>

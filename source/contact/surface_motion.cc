@@ -184,15 +184,21 @@ namespace Amontons
     };
     for (unsigned int i = 0; i < nodes.size(); ++i)
       {
-        if (nodes[i].symmetry_planes.empty() || faces_at[i].empty())
+        auto &walls = nodes[i].walls;
+        if ((nodes[i].symmetry_planes.empty() && walls.empty()) || faces_at[i].empty())
           continue;
         double half_turn = 0; // from face to face beside
         for (const auto &[f, k] : faces_at[i])
           for (unsigned int j = 0; j < points.size(); ++j)
             half_turn = std::max(half_turn, (face_normal(f, points[j]) - mean_at(faces[f].nodes[j])).norm());
-        for (const auto &plane : nodes[i].symmetry_planes)
-          if (axisymmetric || std::abs(plane * mean_at(i)) <= 1e-3 + 2 * half_turn)
-            nodes[i].crossed_planes.push_back(plane);
+        const auto is_crossed = [&](const auto &plane) {
+          return axisymmetric || std::abs(plane * mean_at(i)) <= 1e-3 + 2 * half_turn;
+        };
+        std::copy_if(nodes[i].symmetry_planes.begin(),
+                     nodes[i].symmetry_planes.end(),
+                     std::back_inserter(nodes[i].crossed_planes),
+                     is_crossed);
+        walls.erase(std::remove_if(walls.begin(), walls.end(), is_crossed), walls.end());
       }
   }
 

@@ -2,6 +2,7 @@
 #include <amontons/base/directions.h>
 #include <amontons/elasticity/linear_elastic.h>
 #include <amontons/solver/contact_nodes.h>
+#include <amontons/solver/node_planes.h>
 
 #include <sstream>
 
@@ -30,85 +31,6 @@ namespace Amontons
         }
       result.equation.value = value;
       return result;
-    }
-
-    // The normal, then what is square to it and in the planes.
-    template <int dim>
-    std::array<Tensor<1, dim>, dim>
-    directions_at_ridge(const std::vector<Tensor<1, dim>> &planes, const Tensor<1, dim> &normal)
-    {
-      std::vector<Tensor<1, dim>> used = {normal / normal.norm()};
-      for (const auto &plane : planes)
-        if (const auto v = without(plane, used); v.norm() > 1e-6)
-          used.push_back(v / v.norm());
-      std::array<Tensor<1, dim>, dim> result;
-      result[0]       = used[0];
-      const auto left = directions_left(used);
-      std::copy(left.begin(), left.end(), result.begin() + 1);
-      return result;
-    }
-
-    // The axes where there are no planes. Else the normal and as many axes as are independent of it and of
-    // the planes' normals, made orthogonal.
-    template <int dim>
-    std::array<Tensor<1, dim>, dim>
-    directions_in(const std::vector<Tensor<1, dim>> &planes, const Tensor<1, dim> &normal)
-    {
-      std::vector<Tensor<1, dim>> used = planes, all;
-      if (const auto in_planes = without(normal / normal.norm(), planes);
-          !planes.empty() && in_planes.norm() >= 0.1)
-        {
-          all.push_back(in_planes / in_planes.norm());
-          used.push_back(all[0]);
-        }
-      for (const auto &direction : directions_left(used))
-        all.push_back(direction);
-      std::array<Tensor<1, dim>, dim> result;
-      std::copy_n(all.begin(), std::min<std::size_t>(dim, all.size()), result.begin());
-      return result;
-    }
-
-    // Of the slave's node: nodes of the same plane are opposite.
-    template <int dim>
-    bool
-    is_shared(const Tensor<1, dim> &plane, const ContactInterface<dim> &interface, const MortarRow<dim> &row)
-    {
-      for (const auto &other : interface.master_surface->nodes)
-        if (std::any_of(other.symmetry_planes.begin(),
-                        other.symmetry_planes.end(),
-                        [&](const auto &others) { return std::abs(others * plane) > 1 - 1e-10; }) &&
-            std::any_of(row.master.begin(), row.master.end(), [&](const auto &entry) {
-              return entry.first == other.dofs;
-            }))
-          return true;
-      return false;
-    }
-
-    // At a plane that the slave's surface does not cross smoothly.
-    template <int dim>
-    bool
-    is_at_ridge(const ContactInterface<dim> &interface, const MortarRow<dim> &row)
-    {
-      const auto &node = interface.slave->nodes[row.node];
-      return node.symmetry_planes.size() > node.crossed_planes.size() && interface.master_surface &&
-             std::any_of(node.symmetry_planes.begin(), node.symmetry_planes.end(), [&](const auto &plane) {
-               return is_shared(plane, interface, row);
-             });
-    }
-
-    // Those that what is opposite stays in, too: else the node slides along it, or holds it.
-    template <int dim>
-    std::vector<Tensor<1, dim>>
-    shared_planes(std::vector<Tensor<1, dim>>  planes,
-                  const ContactInterface<dim> &interface,
-                  const MortarRow<dim>        &row)
-    {
-      if (interface.master_surface)
-        planes.erase(std::remove_if(planes.begin(),
-                                    planes.end(),
-                                    [&](const auto &plane) { return !is_shared(plane, interface, row); }),
-                     planes.end());
-      return planes;
     }
   } // namespace
 
@@ -241,14 +163,11 @@ namespace Amontons
     node.normal     = row.normal;
     for (unsigned int c = 0; c < dim; ++c)
       node.X[c] = surface_node.X[c];
-    node.at_ridge = (node.tied || node.frictional) && is_at_ridge(interfaces[interface], row);
-    node.planes =
-        shared_planes(node.tied || node.at_ridge ? surface_node.symmetry_planes : surface_node.crossed_planes,
-                      interfaces[interface],
-                      row);
-    node.directions =
-        node.at_ridge ? directions_at_ridge(node.planes, row.normal) : directions_in(node.planes, row.normal);
-    node.closing = equation_along(row.normal, node.gap, row, surface_node);
+    const auto at   = planes_at(interfaces[interface], row);
+    node.at_ridge   = at.ridge;
+    node.planes     = at.planes;
+    node.directions = at.directions;
+    node.closing    = equation_along(row.normal, node.gap, row, surface_node);
     for (unsigned int c = 0; (with_components || node.tied || node.frictional) && c < dim; ++c)
       {
         Tensor<1, dim> unit;

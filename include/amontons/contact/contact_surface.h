@@ -26,6 +26,8 @@ namespace Amontons
     std::vector<std::pair<unsigned int, double>> control;
     std::vector<Tensor<1, dim>> symmetry_planes; // unit normals of the planes (and the axis) that it lies on
     std::vector<Tensor<1, dim>> crossed_planes;  // of those, the ones that the surface crosses without a kink
+    // Unit normals of planes that displacements along an axis keep it in, where the surface leans to them.
+    std::vector<Tensor<1, dim>> walls;
   };
 
   template <int dim>

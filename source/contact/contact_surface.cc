@@ -299,14 +299,15 @@ namespace Amontons
           if (!cell->is_locally_owned() || !cell->face(f)->at_boundary())
             continue;
           const auto known = planes.find(cell->face(f)->boundary_id());
-          if (known == planes.end() &&
-              !(axisymmetric && std::abs(cell->face(f)->center()[0]) < 1e-10 * cell->diameter()))
+          const bool at_axis =
+              axisymmetric && std::abs(cell->face(f)->center()[0]) < 1e-10 * cell->diameter();
+          if (known == planes.end() && !at_axis)
             continue;
           std::array<Tensor<1, dim>, dim - 1> t;
           for (unsigned int k = 0; k < dim - 1; ++k)
             t[k] = cell->face(f)->vertex(1 << k) - cell->face(f)->vertex(0);
           const Tensor<1, dim> area = area_vector(t), normal = area / area.norm();
-          const bool           is_wall = known != planes.end() && known->second;
+          const bool           is_wall = !at_axis && known->second;
           if (is_wall && std::abs(normal[*known->second]) < 1 - 1e-6)
             continue;
           cell->get_dof_indices(dofs);

@@ -7,7 +7,7 @@ namespace Amontons
 {
   namespace
   {
-    // What one value of after another is, whatever its type.
+    // Of one value after another, whatever their type.
     class Fingerprint
     {
     public:
@@ -27,8 +27,8 @@ namespace Amontons
       void
       add(const ContactEquation &equation)
       {
-        for (const auto &[dof, weight] : equation.equation.coefficients)
-          add(dof), add(weight);
+        for (const auto &entry : equation.equation.coefficients)
+          add(entry);
         for (const auto dof : equation.candidates)
           add(dof);
       }
@@ -45,8 +45,8 @@ namespace Amontons
       for (const auto &line : problem.supports.get_lines())
         {
           result.add(line.index);
-          for (const auto &[dof, weight] : line.entries)
-            result.add(dof), result.add(weight);
+          for (const auto &entry : line.entries)
+            result.add(entry);
         }
       for (const auto &node : problem.contact.nodes())
         {

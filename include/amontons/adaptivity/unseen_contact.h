@@ -25,8 +25,8 @@ namespace Amontons
                               const std::vector<SurfaceFields<dim>>    &fields);
 
   // Whether contacts have as many closed nodes as their size to this relative error takes, which goes like
-  /// the square of the faces' part of it: two coarse meshes may agree by chance. Sharp edges: as above. In
-  /// space, where nodes are many, always.
+  // the square of the faces' part of it: two coarse meshes may agree by chance. Sharp edges: as above. In
+  // space, where nodes are many, always.
   template <int dim>
   bool
   sizes_are_resolved(const std::vector<ContactInterface<dim>> &interfaces,

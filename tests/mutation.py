@@ -198,6 +198,7 @@ CHANGES = [
     ("held at the bound", "evaluation.cc", "left > 1e-8 * bound", "left > 0", "scenes/capstan_held_at_its_bound$"),
     ("sizes of a few nodes", "load_stepping.cc", "!sizes_are_resolved(", "false && !sizes_are_resolved(", "scenes/target_size_by_chance$"),
     ("walls that both bodies end at", "solver/node_planes.cc", "result.insert(result.end(), node.walls.begin(), node.walls.end());", "", "scenes/v_joint_walls"),
+    ("targets missed by the kinematics", "run_notes.cc", "error.of_target() + by_increments + by_kinematics <=", "error.of_target() + by_increments <=", "scenes/half_ring_below_lid$"),
     ("walls beside the contact", "algebra/contact_constraints.cc", "? choose_pivot(substituted, present, equation.others, 0.1)", "? choose_pivot(substituted, present, equation.candidates)", "scenes/guided_block"),
     ("walls of both bodies", "algebra/contact_constraints.cc", "           std::none_of(equation.others.begin(), equation.others.end(), is_held);", "           true;", "^algebra/contact_constraints$"),
     ("planes of one body", "solver/node_planes.cc", "return !is_shared(plane, interface, row);", "return false;", "scenes/guided_block_symmetry"),

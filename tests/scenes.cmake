@@ -338,7 +338,8 @@ foreach(scene disk_above_block disk_platen)
                  "reference.errors.contact_size <= 0.005")
 endforeach()
 # The formula is that of a thin ring.
-add_scene_test(NAME half_ring_below_lid SCENE verification/half_ring_below_lid.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -0.00529 0.01" "error_estimate.quantity <= 0.01")
+add_scene_test(NAME half_ring_below_lid SCENE verification/half_ring_below_lid.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -0.00529 0.01" "error_estimate.quantity <= 0.01"
+               "error_estimate.kinematics >= 0.01" "notes.-1 has with what small strain leaves out it is missed")
 add_scene_test(NAME ring_in_groove SCENE verification/ring_in_groove.prm
                CHECK "status is converged" "cut_backs == 0" "pairs.0.normal_force.1 ~ 4.7008 1e-4" "pairs.1.normal_force.1 ~ -4.7008 1e-4" "pairs.2.normal_force.0 ~ 1.6305 1e-4" "pairs.3.normal_force.0 ~ -1.6305 1e-4")
 add_scene_test(NAME just_touching SCENE verification/just_touching.prm CHECK "status is converged" ${ITERATIONS} "pairs.0.peak_pressure <= 1e-6")

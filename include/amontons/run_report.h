@@ -171,8 +171,6 @@ namespace Amontons
     RunControl &control;
 
   private:
-    std::string
-    missed_target(const Discretization<dim> &discretization, const Ending &ending) const;
     NewtonSummary
     summarise(const Solve &solve, const Discretization<dim> &discretization) const;
     void
@@ -183,14 +181,21 @@ namespace Amontons
     add_answer(const Answer<dim> &answer, const Ending &ending);
     void
     add_energy_checks(const LoadHistory<dim> &history, const bool finite_strain);
-    void
-    note_rough_pressure(const Ending &ending);
+    // run_notes.cc
     void
     note_untouched_pairs();
     void
     note_facets(const std::vector<ContactInterface<dim>> &interfaces, const ErrorEstimate<dim> &error);
     void
+    note_rough_pressure(const Ending &ending);
+    std::string
+    missed_target(const Discretization<dim> &discretization, const Ending &ending) const;
+    void
     note_free_motions(const Discretization<dim> &discretization);
+    void
+    note_what_adds_to_the_mesh(const ErrorEstimate<dim>   &error,
+                               const RefinementParameters &refinement,
+                               const KinematicsErrors     &kinematics);
     void
     note_limits(const Answer<dim> &answer, const Ending &ending);
     // run_files.cc

@@ -1,0 +1,166 @@
+// RunReport: what its answer is not.
+#include <amontons/run_report.h>
+#include <amontons/scene/text.h>
+
+#include <set>
+#include <sstream>
+
+namespace Amontons
+{
+  // Nothing that touches at the end may have touched before.
+  template <int dim>
+  void
+  RunReport<dim>::note_untouched_pairs()
+  {
+    for (unsigned int i = 0; i < summary.pairs.size(); ++i)
+      {
+        PairSummary &pair = summary.pairs[i];
+        pair.touched      = std::any_of(summary.meshes.begin(), summary.meshes.end(), [&](const auto &mesh) {
+          return mesh.pairs[i].touched;
+        });
+        if (!pair.touched && summary.converged)
+          note("warning: pair '" + pair.name + "' touched nothing in the whole run; " +
+               without_contact(pair));
+      }
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::note_facets(const std::vector<ContactInterface<dim>> &interfaces,
+                              const ErrorEstimate<dim>                 &error)
+  {
+    for (unsigned int i = 0; i < error.facets_of.size(); ++i)
+      if (const FacetError &facets = error.facets_of[i]; facets.pressure > noteworthy_facets)
+        {
+          std::ostringstream text;
+          text.precision(2);
+          text << "warning: pair '" << interfaces[i].pair->name
+               << "' touches on facets, flat faces that stand for a curve: kinks of up to "
+               << facets.angle * 180 / numbers::PI << " degrees between lengths of " << facets.size
+               << " make an error of about " << facets.gap << " in the gap, of which the load closes "
+               << facets.closed_gap << ", and of " << 100 * facets.pressure
+               << " % in the pressure. Refinement does not mend it: declare 'Curved boundaries', give a mesh "
+                  "of second "
+                  "order (gmsh: Mesh.ElementOrder = 2), or a finer one";
+          note(text.str());
+        }
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::note_rough_pressure(const Ending &ending)
+  {
+    const double error = ending.evaluation.error.contact;
+    if (!ending.converged || !(error > 0.2))
+      return;
+    std::ostringstream text;
+    text.precision(2);
+    text << "warning: the pressure is known to " << 100 * error
+         << " % only (estimated). If no edge makes it infinite, the mesh is too coarse for this contact, and "
+            "forces that displacements cause are off, too: refine ('Cycles', 'Target error')";
+    note(text.str());
+  }
+
+  // Why, and what it would take. Collective.
+  template <int dim>
+  std::string
+  RunReport<dim>::missed_target(const Discretization<dim> &discretization, const Ending &ending) const
+  {
+    if (ending.history.quantity.is_zero())
+      return "the target error has no meaning: there is no such 'Target quantity', or it is 0";
+    const auto        &error      = ending.evaluation.error;
+    const bool         touches    = ending.evaluation.touches();
+    const auto         indicators = touches ? error.indicators_for(0) : error.cell_indicators;
+    std::ostringstream place;
+    place.precision(2);
+    if (indicators.size() == discretization.geometry.triangulation.n_active_cells())
+      place << place_of_largest(discretization, indicators);
+    return ending.history.meshes.why_missed(
+        ending.refinement.target_error, ending.refinement.max_dofs, touches, place.str());
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::note_free_motions(const Discretization<dim> &discretization)
+  {
+    std::set<std::string> turning, sliding;
+    for (const auto &turn : discretization.free_turns)
+      turning.insert("'" + scene.bodies[turn.body].name + "'");
+    for (const auto &slide : discretization.free_slides)
+      for (const unsigned int b : slide.bodies)
+        if (discretization.finite_strain)
+          sliding.insert("'" + scene.bodies[b].name + "'");
+    const auto names = [](const std::set<std::string> &set) { return join({set.begin(), set.end()}, ", "); };
+    if (!turning.empty())
+      note("model: " + names(turning) +
+           (turning.size() == 1 ? " is round and slides" : " are round and slide") +
+           " without friction: nothing keeps it from turning, and no turn changes anything else; it is held");
+    if (!sliding.empty())
+      note("model: nothing holds or drives " + names(sliding) +
+           " along planes touched without friction, and no motion along them changes anything else; held");
+  }
+
+  // Where the mesh alone keeps the target.
+  template <int dim>
+  void
+  RunReport<dim>::note_what_adds_to_the_mesh(const ErrorEstimate<dim>   &error,
+                                             const RefinementParameters &refinement,
+                                             const KinematicsErrors     &kinematics)
+  {
+    const auto   or_none       = [](const double part) { return std::isnan(part) ? 0. : part; };
+    const double by_increments = summary.increments ? summary.increments->of(refinement.target_quantity) : 0.;
+    const double by_kinematics = error.quantity
+                                     ? or_none(kinematics.target)
+                                     : std::max(or_none(kinematics.answer), or_none(kinematics.shear));
+    const std::string missed =
+        "warning: the target error was not reached: the mesh alone reaches it, with what ";
+    if (error.of_target() + by_increments + by_kinematics <= refinement.target_error)
+      return;
+    if (by_increments >= by_kinematics)
+      note(missed +
+           "the increments add it is missed; they are as many as 'Increments' say, or the most that a "
+           "target chooses");
+    else
+      note(missed + "small strain leaves out it is missed ('Kinematics')");
+  }
+
+  // What the answer is not, or not the whole of.
+  template <int dim>
+  void
+  RunReport<dim>::note_limits(const Answer<dim> &answer, const Ending &ending)
+  {
+    const auto  &error  = ending.evaluation.error;
+    const double target = control.stop.is_there() ? 0. : ending.refinement.target_error; // not the end of it
+    if (target > 0 && !(error.of_target() <= target))
+      note(finer_mesh_failed ? "the target error was not reached, as the finer mesh failed"
+           : !error.quantity && error.facets > target
+               ? "the target error cannot be reached: facets alone make a larger one"
+               : missed_target(answer.discretization, ending));
+    else if (target > 0)
+      note_what_adds_to_the_mesh(error, ending.refinement, ending.kinematics);
+    note_free_motions(answer.discretization);
+    if (scene.kind == ProblemType::axisymmetric)
+      note("axisymmetric: forces are for the full turn");
+    if (std::any_of(answer.fields.begin(), answer.fields.end(), [](const auto &fields) {
+          return fields.symmetry_factor > 1;
+        }))
+      note("symmetry planes cut the contact: forces are those of the meshed part");
+  }
+
+  template void
+  RunReport<2>::note_untouched_pairs();
+  template void
+  RunReport<3>::note_untouched_pairs();
+  template void
+  RunReport<2>::note_facets(const std::vector<ContactInterface<2>> &, const ErrorEstimate<2> &);
+  template void
+  RunReport<3>::note_facets(const std::vector<ContactInterface<3>> &, const ErrorEstimate<3> &);
+  template void
+  RunReport<2>::note_rough_pressure(const Ending &);
+  template void
+  RunReport<3>::note_rough_pressure(const Ending &);
+  template void
+  RunReport<2>::note_limits(const Answer<2> &, const Ending &);
+  template void
+  RunReport<3>::note_limits(const Answer<3> &, const Ending &);
+} // namespace Amontons

@@ -15,11 +15,27 @@ namespace Amontons
       const unsigned int of_small = 400000 / n_dofs;
       return std::min(n_known + std::max(16u, of_small), std::max(100u, of_small));
     }
+
+    template <int dim>
+    std::vector<bool>
+    movable_nodes(const ContactEquilibrium<dim> &problem)
+    {
+      std::vector<bool> result;
+      for (const auto &node : problem.contact.nodes())
+        result.push_back(
+            std::none_of(node.components.begin(), node.components.end(), [&](const auto &component) {
+              return !component.candidates.empty() &&
+                     problem.supports.is_constrained(component.candidates[0]) &&
+                     !others_hold(component, problem.supports);
+            }));
+      return result;
+    }
   } // namespace
 
   template <int dim>
   EliminatedStep<dim>::EliminatedStep(const ContactEquilibrium<dim> &problem, KeptSystem<dim> &kept)
-      : problem(problem), any_friction(problem.contact.any_friction()), kept(kept)
+      : problem(problem), any_friction(problem.contact.any_friction()), movable(movable_nodes(problem)),
+        kept(kept)
   {
   }
 
@@ -224,21 +240,6 @@ namespace Amontons
            !looked_in_vain && kept.solver->is_direct(problem.discretization.dof_handler.n_dofs());
   }
 
-  template <int dim>
-  std::vector<bool>
-  EliminatedStep<dim>::movable_nodes() const
-  {
-    std::vector<bool> result;
-    for (const auto &node : problem.contact.nodes())
-      result.push_back(
-          std::none_of(node.components.begin(), node.components.end(), [&](const auto &component) {
-            return !component.candidates.empty() &&
-                   problem.supports.is_constrained(component.candidates[0]) &&
-                   !others_hold(component, problem.supports);
-          }));
-    return result;
-  }
-
   // Of the system as it stands, with the constraints of `at`.
   template <int dim>
   ContactCompliance<dim>
@@ -260,7 +261,7 @@ namespace Amontons
                                      const std::vector<SlipLaw<dim>>  &laws,
                                      const Iterate<dim>               &at) const
   {
-    return {problem.contact.nodes(), states, laws, at.answers, movable_nodes(), at.u};
+    return {problem.contact.nodes(), states, laws, at.answers, movable, at.u};
   }
 
   // From the base, whose responses serve as long as its matrix does.

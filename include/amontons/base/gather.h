@@ -1,4 +1,4 @@
-// Large objects from all ranks on all ranks.
+// Large objects from all ranks on all ranks, or on the first.
 #pragma once
 
 #include <deal.II/base/mpi.h>
@@ -8,13 +8,15 @@
 
 namespace Amontons
 {
-  // Utilities::MPI::all_gather without its compression, which takes longer than any network.
+  // Utilities::MPI::all_gather, or gather, without their compression, which takes longer than any network. By
+  // rank; not on_all: on the first rank, nothing on the others.
   template <typename T>
   std::vector<T>
-  gather_on_all(const MPI_Comm communicator, T object)
+  gather(const MPI_Comm communicator, T object, const bool on_all)
   {
-    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
-    std::vector<T>     objects;
+    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator),
+                       own     = dealii::Utilities::MPI::this_mpi_process(communicator);
+    std::vector<T> objects;
     if (n_ranks == 1)
       {
         objects.push_back(std::move(object));
@@ -25,11 +27,16 @@ namespace Amontons
     std::vector<int>        sizes(n_ranks), begins(n_ranks + 1, 0);
     MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, communicator);
     std::partial_sum(sizes.begin(), sizes.end(), begins.begin() + 1);
-    std::vector<char> all(begins.back());
-    MPI_Allgatherv(
-        mine.data(), size, MPI_CHAR, all.data(), sizes.data(), begins.data(), MPI_CHAR, communicator);
-    for (unsigned int rank = 0; rank < n_ranks; ++rank)
-      if (rank == dealii::Utilities::MPI::this_mpi_process(communicator))
+    const bool        is_here = on_all || own == 0;
+    std::vector<char> all(is_here ? begins.back() : 0);
+    if (on_all)
+      MPI_Allgatherv(
+          mine.data(), size, MPI_CHAR, all.data(), sizes.data(), begins.data(), MPI_CHAR, communicator);
+    else
+      MPI_Gatherv(
+          mine.data(), size, MPI_CHAR, all.data(), sizes.data(), begins.data(), MPI_CHAR, 0, communicator);
+    for (unsigned int rank = 0; is_here && rank < n_ranks; ++rank)
+      if (rank == own)
         objects.push_back(std::move(object)); // NOLINT(bugprone-use-after-move): once
       else
         objects.push_back(dealii::Utilities::unpack<T>(
@@ -37,31 +44,18 @@ namespace Amontons
     return objects;
   }
 
-  // Utilities::MPI::gather without its compression: by rank on the first one, nothing on the others.
+  template <typename T>
+  std::vector<T>
+  gather_on_all(const MPI_Comm communicator, T object)
+  {
+    return gather(communicator, std::move(object), true);
+  }
+
   template <typename T>
   std::vector<T>
   gather_on_first(const MPI_Comm communicator, T object)
   {
-    const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
-    const bool         first   = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-    std::vector<T>     objects;
-    if (n_ranks == 1)
-      {
-        objects.push_back(std::move(object));
-        return objects;
-      }
-    const std::vector<char> mine = dealii::Utilities::pack(object, false);
-    const int               size = mine.size();
-    std::vector<int>        sizes(n_ranks), begins(n_ranks + 1, 0);
-    MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, communicator);
-    std::partial_sum(sizes.begin(), sizes.end(), begins.begin() + 1);
-    std::vector<char> all(first ? begins.back() : 0);
-    MPI_Gatherv(
-        mine.data(), size, MPI_CHAR, all.data(), sizes.data(), begins.data(), MPI_CHAR, 0, communicator);
-    for (unsigned int rank = 0; first && rank < n_ranks; ++rank)
-      objects.push_back(
-          dealii::Utilities::unpack<T>(all.cbegin() + begins[rank], all.cbegin() + begins[rank + 1], false));
-    return objects;
+    return gather(communicator, std::move(object), false);
   }
 
   // compute(0), ..., compute(n - 1) on all ranks: each computes every n_ranks-th, so that neighbours, which

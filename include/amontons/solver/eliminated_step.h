@@ -83,8 +83,6 @@ namespace Amontons
     stiffness_of_contact(const Iterate<dim> &now) const;
     bool
     looks_ahead(const Iterate<dim> &now) const;
-    std::vector<bool>
-    movable_nodes() const;
     std::vector<ShearBound>
     linear_bounds(const Iterate<dim> &now) const;
     unsigned int
@@ -92,6 +90,7 @@ namespace Amontons
 
     const ContactEquilibrium<dim> &problem;
     const bool                     any_friction;
+    const std::vector<bool>        movable; // by node, see BaseSolution
     KeptSystem<dim>               &kept;
     const LA::Vector              *springs = nullptr; // of the last linearise()
     std::optional<Iterate<dim>>    base;              // with the states of the matrix, at the present loads

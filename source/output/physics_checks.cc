@@ -12,13 +12,18 @@ namespace Amontons
 {
   namespace
   {
-    // What is no pressure: that of a strain of 1e-10. Scenes without load compare rounding with itself else.
+    // What is no pressure: that of a strain of 1e-10 (scenes without load compare rounding with itself else),
+    // and a millionth of the largest anywhere (forces balance to a part of all, also where little touches).
     template <int dim>
     double
     pressure_of_rounding(const Answer<dim> &answer, const unsigned int i)
     {
-      return 1e-10 *
-             contact_modulus(answer.discretization.scene.bodies[answer.interfaces[i].slave->body].material);
+      double largest = 0;
+      for (const auto &contacts : answer.state.contact)
+        for (const auto &node : contacts)
+          largest = std::max(largest, node.pressure);
+      const auto &slave = answer.discretization.scene.bodies[answer.interfaces[i].slave->body];
+      return std::max(1e-10 * contact_modulus(slave.material), 1e-6 * largest);
     }
 
     // How far shears exceed the bound of friction, relative to the largest bound.

@@ -358,15 +358,23 @@ namespace Amontons
   }
 
   template <int dim>
-  std::vector<double>
-  FloatingBodies<dim>::relative_work(const std::vector<std::vector<double>> &motions) const
+  std::vector<bool>
+  FloatingBodies<dim>::moved_by(const std::vector<std::vector<double>> &motions) const
   {
-    std::vector<bool> moves(n_modes / modes_per_body, false);
+    std::vector<bool> moves(centres.size(), false);
     for (const auto &q : motions)
       for (unsigned int i = 0; i < n_modes; ++i)
         if (std::abs(q[i]) > 1e-6)
           moves[i / modes_per_body] = true;
-    double scale = 0;
+    return moves;
+  }
+
+  template <int dim>
+  std::vector<double>
+  FloatingBodies<dim>::relative_work(const std::vector<std::vector<double>> &motions) const
+  {
+    const auto moves = moved_by(motions);
+    double     scale = 0;
     for (unsigned int i = 0; i < n_modes; ++i)
       if (moves[i / modes_per_body])
         scale = std::max(scale, magnitude[i]);

@@ -171,7 +171,7 @@ namespace Amontons
     recover_contact();
     count_states(problem, at.states, line);
     line.residual = residual();
-    statuses.update(at, line, drag != nullptr);
+    update_states(line);
     if (at.states.exhausted() && settle())
       line.n_changes = std::max(1u, line.n_changes);
     at.report.iterations.push_back(line);
@@ -179,6 +179,31 @@ namespace Amontons
     return true;
   }
   //! [turn]
+
+  // Small strain: loads carry off what weak springs alone hold, through all that is in the way; only as far
+  // as the first nodes that touch, which are closed then.
+  template <int dim>
+  void
+  Newton<dim>::shorten_flight(LA::Vector &change)
+  {
+    flight.reset();
+    if (!problem.mechanics.is_linear() || at.is_first() || at.free_modes.empty())
+      return;
+    flight = flight_to_contact(problem, at, change);
+    if (flight)
+      change *= flight->part;
+  }
+
+  template <int dim>
+  void
+  Newton<dim>::update_states(NewtonReport::Iteration &line)
+  {
+    if (!flight)
+      return statuses.update(at, line, drag != nullptr);
+    for (const unsigned int k : flight->nodes)
+      at.states.close(k);
+    line.n_changes = flight->nodes.size();
+  }
 
   template <int dim>
   void
@@ -191,8 +216,10 @@ namespace Amontons
       at.laws.push_back(at.states.law(k));
     update_constraints();
     at.free_modes = at.states.free_rigid_modes();
+    if (!at.free_modes.empty())
+      springs = stabilisation.springs_on(floating.moved_by(at.free_modes), floating);
     step.linearise(at,
-                   !at.free_modes.empty() ? &stabilisation.springs
+                   !at.free_modes.empty() ? &springs
                    : !pins().empty()      ? &stabilisation.pins
                                           : nullptr,
                    drag);
@@ -210,7 +237,7 @@ namespace Amontons
   std::optional<typename NewtonStep<dim>::Solved>
   Newton<dim>::solve()
   {
-    const auto solved = step.solve(at, drag);
+    auto solved = step.solve(at, drag);
     if (const auto &linear = solved.linear; !linear.success)
       {
         at.report.failure = Failure{linear.given_up    ? Failure::Kind::given_up
@@ -225,6 +252,7 @@ namespace Amontons
         at.report.start_residual           = solved.push.l2_norm();
         push                               = solved.push;
       }
+    shorten_flight(solved.change);
     return solved;
   }
 

@@ -166,6 +166,33 @@ namespace Amontons
   }
 
   template <int dim>
+  std::optional<Flight>
+  flight_to_contact(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now, const LA::Vector &change)
+  {
+    LA::Vector readable          = problem.discretization.make_relevant_vector();
+    readable                     = change;
+    bool                overlaps = false;
+    std::vector<double> parts(now.answers.size(), 1.);
+    for (unsigned int k = 0; k < now.answers.size(); ++k)
+      if (now.states[k] == ContactStatus::open)
+        {
+          const auto  &node = problem.contact.nodes()[k];
+          const double gap = now.answers[k].gap, nearer = evaluate(node.closing.equation, readable);
+          if (nearer > gap && nearer > 0)
+            parts[k] = std::max(gap / nearer, 0.);
+          overlaps = overlaps || nearer - gap > problem.interfaces[node.interface].slave->mean_size;
+        }
+    if (!overlaps)
+      return {};
+    Flight flight;
+    flight.part = *std::min_element(parts.begin(), parts.end());
+    for (unsigned int k = 0; k < parts.size(); ++k)
+      if (parts[k] <= (1 + 1e-6) * flight.part)
+        flight.nodes.push_back(k);
+    return flight;
+  }
+
+  template <int dim>
   void
   count_states(const ContactEquilibrium<dim> &problem,
                const NodeStates<dim>         &states,
@@ -202,10 +229,14 @@ namespace Amontons
   what_rounding_sees(const ContactEquilibrium<3> &, const Iterate<3> &);
   template std::optional<double>
   turns_to_contact(const ContactEquilibrium<2> &, const Iterate<2> &, const LA::Vector &);
+  template std::optional<Flight>
+  flight_to_contact(const ContactEquilibrium<2> &, const Iterate<2> &, const LA::Vector &);
   template void
   count_states(const ContactEquilibrium<2> &, const NodeStates<2> &, NewtonReport::Iteration &);
   template std::optional<double>
   turns_to_contact(const ContactEquilibrium<3> &, const Iterate<3> &, const LA::Vector &);
+  template std::optional<Flight>
+  flight_to_contact(const ContactEquilibrium<3> &, const Iterate<3> &, const LA::Vector &);
   template void
   count_states(const ContactEquilibrium<3> &, const NodeStates<3> &, NewtonReport::Iteration &);
 } // namespace Amontons

@@ -38,6 +38,23 @@ namespace Amontons
     return terms;
   }
 
+  template <int dim>
+  LA::Vector
+  RigidModeStabilisation::springs_on(const std::vector<bool>   &moving,
+                                     const FloatingBodies<dim> &floating) const
+  {
+    LA::Vector result(springs);
+    for (const auto dof : result.locally_owned_elements())
+      if (springs(dof) != pins(dof) && !moving[floating.owner_of(dof)])
+        result(dof) = pins(dof);
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+  template LA::Vector
+  RigidModeStabilisation::springs_on(const std::vector<bool> &, const FloatingBodies<2> &) const;
+  template LA::Vector
+  RigidModeStabilisation::springs_on(const std::vector<bool> &, const FloatingBodies<3> &) const;
   template RigidModeStabilisation
   stabilise_rigid_modes(const Discretization<2> &, const ElasticityOperator<2> &, const FloatingBodies<2> &);
   template RigidModeStabilisation

@@ -56,6 +56,9 @@ namespace Amontons
     // motions, in the direction that loads drive.
     std::vector<std::vector<double>>
     free_rigid_modes(const std::vector<const LinearEquation *> &equations) const;
+    // By body, then by carrier: whether any of these motions moves it.
+    std::vector<bool>
+    moved_by(const std::vector<std::vector<double>> &motions) const;
     // Of the loads on each of these motions (of unit length), relative to the largest sum of their magnitudes
     // on any of the bodies that the motions move: one scale for all of them, as the work is linear in q.
     std::vector<double>

@@ -114,6 +114,10 @@ namespace Amontons
     update_constraints();
     void
     recover_contact();
+    void
+    shorten_flight(LA::Vector &change);
+    void
+    update_states(NewtonReport::Iteration &line);
     LA::Vector
     balance_with_drag() const;
     std::vector<types::global_dof_index>
@@ -138,9 +142,11 @@ namespace Amontons
     FloatingBodies<dim>            floating;
     Iterate<dim>                   at;
     RigidModeStabilisation         stabilisation;
+    LA::Vector                     springs; // of it, in effect
     const Drag                    *drag = nullptr;
     LA::Vector                     push;        // see first_push()
     LA::Vector                     last_change; // of u
+    std::optional<Flight>          flight;      // that the last solution was cut to
     LA::Vector                     balance;     // internal - contact forces - loads
     std::optional<Failure>         inversion;   // the last one
     bool                           may_settle     = true;

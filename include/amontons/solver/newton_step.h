@@ -192,6 +192,20 @@ namespace Amontons
   std::optional<double>
   turns_to_contact(const ContactEquilibrium<dim> &problem, const Iterate<dim> &now, const LA::Vector &change);
 
+  /// As far as bodies fly until they touch: the part of a change, and the nodes that touch then.
+  struct Flight
+  {
+    double                    part = 1;
+    std::vector<unsigned int> nodes;
+  };
+
+  /// If all of this change of u would push an open node through the other side by more than a face.
+  template <int dim>
+  std::optional<Flight>
+  flight_to_contact(const ContactEquilibrium<dim> &problem,
+                    const Iterate<dim>            &now,
+                    const LA::Vector              &change);
+
   /// Of the nodes with something opposite.
   template <int dim>
   void

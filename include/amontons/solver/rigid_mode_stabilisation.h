@@ -12,6 +12,13 @@ namespace Amontons
   struct RigidModeStabilisation
   {
     LA::Vector springs, pins;
+
+    // On the bodies that move (by body, then by carrier) springs and pins, on the others pins alone: a motion
+    // that closed nodes hold by a trifle only, as a roller between two nodes whose normals are nearly
+    // opposite, would come to rest slowly against springs.
+    template <int dim>
+    LA::Vector
+    springs_on(const std::vector<bool> &moving, const FloatingBodies<dim> &floating) const;
   };
 
   template <int dim>

@@ -219,7 +219,12 @@ namespace Amontons
   bool
   ContactProblem<dim>::choose_kinematics(const bool success)
   {
-    small_strain.look(*steps->model, steps->history.state, success, report.timer(), control);
+    small_strain.look(*steps->model,
+                      steps->history.state,
+                      success,
+                      steps->evaluation.error.of_target(),
+                      report.timer(),
+                      control);
     if (control.stop.is_there())
       return success;
     if (small_strain.calls_for_finite_strain())

@@ -177,10 +177,12 @@ namespace Amontons
   double
   SmallStrainCheck<dim>::allowed_part() const
   {
-    const auto by_shear = sensitivity_to_shear(parameters.refinement.target_quantity);
+    const auto   by_shear = sensitivity_to_shear(parameters.refinement.target_quantity);
+    const double all = allowed_error(), allowed = of_mesh <= all ? std::max(all / 4, all - of_mesh)
+                                                                 : all; // else it is missed anyway
     if (!shear || !by_shear)
-      return allowed_error();
-    return std::max(0., (allowed_error() / *by_shear - shear->directions) / shear->amplification);
+      return allowed;
+    return std::max(0., (allowed / *by_shear - shear->directions) / shear->amplification);
   }
 
   template <int dim>
@@ -209,8 +211,9 @@ namespace Amontons
   bool
   SmallStrainCheck<dim>::is_harmless() const
   {
-    return (!tried && std::max(neglected.largest().largest(), stiffening) <= allowed_part()) ||
-           (change && change->largest <= allowed_change());
+    return !has_given_way &&
+           ((!tried && std::max(neglected.largest().largest(), stiffening) <= allowed_part()) ||
+            (change && change->largest <= allowed_change()));
   }
 
   template <int dim>
@@ -222,10 +225,11 @@ namespace Amontons
 
   template <int dim>
   bool
-  SmallStrainCheck<dim>::gives_way(const StressRecovery<dim> &recovery, const double energy) const
+  SmallStrainCheck<dim>::gives_way(const StressRecovery<dim> &recovery, const double energy)
   {
-    return scene.kinematics == Kinematics::automatic &&
-           recovery.energy_of_quadratic_strain() > 2 * std::abs(energy);
+    has_given_way = scene.kinematics == Kinematics::automatic &&
+                    recovery.energy_of_quadratic_strain() > 2 * std::abs(energy);
+    return has_given_way;
   }
 
   template <int dim>
@@ -268,6 +272,8 @@ namespace Amontons
   std::string
   SmallStrainCheck<dim>::allowance() const
   {
+    if (has_given_way)
+      return ", as squares of the gradients are more than the strain";
     std::ostringstream text;
     text << " (allowed are " << (change ? allowed_change() : allowed_part()) << ")";
     return text.str();
@@ -327,10 +333,12 @@ namespace Amontons
   SmallStrainCheck<dim>::look(Model<dim>               &model,
                               const SolutionState<dim> &state,
                               const bool                converged,
+                              const double              error_of_mesh,
                               TimerOutput              &timer,
                               RunControl               &control)
   {
     TimerOutput::Scope scope(timer, "choice of the model");
+    of_mesh = parameters.refinement.target_error > 0 ? error_of_mesh : 0;
     neglected.measure_gaps(model.discretization(), model.supports, model.interfaces);
     const NeglectedTerms &terms = neglected.largest();
     rotations_are_held          = holds_all_rotations(model.discretization());

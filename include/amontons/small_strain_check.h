@@ -31,11 +31,13 @@ namespace Amontons
     /// After the load program, at its last state. Finite strain is tried where small strain leaves out more
     /// than is allowed, or, if the scene insists on small strain, more than any answer may. Not after a
     /// failure, nor where the bodies have been much farther before: what finite strain changes in the end
-    /// says nothing of the way then, and what is left out decides. control: of the run. Collective.
+    /// says nothing of the way then, and what is left out decides. error_of_mesh: of the target quantity.
+    /// control: of the run. Collective.
     void
     look(Model<dim>               &model,
          const SolutionState<dim> &state,
          const bool                converged,
+         const double              error_of_mesh,
          TimerOutput              &timer,
          RunControl               &control);
 
@@ -57,10 +59,10 @@ namespace Amontons
     /// It is not, and the scene lets finite strain take over.
     bool
     calls_for_finite_strain() const;
-    /// On the way: what is left out is so much that finite strain will take over on whatever mesh. energy:
+    /// On the way: what is left out is so much that finite strain takes over on whatever mesh. energy:
     /// stored. Collective.
     bool
-    gives_way(const StressRecovery<dim> &recovery, const double energy) const;
+    gives_way(const StressRecovery<dim> &recovery, const double energy);
     /// The numbers are not those of the scene: more than `too_much` is left out, or bodies buckle, or, where
     /// finite strain was tried, forces or displacements change by more, or pressures by half and the gaps are
     /// others. (At an edge, where they are infinite, pressures change by much if it slides on by little.)
@@ -103,7 +105,7 @@ namespace Amontons
 
   private:
     // What error() may be for the target quantity to be as exact as allowed, where shear follows from it,
-    // too.
+    // too. Mesh and model share what is allowed: all that the mesh leaves, and a quarter anyway.
     double
     allowed_part() const;
     // How much stress changes the stiffness.
@@ -149,6 +151,8 @@ namespace Amontons
     const Scene                      &scene;
     const Parameters                 &parameters;
     bool                              rotations_are_held = true;
+    bool                              has_given_way      = false;
+    double                            of_mesh            = 0;
     bool                              tried              = false; // finite strain, and
     std::optional<Change>             change;                     // by it, if it converged
     std::optional<SolutionState<dim>> found;

@@ -20,10 +20,11 @@ namespace Amontons
   MeshSequence::order() const
   {
     constexpr unsigned int n_refinements = 4;
-    if (meshes.size() <= n_refinements)
+    const unsigned int     first         = meshes.size() > 1 && meshes[1].error > meshes[0].error ? 1 : 0;
+    if (meshes.size() <= first + n_refinements)
       return std::numeric_limits<double>::quiet_NaN();
     const auto &last = meshes.back();
-    for (unsigned int i = meshes.size() - n_refinements; i-- > 0;)
+    for (unsigned int i = meshes.size() - n_refinements; i-- > first;)
       if (last.n_dofs >= least_growth * meshes[i].n_dofs && last.error > 0)
         return std::log(meshes[i].error / last.error) / std::log(last.n_dofs / meshes[i].n_dofs);
     return std::numeric_limits<double>::quiet_NaN();

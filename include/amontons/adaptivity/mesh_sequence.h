@@ -17,7 +17,8 @@ namespace Amontons
     add(const double n_dofs, const double error, const double growth = 2);
 
     /// r in error ~ DoFs^-r over the last meshes, at least four refinements and that growth of the DoFs; NaN
-    /// where there are not so many yet.
+    /// where there are not so many yet. Without the first mesh if its error is smaller than that of the
+    /// second: it has not seen the edge that the second has.
     double
     order() const;
 

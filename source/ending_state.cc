@@ -1,4 +1,4 @@
-// LoadStepping: where a load program ends that fails or is stopped.
+// LoadStepping: where a load program goes back to, or ends, that fails or is stopped.
 #include <amontons/base/points.h>
 #include <amontons/friction/shear_law.h>
 #include <amontons/load_stepping.h>
@@ -20,6 +20,18 @@ namespace Amontons
     model->move_to(history.state);
     if (history.last_converged.displacement.size() > 0 && history.last_converged.contact.empty())
       restore_contact();
+  }
+
+  template <int dim>
+  void
+  LoadStepping<dim>::roll_back()
+  {
+    std::ostringstream text;
+    text << "increments were cut back first before t = " << history.state.t << ": " << report.message();
+    if (history.n_cut_backs++ == 0)
+      report.note(text.str());
+    report.drop_last_solve();
+    go_back();
   }
 
   // What is written and reported is the last increment that converged; the message says how the next one
@@ -112,6 +124,10 @@ namespace Amontons
   LoadStepping<2>::go_back();
   template void
   LoadStepping<3>::go_back();
+  template void
+  LoadStepping<2>::roll_back();
+  template void
+  LoadStepping<3>::roll_back();
   template void
   LoadStepping<2>::end_early(const Result, const LoadProgram &);
   template void

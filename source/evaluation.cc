@@ -78,7 +78,8 @@ namespace Amontons
                            fields,
                            state.displacement,
                            model.finite_strain(),
-                           &loads);
+                           &loads,
+                           refined.doubts());
     add_error_of_displacements(model.discretization(), state, error);
     pressure_norm = error.pressure_norm;
     shear_norm    = error.shear_norm;

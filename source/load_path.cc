@@ -68,16 +68,35 @@ namespace Amontons
   LoadPath<dim>::start_increment(const double t)
   {
     set_time(t);
-    for (const auto &point : history.path)
+    if (const auto *point = guess_at(t))
+      {
+        history.state.displacement = point->displacement;
+        history.state.traction     = point->traction;
+        history.state.peaks        = point->peaks;
+        model->move_to(history.state);
+        restore_contact();
+      }
+  }
+
+  template <int dim>
+  typename LoadHistory<dim>::PathPoint *
+  LoadPath<dim>::guess_at(const double t)
+  {
+    for (auto &point : history.path)
       if (std::abs(point.t - t) <= 1e-12 * scene.end_time &&
           point.displacement.size() == model->discretization().dof_handler.n_dofs())
-        {
-          history.state.displacement = point.displacement;
-          history.state.traction     = point.traction;
-          history.state.peaks        = point.peaks;
-          model->move_to(history.state);
-          restore_contact();
-        }
+        return &point;
+    return nullptr;
+  }
+
+  template <int dim>
+  bool
+  LoadPath<dim>::forget_guess(const double t)
+  {
+    auto *point = guess_at(t);
+    if (point != nullptr)
+      point->displacement = LA::Vector();
+    return point != nullptr;
   }
 
   template <int dim>

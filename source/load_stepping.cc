@@ -140,6 +140,8 @@ namespace Amontons
     if (!history.last_report.converged && must_stop()) // no estimate of what is no answer
       return false;
     evaluation.collect_fields(*model, history.state);
+    if (parameters.refinement.target_error > 0)
+      evaluation.refined.look(model->interfaces, evaluation.fields, mesh);
     {
       TimerOutput::Scope scope(timer, "error estimate");
       evaluation.estimate(*model, history.state);
@@ -226,7 +228,8 @@ namespace Amontons
     history.path.push_back({state.t, state.displacement, state.traction, state.peaks});
   }
 
-  // An increment that fails is cut; where that does not help, damped motion is tried.
+  // An increment that fails from what the mesh before found is tried from the one before it, then cut; where
+  // that does not help, damped motion is tried.
   template <int dim>
   bool
   LoadStepping<dim>::try_again(LoadProgram &program, Failures &failures)
@@ -234,6 +237,12 @@ namespace Amontons
     if (const auto &failure = history.last_report.failure;
         failure && failure->kind == Failure::Kind::no_memory) // shorter ones lack it, too
       return false;
+    if (!history.at_once && forget_guess(program.next()))
+      {
+        report.drop_last_solve();
+        go_back();
+        return true;
+      }
     if (starts_before(program))
       return true;
     if (may_snap(program, failures))
@@ -293,18 +302,6 @@ namespace Amontons
   }
 
   template <int dim>
-  void
-  LoadStepping<dim>::roll_back()
-  {
-    std::ostringstream text;
-    text << "increments were cut back first before t = " << history.state.t << ": " << report.message();
-    if (history.n_cut_backs++ == 0)
-      report.note(text.str());
-    report.drop_last_solve();
-    go_back();
-  }
-
-  template <int dim>
   bool
   LoadStepping<dim>::may_refine() const
   {
@@ -329,7 +326,7 @@ namespace Amontons
     const double mendable = error.quantity.value_or(
         std::sqrt(std::max(0., std::pow(error.decisive(), 2) - std::pow(error.facets, 2))));
     // A first mesh may be too coarse to see how wrong it is (a pin in its hole: by 5 %, estimated 1.2 %).
-    const double believed = model->mesh->n_refinements == 0 ? target / 5 : target;
+    const double believed = model->mesh->n_refinements == 0 ? target / RefinedPairs<dim>::doubt : target;
     // A zone, or all of the contact, may be smaller than the faces of the first meshes.
     const bool may_hide =
         (!evaluation.touches() && error.data >= 1) ||

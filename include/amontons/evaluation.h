@@ -3,6 +3,7 @@
 
 #include <amontons/adaptivity/error_estimator.h>
 #include <amontons/adaptivity/quantity_sequence.h>
+#include <amontons/adaptivity/refined_pairs.h>
 #include <amontons/model.h>
 
 namespace Amontons
@@ -18,6 +19,7 @@ namespace Amontons
     std::vector<SurfaceFields<dim>>      fields; // by pair
     std::unique_ptr<StressRecovery<dim>> recovery;
     ErrorEstimate<dim>                   error;
+    RefinedPairs<dim>                    refined; // with a target
 
     bool
     touches() const

@@ -47,6 +47,9 @@ namespace Amontons
     set_time(const double t);
     void
     start_increment(const double t);
+    /// What the mesh before found at t is not to be started from again; false: there is nothing (any more).
+    bool
+    forget_guess(const double t);
     NewtonReport
     iterate(const typename Newton<dim>::Observer &observer);
     bool
@@ -78,6 +81,9 @@ namespace Amontons
     RunControl       &control;
 
   private:
+    // What the load program found on the mesh before; null if it was not there, or that is forgotten.
+    typename LoadHistory<dim>::PathPoint *
+    guess_at(const double t);
     // Throws InputError where a bound of friction is negative at a closed node.
     void
     check_bounds() const;

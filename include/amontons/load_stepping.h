@@ -71,6 +71,7 @@ namespace Amontons
     using LoadPath<dim>::has_history;
     using LoadPath<dim>::set_time;
     using LoadPath<dim>::start_increment;
+    using LoadPath<dim>::forget_guess;
     using LoadPath<dim>::iterate;
     using LoadPath<dim>::must_stop;
     using LoadPath<dim>::commit;

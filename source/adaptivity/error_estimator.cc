@@ -93,7 +93,8 @@ namespace Amontons
       void
       add_interface(const ContactInterface<dim> &interface,
                     const SurfaceFields<dim>    &fields,
-                    const double                 weight_of_pair)
+                    const double                 weight_of_pair,
+                    const double                 doubt)
       {
         const ContactSurface<dim> &slave = *interface.slave;
         std::vector<bool>          has_row(slave.nodes.size(), false);
@@ -109,7 +110,8 @@ namespace Amontons
                               edge_errors(interface, fields, kind, on_face),
                               gap_errors(interface, fields, modulus, kind, near),
                               friction_errors(interface, fields, kind),
-                              weight_of_pair};
+                              weight_of_pair,
+                              doubt * doubt - 1};
         facets_of.push_back(facet_error(interface, fields, modulus));
         facets_of.back().pressure *= weight_of_pair;
         const auto          is_unseen = faces_of_unseen_contact(interface, fields, parts.gap);
@@ -158,13 +160,14 @@ namespace Amontons
       }
 
       // By slave face: whether it is near the contact, the errors of edge_errors(), gap_errors() and
-      // friction_errors(); and pair_weights().
+      // friction_errors(); pair_weights(); and what the doubts of RefinedPairs make.
       struct PairParts
       {
         std::vector<bool>          near;
         std::vector<double>        edge, gap;
         std::vector<FrictionError> friction;
         double                     weight;
+        double                     hidden; // squared errors that are not seen, of those that are
       };
 
       // E* of both bodies.
@@ -220,8 +223,9 @@ namespace Amontons
         estimate.contact       = relative(total(pressure_error), pressure);
         estimate.shear         = relative(total(shear_error), shear);
         estimate.recovered     = {estimate.contact, estimate.shear};
-        estimate.facets_of     = facets_of;
-        double facets          = 0;
+        estimate.doubted = {relative(total(hidden_pressure), pressure), relative(total(hidden_shear), shear)};
+        estimate.facets_of = facets_of;
+        double facets      = 0;
         for (auto &of_pair : estimate.facets_of)
           {
             facets += of_pair.pressure;
@@ -239,7 +243,8 @@ namespace Amontons
           }
         estimate.peak    = highest > 0 ? difference / highest : 0;
         estimate.facets  = relative(facets, pressure);
-        estimate.contact = std::hypot(estimate.contact, estimate.facets);
+        estimate.contact = std::hypot(estimate.contact, estimate.facets, estimate.doubted.pressure);
+        estimate.shear   = std::hypot(estimate.shear, estimate.doubted.shear);
         if (all_unseen > 0) // as large as all that is seen
           {
             estimate.data    = 1;
@@ -387,11 +392,14 @@ namespace Amontons
         shear_part += parts.weight * parts.friction[face].square;
         friction_resultants += parts.friction[face].resultant;
         shear_error += shear_part;
-        squares[cell->active_cell_index()] += square;
-        contact_squares[cell->active_cell_index()] += pressure_part;
-        shear_squares[cell->active_cell_index()] += shear_part;
         pressure_error += pressure_part;
-        return {square, pressure_part, shear_part};
+        hidden_shear += parts.hidden * shear_part;
+        hidden_pressure += parts.hidden * pressure_part;
+        const double all_shear = (1 + parts.hidden) * shear_part, all = (1 + parts.hidden) * pressure_part;
+        squares[cell->active_cell_index()] += square;
+        contact_squares[cell->active_cell_index()] += all;
+        shear_squares[cell->active_cell_index()] += all_shear;
+        return {square, all, all_shear};
       }
 
       // Each slave face's eta_F^2 is shared out by area between the master faces opposite.
@@ -435,7 +443,8 @@ namespace Amontons
       // of this rank
       double no_energy = 0, no_pressure_square = 0;
       double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0, shear_error = 0,
-             shear_square = 0, n_unseen = 0, friction_resultants = 0, shear_sum = 0;
+             hidden_pressure = 0, hidden_shear = 0, shear_square = 0, n_unseen = 0, friction_resultants = 0,
+             shear_sum = 0;
       std::vector<FacetError> facets_of;
     };
   } // namespace
@@ -448,7 +457,8 @@ namespace Amontons
                  const std::vector<SurfaceFields<dim>>    &fields,
                  const LA::Vector                         &displacement,
                  const bool                                finite_strain,
-                 const FaceLoads<dim>                     *face_loads)
+                 const FaceLoads<dim>                     *face_loads,
+                 const std::vector<double>                &doubts)
   {
     double largest = 0;
     for (const auto dof : discretization.locally_owned)
@@ -465,7 +475,7 @@ namespace Amontons
     estimation.add_bulk();
     const auto weights = pair_weights(interfaces, fields);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      estimation.add_interface(interfaces[i], fields[i], weights[i]);
+      estimation.add_interface(interfaces[i], fields[i], weights[i], doubts.empty() ? 1. : doubts[i]);
     return estimation.result();
   }
 
@@ -476,7 +486,8 @@ namespace Amontons
                  const std::vector<SurfaceFields<2>> &,
                  const LA::Vector &,
                  const bool,
-                 const FaceLoads<2> *);
+                 const FaceLoads<2> *,
+                 const std::vector<double> &);
   template ErrorEstimate<3>
   estimate_error(const Discretization<3> &,
                  const StressRecovery<3> &,
@@ -484,5 +495,6 @@ namespace Amontons
                  const std::vector<SurfaceFields<3>> &,
                  const LA::Vector &,
                  const bool,
-                 const FaceLoads<3> *);
+                 const FaceLoads<3> *,
+                 const std::vector<double> &);
 } // namespace Amontons

@@ -180,8 +180,8 @@ namespace Amontons
             error.recovered.shear,
             before.shear);
       }
-    error.contact = std::hypot(pressure, error.facets, error.data);
-    error.shear   = shear;
+    error.contact = std::hypot(std::hypot(pressure, error.doubted.pressure), error.facets, error.data);
+    error.shear   = std::hypot(shear, error.doubted.shear);
   }
 
   template LA::Vector

@@ -58,32 +58,47 @@ namespace Amontons
 
     template <int dim>
     bool
-    is_resolved(const ContactInterface<dim> &interface,
-                const SurfaceFields<dim>    &fields,
-                const double                 few = dim == 2 ? 4 : 9)
+    has_closed_node(const SurfaceFace<dim> &face, const SurfaceFields<dim> &fields)
     {
-      const auto &slave     = *interface.slave;
-      const auto  is_closed = [&](const unsigned int node) {
+      return std::any_of(face.unknowns.begin(), face.unknowns.end(), [&](const unsigned int node) {
         return fields.state[node] != ContactStatus::open;
-      };
-      unsigned int n_closed = 0;
-      for (unsigned int node = 0; node < fields.state.size(); ++node)
-        n_closed += is_closed(node);
-      double area = 0, smallest = std::numeric_limits<double>::max();
-      for (const auto &face : slave.faces)
-        {
-          area += std::pow(face.size, dim - 1);
-          if (std::none_of(face.unknowns.begin(), face.unknowns.end(), is_closed))
-            continue;
-          smallest = std::min(smallest, face.size);
-          if (is_at_an_edge<dim>(&slave, face.centre, 2 * face.size) ||
-              is_at_an_edge<dim>(interface.master_surface.get(), face.centre, 2 * face.size))
-            return true;
-        }
-      constexpr double point = 1e-5; // of the surface
-      return n_closed >= few || smallest < point * std::pow(area, 1. / (dim - 1));
+      });
     }
   } // namespace
+
+  template <int dim>
+  double
+  smallest_closed_face(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+  {
+    double smallest = std::numeric_limits<double>::max();
+    for (const auto &face : interface.slave->faces)
+      if (has_closed_node(face, fields))
+        smallest = std::min(smallest, face.size);
+    return smallest < std::numeric_limits<double>::max() ? smallest : 0;
+  }
+
+  template <int dim>
+  bool
+  contact_is_resolved(const ContactInterface<dim> &interface,
+                      const SurfaceFields<dim>    &fields,
+                      const double                 few)
+  {
+    double area = 0;
+    for (const auto &face : interface.slave->faces)
+      {
+        area += std::pow(face.size, dim - 1);
+        if (has_closed_node(face, fields) &&
+            (is_at_an_edge<dim>(interface.slave.get(), face.centre, 2 * face.size) ||
+             is_at_an_edge<dim>(interface.master_surface.get(), face.centre, 2 * face.size)))
+          return true;
+      }
+    constexpr double point    = 1e-5; // of the surface
+    const auto       n_closed = std::count_if(fields.state.begin(), fields.state.end(), [](const auto state) {
+      return state != ContactStatus::open;
+    });
+    const double     smallest = smallest_closed_face(interface, fields);
+    return n_closed >= few || (smallest > 0 && smallest < point * std::pow(area, 1. / (dim - 1)));
+  }
 
   template <int dim>
   bool
@@ -100,7 +115,7 @@ namespace Amontons
       if (forces[i] > least)
         {
           ++n_touching;
-          n_resolved += is_resolved(interfaces[i], fields[i]);
+          n_resolved += contact_is_resolved(interfaces[i], fields[i]);
         }
     return n_touching < 2 || n_resolved == n_touching;
   }
@@ -115,7 +130,7 @@ namespace Amontons
       {
         const double n_of_half = std::sqrt(0.5 / target), n = fields[i].symmetry_planes.empty() ? 2 : 1;
         if (!interfaces[i].pair->tied && fields[i].normal_force.norm() > 0 &&
-            !is_resolved(interfaces[i], fields[i], n * n_of_half))
+            !contact_is_resolved(interfaces[i], fields[i], n * n_of_half))
           return false;
       }
     return true;
@@ -134,6 +149,14 @@ namespace Amontons
   faces_of_unseen_contact(const ContactInterface<2> &, const SurfaceFields<2> &, const std::vector<double> &);
   template std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<3> &, const SurfaceFields<3> &, const std::vector<double> &);
+  template bool
+  contact_is_resolved(const ContactInterface<2> &, const SurfaceFields<2> &, const double);
+  template bool
+  contact_is_resolved(const ContactInterface<3> &, const SurfaceFields<3> &, const double);
+  template double
+  smallest_closed_face(const ContactInterface<2> &, const SurfaceFields<2> &);
+  template double
+  smallest_closed_face(const ContactInterface<3> &, const SurfaceFields<3> &);
   template bool
   small_contacts_are_resolved(const std::vector<ContactInterface<2>> &,
                               const std::vector<SurfaceFields<2>> &);

@@ -37,6 +37,7 @@ namespace Amontons
     double data          = 0; // part of `contact`: lost between the nodes, where recovery sees nothing
     double peak          = 0; // difference of the peak pressure from that of the recovered stress, relative
     double friction_data = 0; // of the sum of |shear|: bounds of friction that are lost between the nodes
+    RecoveredErrors         doubted;   // what pairs that are not refined yet may hide beside `recovered`
     RecoveredErrors         recovered; // without what differences between meshes add (mesh_difference.h)
     std::vector<FacetError> facets_of; // by interface
     std::optional<double>   quantity;  // of `Target quantity`, if that is a number
@@ -78,7 +79,7 @@ namespace Amontons
   // traction counts; `shear` likewise, of the pairs with friction. n is the normal of the true surface.
   // Stresses and tractions that are no more than the rounding of the displacements makes them are none, and
   // have no error. What loads put on slave faces is no part of what the contact carries there. recovery: of
-  // the displacement. fields: by interface. Collective.
+  // the displacement. fields: by interface; doubts: likewise, see RefinedPairs (empty: none). Collective.
   template <int dim>
   ErrorEstimate<dim>
   estimate_error(const Discretization<dim>                &discretization,
@@ -87,5 +88,6 @@ namespace Amontons
                  const std::vector<SurfaceFields<dim>>    &fields,
                  const LA::Vector                         &displacement,
                  const bool                                finite_strain,
-                 const FaceLoads<dim>                     *face_loads = nullptr);
+                 const FaceLoads<dim>                     *face_loads = nullptr,
+                 const std::vector<double>                &doubts     = {});
 } // namespace Amontons

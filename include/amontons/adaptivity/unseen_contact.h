@@ -16,6 +16,19 @@ namespace Amontons
                           const SurfaceFields<dim>    &fields,
                           const std::vector<double>   &gap_errors);
 
+  // Whether more than a few nodes are closed (2D: 4, space: 9), or the contact is at a sharp edge of a side,
+  // where it is as small as any mesh, or hardly wider than a point.
+  template <int dim>
+  bool
+  contact_is_resolved(const ContactInterface<dim> &interface,
+                      const SurfaceFields<dim>    &fields,
+                      const double                 few = dim == 2 ? 4 : 9);
+
+  // 0 if nothing is closed.
+  template <int dim>
+  double
+  smallest_closed_face(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
+
   // Of several pairs that touch with more than a millionth of the largest force: whether none does so with a
   // few nodes only that are much farther apart than a point is wide. Tied pairs do not count; nor do contacts
   // at a sharp edge of a side, which are as small as any mesh.

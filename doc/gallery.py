@@ -43,7 +43,7 @@ GROUPS = [
      "verification/patch_3d_punch verification/patch_3d_hanging_nodes"),
     ("Tied bodies", "verification/tied_patch verification/tied_patch_3d verification/tied_beam verification/beam_in_one_piece verification/tied_column verification/tied_bracket"),
     ("Unusual input", "verification/no_contact verification/just_touching verification/tension verification/stiff_punch verification/gap_closes_on_incompressible verification/piston verification/narrow_load verification/thin_wire verification/edge_beyond_nodes verification/wavy_gap verification/two_loads verification/beam_on_stop verification/corner_on_plane verification/edge_on_plate_3d "
-     "verification/touched_at_the_axis verification/rider verification/v_joint verification/disk_in_groove verification/disk_squeezed verification/stack_without_friction verification/ball_between_planes verification/half_ring_below_lid verification/friction_band verification/displaced_bump verification/growing_stick verification/growing_stick_3d verification/receding_layer_rough verification/tied_and_turned verification/tied_shear verification/light_beside_heavy"),
+     "verification/touched_at_the_axis verification/rider verification/v_joint verification/disk_in_groove verification/disk_squeezed verification/stack_without_friction verification/ball_between_planes verification/half_ring_below_lid verification/friction_band verification/displaced_bump verification/growing_stick verification/growing_stick_3d verification/receding_layer_rough verification/tied_and_turned verification/tied_shear verification/light_beside_heavy verification/two_indenters verification/shaft_in_longer_hub verification/roller_bearing verification/ring_between_walls"),
 ]
 
 # Where the bodies as a whole (in space: the pressure on the first surface) are not what is to be seen: the title of the picture; entries of a run for the picture.
@@ -57,6 +57,7 @@ PICTURES |= {
     "mindlin_sphere": ("States",), "verification/compressed_block_3d": ("Bodies",), "verification/oblique_drag": ("States",), "verification/turned_platens": ("Where the work goes",),
     "verification/rings": COARSE, "verification/wavy_gap": ("Contact pressure",), "verification/turned_rings": COARSE, "verification/peers_sphere_3d": ("Pressure on the surface", "Refinement/Cycles=3"),
     "verification/slide_off_edge": ("Deformed mesh", "End time=1.4"), "verification/slide_over_edges": ("Deformed mesh", "End time=0.3", "Increments=18"),
+    "verification/roller_bearing": ("Deformed mesh", "Refinement/Target error=0", "Refinement/Cycles=0"),
     "verification/three_contacts": ("Deformed mesh", "Refinement/Cycles=12"),
     "verification/opened_again": ("Deformed mesh", "End time=1"), "verification/lifted_off": ("States", "End time=1"),
 }

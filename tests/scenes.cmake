@@ -360,6 +360,13 @@ add_scene_test(NAME lifted SCENE verification/tension.prm CHECK "status is conve
 # What every run with friction keeps.
 set(LAWS "checks.energy_balance <= 1e-6" "checks.negative_dissipation <= 1e-9" "checks.coulomb_cone <= 1e-6" "checks.force_balance <= 1e-8")
 
+# The node at rest is in the middle of those that slip, or near an end: the pulls may differ by exp(0.3 pi) = 2.566.
+add_scene_test(NAME band_on_drum SCENE verification/band_on_drum.prm CHECK "status is converged" ${LAWS} "newton.:.iterations <= 12" "pairs.0.normal_force.1 ~ 149.125 5e-3" "pairs.0.tangential_force.1 ~ 50.875 1e-2"
+               "pairs.0.n_open == 0")
+add_scene_test(NAME band_pulled_more_on_one_side SCENE verification/band_on_drum.prm SET "Boundary condition pull/Value=0|x > 0 ? -250*t : -100*t"
+               CHECK "status is converged" ${LAWS} "newton.:.iterations <= 12" "pairs.0.n_open == 0")
+add_scene_test(NAME band_pulled_off SCENE verification/band_on_drum.prm FAILS SET "Boundary condition pull/Value=0|x > 0 ? -270*t : -100*t" CHECK "message has friction probably cannot hold")
+
 # Patch tests: at t = 1 all sticks, at t = 2 all slips. A turned scene turns the loads with it (c, s: cosine and sine of the angle).
 set(STICKS "End time=1" "Output times=")
 set(STUCK ${EXACT} ${LAWS} "pairs.0.n_slip == 0" "pairs.0.n_open == 0" "contact.:.slip_x abs<= 1e-12" "contact.:.slip_y abs<= 1e-12"

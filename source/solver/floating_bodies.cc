@@ -4,7 +4,6 @@
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
-#include <numeric>
 #include <sstream>
 
 namespace Amontons
@@ -380,7 +379,7 @@ namespace Amontons
         scale = std::max(scale, magnitude[i]);
     std::vector<double> result;
     for (const auto &q : motions)
-      result.push_back(scale > 0 ? std::inner_product(q.begin(), q.end(), force.begin(), 0.) / scale : 0.);
+      result.push_back(scale > 0 ? work(q) / scale : 0.);
     return result;
   }
 

@@ -109,7 +109,7 @@ namespace Amontons
     if (single)
       keep_last_change(old);
     //! [globalisation]
-    hold_motions(answers, tolerance);
+    hold_motions(answers);
     //! [globalisation]
     changed.clear();
     for (unsigned int k = 0; k < nodes.size(); ++k)
@@ -253,16 +253,21 @@ namespace Amontons
       }
   }
 
-  // Of the nodes that slip, by (slip v . m/|m|^2, trial/bound), where m is the jump of the motion. The number
-  // of nodes if none moves with it.
+  // A body that slips as a whole may be moved back along the motion m, by a: of the nodes that slip by v_i
+  // along it (slip . m_i/|m_i|^2), those with v_i > a still do, those with v_i < a slip the other way, and
+  // with bounds w_i |m_i| loads of the work W on m are in balance where W + sum_{v_i < a} w_i - sum_{v_i > a}
+  // w_i changes its sign. There rests a node; the least v_i if friction is all that holds (W = sum w_i).
   template <int dim>
   unsigned int
-  NodeStates<dim>::least_slip_along(const std::vector<double> &motion,
-                                    const NodalContacts<dim>  &answers,
-                                    const double               tolerance) const
+  NodeStates<dim>::node_at_rest(const std::vector<double> &motion, const NodalContacts<dim> &answers) const
   {
-    unsigned int              best = nodes.size();
-    std::pair<double, double> least;
+    struct Slip
+    {
+      double       along, ratio, bound;
+      unsigned int node;
+    };
+    std::vector<Slip> slips;
+    double            excess = floating.work(motion);
     for (unsigned int k = 0; k < nodes.size(); ++k)
       if (nodes[k].frictional && states[k] == ContactStatus::slip)
         {
@@ -272,21 +277,25 @@ namespace Amontons
           m = nodes[k].tangential(m);
           if (m.norm() < 1e-6)
             continue;
-          const double slip = answers[k].slip * m / m.norm_square();
-          const double ratio =
-              trial(k, answers[k]).norm() / std::max(bound(k, answers[k].pressure).value, tolerance);
-          if (best == nodes.size() || std::make_pair(slip, ratio) < least)
-            {
-              least = {slip, ratio};
-              best  = k;
-            }
+          const double limit = bound(k, answers[k].pressure).value;
+          slips.push_back({answers[k].slip * m / m.norm_square(),
+                           trial(k, answers[k]).norm() / std::max(limit, 1e-300),
+                           std::max(limit, 0.) * nodes[k].area * m.norm(),
+                           k});
+          excess -= slips.back().bound;
         }
-    return best;
+    std::sort(slips.begin(), slips.end(), [](const Slip &a, const Slip &b) {
+      return std::tie(a.along, a.ratio) < std::tie(b.along, b.ratio);
+    });
+    for (const Slip &slip : slips)
+      if ((excess += 2 * slip.bound) >= 0)
+        return slip.node;
+    return slips.empty() ? nodes.size() : slips.front().node;
   }
 
   template <int dim>
   void
-  NodeStates<dim>::hold_motions(const NodalContacts<dim> &answers, const double tolerance)
+  NodeStates<dim>::hold_motions(const NodalContacts<dim> &answers)
   {
     held.clear();
     if (!any_friction || !floating.any())
@@ -301,7 +310,7 @@ namespace Amontons
     motions_held    = motions;
     while (!motions.empty())
       {
-        const unsigned int k = least_slip_along(motions[0], answers, tolerance);
+        const unsigned int k = node_at_rest(motions[0], answers);
         if (k == nodes.size())
           return;
         states[k] = ContactStatus::stick;

@@ -9,6 +9,8 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <numeric>
+
 namespace Amontons
 {
   // The displacements of all bodies and carriers as rigid motions: v = sum_m q_m v_m with translations and
@@ -63,6 +65,11 @@ namespace Amontons
     // on any of the bodies that the motions move: one scale for all of them, as the work is linear in q.
     std::vector<double>
     relative_work(const std::vector<std::vector<double>> &motions) const;
+    double
+    work(const std::vector<double> &motion) const // of the loads
+    {
+      return std::inner_product(motion.begin(), motion.end(), force.begin(), 0.);
+    }
     std::string
     describe(const std::vector<double> &motion) const;
     // sum coefficient u for the displacements u of a motion.

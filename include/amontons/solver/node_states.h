@@ -21,10 +21,9 @@ namespace Amontons
   // friction slips along trial/|trial|, trial = shear + c slip, where |trial| exceeds the bound phi(p), and
   // sticks elsewhere; nodes whose slip turns round stick first (but for directions that were guessed). Two
   // things keep this from running in circles or away:
-  // - where the nodes that slip would leave a rigid motion of a body without hold, the node is held that
-  // rests
-  //   where the body is moved back along it as far as the others' friction balances the loads; if the bound
-  //   is exceeded there when nothing else changes, friction cannot hold the body (held_too_much);
+  // - where the nodes that slip would leave a rigid motion of a body without hold, that node is held which
+  //   rests if the body is moved back so far along it that the others' friction balances the loads; if the
+  //   bound is exceeded there when nothing else changes, friction cannot hold the body (held_too_much);
   // - when a set of states comes back, bounds are frozen: with given bounds (Tresca) the problem is that of
   //   minimising a convex energy; each time it is solved, the bounds follow the pressures, until they agree.
   //   If states come back even then, nodes change one by one.

@@ -172,14 +172,15 @@ namespace Amontons
     LA::Vector readable          = problem.discretization.make_relevant_vector();
     readable                     = change;
     bool                overlaps = false;
-    std::vector<double> parts(now.answers.size(), 1.);
+    std::vector<double> parts(now.answers.size(), std::numeric_limits<double>::infinity());
     for (unsigned int k = 0; k < now.answers.size(); ++k)
       if (now.states[k] == ContactStatus::open)
         {
           const auto  &node = problem.contact.nodes()[k];
           const double gap = now.answers[k].gap, nearer = evaluate(node.closing.equation, readable);
-          if (nearer > gap && nearer > 0)
-            parts[k] = std::max(gap / nearer, 0.);
+          if (nearer <= 0 || nearer <= gap)
+            continue;
+          parts[k] = std::max(gap / nearer, 0.);
           overlaps = overlaps || nearer - gap > problem.interfaces[node.interface].slave->mean_size;
         }
     if (!overlaps)

@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/data_error.h>
+#include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/surface_fields.h>
 #include <amontons/evaluation.h>
@@ -58,10 +59,7 @@ namespace Amontons
   {
     unsigned int most = 0;
     for (const auto &of_pair : fields)
-      most = std::max<unsigned int>(
-          most, std::count_if(of_pair.state.begin(), of_pair.state.end(), [](const auto state) {
-            return state != ContactStatus::open;
-          }));
+      most = std::max(most, Amontons::n_closed_nodes(of_pair));
     return most;
   }
 

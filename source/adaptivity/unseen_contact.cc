@@ -67,6 +67,15 @@ namespace Amontons
   } // namespace
 
   template <int dim>
+  unsigned int
+  n_closed_nodes(const SurfaceFields<dim> &fields)
+  {
+    return std::count_if(fields.state.begin(), fields.state.end(), [](const auto state) {
+      return state != ContactStatus::open;
+    });
+  }
+
+  template <int dim>
   double
   smallest_closed_face(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
   {
@@ -93,11 +102,9 @@ namespace Amontons
           return true;
       }
     constexpr double point    = 1e-5; // of the surface
-    const auto       n_closed = std::count_if(fields.state.begin(), fields.state.end(), [](const auto state) {
-      return state != ContactStatus::open;
-    });
     const double     smallest = smallest_closed_face(interface, fields);
-    return n_closed >= few || (smallest > 0 && smallest < point * std::pow(area, 1. / (dim - 1)));
+    return n_closed_nodes(fields) >= few ||
+           (smallest > 0 && smallest < point * std::pow(area, 1. / (dim - 1)));
   }
 
   template <int dim>
@@ -149,6 +156,10 @@ namespace Amontons
   faces_of_unseen_contact(const ContactInterface<2> &, const SurfaceFields<2> &, const std::vector<double> &);
   template std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<3> &, const SurfaceFields<3> &, const std::vector<double> &);
+  template unsigned int
+  n_closed_nodes(const SurfaceFields<2> &);
+  template unsigned int
+  n_closed_nodes(const SurfaceFields<3> &);
   template bool
   contact_is_resolved(const ContactInterface<2> &, const SurfaceFields<2> &, const double);
   template bool

@@ -16,6 +16,10 @@ namespace Amontons
                           const SurfaceFields<dim>    &fields,
                           const std::vector<double>   &gap_errors);
 
+  template <int dim>
+  unsigned int
+  n_closed_nodes(const SurfaceFields<dim> &fields);
+
   // Whether more than a few nodes are closed (2D: 4, space: 9), or the contact is at a sharp edge of a side,
   // where it is as small as any mesh, or hardly wider than a point.
   template <int dim>

@@ -1,10 +1,12 @@
 #include <amontons/base/points.h>
+#include <amontons/adaptivity/face_points.h>
 #include <amontons/adaptivity/data_error.h>
 #include <amontons/adaptivity/edge_error.h>
 #include <amontons/adaptivity/error_estimator.h>
 #include <amontons/adaptivity/facet_error.h>
 #include <amontons/adaptivity/gap_error.h>
 #include <amontons/adaptivity/nominal_area.h>
+#include <amontons/adaptivity/pollution_error.h>
 #include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/contact/common_normal.h>
 #include <amontons/contact/face_basis.h>
@@ -14,7 +16,6 @@
 #include <deal.II/base/tensor_product_polynomials.h>
 
 #include <deque>
-#include <set>
 
 namespace Amontons
 {
@@ -40,7 +41,6 @@ namespace Amontons
     public:
       using Cell       = typename DoFHandler<dim>::active_cell_iterator;
       using Conditions = std::vector<const ConditionData *>;
-
       // displacement: where areas are nominal (see NominalArea).
       Estimation(const Discretization<dim> &discretization,
                  const StressRecovery<dim> &recovery,
@@ -106,7 +106,8 @@ namespace Amontons
         const double       modulus = combined_modulus(interface);
         const auto         near    = faces_near_contact(interface, fields);
         peaks.emplace_back();
-        const PairParts parts{near,
+        const PairParts parts{FacePoints<dim>(interface, QGauss<1>(discretization.fe.degree + 2), kind),
+                              near,
                               edge_errors(interface, fields, kind, on_face),
                               gap_errors(interface, fields, modulus, kind, near),
                               friction_errors(interface, fields, kind),
@@ -137,32 +138,25 @@ namespace Amontons
           add_masters(interface, face_squares);
       }
 
-      // Those that press and two faces around them. Beyond, there is no pressure, and none that is wrong:
-      // stresses that are singular in a corner of the open part are errors of the stress alone.
-      static std::vector<bool>
-      faces_near_contact(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+      // What the errors of the stress, which are known by now, do to the pressure of a pair.
+      void
+      add_pollution(const ContactInterface<dim> &interface,
+                    const SurfaceFields<dim>    &fields,
+                    const double                 weight_of_pair,
+                    const LA::Vector            *displacement)
       {
-        const ContactSurface<dim> &slave = *interface.slave;
-        std::vector<bool>          near(slave.faces.size(), interface.pair->tied), marked;
-        for (const double p : fields.pressure)
-          marked.push_back(p != 0);
-        for (unsigned int layer = 0; layer < 3; ++layer)
-          {
-            for (unsigned int f = 0; f < near.size(); ++f)
-              near[f] = near[f] || std::any_of(slave.faces[f].nodes.begin(),
-                                               slave.faces[f].nodes.end(),
-                                               [&](const unsigned int i) { return marked[i]; });
-            for (unsigned int f = 0; f < near.size(); ++f)
-              for (const unsigned int i : slave.faces[f].nodes)
-                marked[i] = marked[i] || near[f];
-          }
-        return near;
+        const auto error = pollution_error(
+            discretization, interface, fields, combined_modulus(interface), squares, displacement);
+        pollution_square += weight_of_pair * error.square;
+        for (unsigned int c = 0; c < error.by_cell.size(); ++c)
+          contact_squares[c] += weight_of_pair * error.by_cell[c];
       }
 
       // By slave face: whether it is near the contact, the errors of edge_errors(), gap_errors() and
       // friction_errors(); pair_weights(); and what the doubts of RefinedPairs make.
       struct PairParts
       {
+        FacePoints<dim>            points;
         std::vector<bool>          near;
         std::vector<double>        edge, gap;
         std::vector<FrictionError> friction;
@@ -241,10 +235,12 @@ namespace Amontons
             difference = std::max(difference, std::abs(peak[1] - peak[0]));
             highest    = std::max(highest, peak[0]);
           }
-        estimate.peak    = highest > 0 ? difference / highest : 0;
-        estimate.facets  = relative(facets, pressure);
-        estimate.contact = std::hypot(estimate.contact, estimate.facets, estimate.doubted.pressure);
-        estimate.shear   = std::hypot(estimate.shear, estimate.doubted.shear);
+        estimate.peak      = highest > 0 ? difference / highest : 0;
+        estimate.facets    = relative(facets, pressure);
+        estimate.pollution = relative(pollution_square, pressure);
+        estimate.contact   = std::hypot(
+            std::hypot(estimate.contact, estimate.facets), estimate.doubted.pressure, estimate.pollution);
+        estimate.shear = std::hypot(estimate.shear, estimate.doubted.shear);
         if (all_unseen > 0) // as large as all that is seen
           {
             estimate.data    = 1;
@@ -341,26 +337,28 @@ namespace Amontons
         const auto   loads     = face_loads == nullptr ? Conditions() : face_loads->on(cell, f);
         const double no_stress = stress_of_rounding(cell);
         double       square = 0, pressure_part = 0, shear_part = 0;
-        for (unsigned int q = 0; q < on_face.size(); ++q)
+        for (const auto &[xi, weight, interpolation] : parts.points.on(face))
           {
-            const Point<dim - 1> &xi = on_face.point(q);
-            double                jacobian;
-            const Tensor<1, dim>  n = slave.face_normal(face, xi, &jacobian);
-            const double weight = on_face.weight(q) * jacobian * measure<dim>(kind, slave.position(face, xi));
-            const auto   N      = lagrange_values<dim - 1>(slave.degree, xi);
-            const auto   common = turned_normal(slave, face, N, n, fields.normal);
-            double       p      = 0;
-            Tensor<1, dim> shear;
-            for (unsigned int i = 0; i < N.size(); ++i)
+            const Tensor<1, dim> n      = slave.face_normal(face, xi);
+            const auto           N      = lagrange_values<dim - 1>(slave.degree, xi);
+            const auto           common = turned_normal(slave, face, N, n, fields.normal);
+            double               p      = 0;
+            Tensor<1, dim>       shear;
+            for (unsigned int i = 0; parts.points.covers(face) && i < N.size(); ++i)
               {
                 p += N[i] * fields.pressure[slave.faces[face].nodes[i]];
                 shear += N[i] * fields.traction[slave.faces[face].nodes[i]];
               }
 
-            const Tensor<1, dim> area     = is_nominal ? areas[f].vector(q, n, interface.pair->tied) : n;
-            const Tensor<1, dim> load     = load_at(loads, cell, f, xi, n);
-            const Tensor<1, dim> t        = traction<dim>(sigma[q], area) - load;
-            const double         mismatch = p + common * t;
+            const Tensor<1, dim> load = load_at(loads, cell, f, xi, n);
+            Tensor<1, dim>       t = -load, t_star = -load;
+            for (unsigned int q = 0; q < interpolation.size(); ++q)
+              {
+                const Tensor<1, dim> area = is_nominal ? areas[f].vector(q, n, interface.pair->tied) : n;
+                t += interpolation[q] * traction<dim>(sigma[q], area);
+                t_star += interpolation[q] * traction<dim>(smooth[q], area);
+              }
+            const double mismatch = p + common * t;
             square += weight * mismatch * mismatch;
             if (!interface.pair->tied)
               square += weight * (t - (common * t) * common - shear).norm_square();
@@ -368,8 +366,7 @@ namespace Amontons
             if (!parts.near[face])
               continue;
             no_pressure_square += parts.weight * weight * no_stress * no_stress;
-            const Tensor<1, dim> t_star = traction<dim>(smooth[q], area) - load;
-            const double         p_star = -(common * t_star);
+            const double p_star = -(common * t_star);
             if (interface.pair->has_friction())
               {
                 shear_part += parts.weight * weight * (t_star + p_star * common - shear).norm_square();
@@ -444,7 +441,8 @@ namespace Amontons
       double no_energy = 0, no_pressure_square = 0;
       double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0, shear_error = 0,
              hidden_pressure = 0, hidden_shear = 0, shear_square = 0, n_unseen = 0, friction_resultants = 0,
-             shear_sum = 0;
+             shear_sum                         = 0;
+      double                  pollution_square = 0; // of all ranks
       std::vector<FacetError> facets_of;
     };
   } // namespace
@@ -474,6 +472,8 @@ namespace Amontons
                                any_nominal && finite_strain ? &displacement : nullptr);
     estimation.add_bulk();
     const auto weights = pair_weights(interfaces, fields);
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      estimation.add_pollution(interfaces[i], fields[i], weights[i], finite_strain ? &displacement : nullptr);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       estimation.add_interface(interfaces[i], fields[i], weights[i], doubts.empty() ? 1. : doubts[i]);
     return estimation.result();

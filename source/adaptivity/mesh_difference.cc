@@ -180,8 +180,9 @@ namespace Amontons
             error.recovered.shear,
             before.shear);
       }
-    error.contact = std::hypot(std::hypot(pressure, error.doubted.pressure), error.facets, error.data);
-    error.shear   = std::hypot(shear, error.doubted.shear);
+    error.contact = std::hypot(
+        std::hypot(pressure, error.doubted.pressure), error.facets, std::hypot(error.data, error.pollution));
+    error.shear = std::hypot(shear, error.doubted.shear);
   }
 
   template LA::Vector

@@ -7,9 +7,10 @@
 namespace Amontons
 {
   void
-  MeshSequence::add(const double n_dofs, const double error, const double growth)
+  MeshSequence::add(const double n_dofs, const double error, const double growth, const bool has_limit)
   {
     least_growth = growth;
+    always_falls = has_limit;
     if (!meshes.empty() && meshes.back().n_dofs == n_dofs)
       meshes.pop_back();
     if (std::isfinite(error))
@@ -53,7 +54,7 @@ namespace Amontons
   bool
   MeshSequence::is_hopeless(const double target, const double max_dofs) const
   {
-    return (stands_still() || order() < 0.1) && dofs_for(target) > 10 * max_dofs;
+    return (stands_still() || (!always_falls && order() < 0.1)) && dofs_for(target) > 10 * max_dofs;
   }
 
   std::string

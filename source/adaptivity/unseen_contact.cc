@@ -44,6 +44,27 @@ namespace Amontons
     return unseen;
   }
 
+  template <int dim>
+  std::vector<bool>
+  faces_near_contact(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+  {
+    const ContactSurface<dim> &slave = *interface.slave;
+    std::vector<bool>          near(slave.faces.size(), interface.pair->tied), marked;
+    for (const double p : fields.pressure)
+      marked.push_back(p != 0);
+    for (unsigned int layer = 0; layer < 3; ++layer)
+      {
+        for (unsigned int f = 0; f < near.size(); ++f)
+          near[f] = near[f] || std::any_of(slave.faces[f].nodes.begin(),
+                                           slave.faces[f].nodes.end(),
+                                           [&](const unsigned int i) { return marked[i]; });
+        for (unsigned int f = 0; f < near.size(); ++f)
+          for (const unsigned int i : slave.faces[f].nodes)
+            marked[i] = marked[i] || near[f];
+      }
+    return near;
+  }
+
   namespace
   {
     // A contact at a sharp edge of either side is as small as any mesh.
@@ -156,6 +177,10 @@ namespace Amontons
   faces_of_unseen_contact(const ContactInterface<2> &, const SurfaceFields<2> &, const std::vector<double> &);
   template std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<3> &, const SurfaceFields<3> &, const std::vector<double> &);
+  template std::vector<bool>
+  faces_near_contact(const ContactInterface<2> &, const SurfaceFields<2> &);
+  template std::vector<bool>
+  faces_near_contact(const ContactInterface<3> &, const SurfaceFields<3> &);
   template unsigned int
   n_closed_nodes(const SurfaceFields<2> &);
   template unsigned int

@@ -34,6 +34,7 @@ namespace Amontons
     double shear          = 0;                  // of the tangential traction, with friction
     double worst_pressure = 0, worst_shear = 0; // not relative, of a load history so far
     double facets        = 0;                   // the part of `contact` that facets cause
+    double pollution     = 0; // part of `contact`: what coarse cells around the contact cause
     double data          = 0; // part of `contact`: lost between the nodes, where recovery sees nothing
     double peak          = 0; // difference of the peak pressure from that of the recovered stress, relative
     double friction_data = 0; // of the sum of |shear|: bounds of friction that are lost between the nodes

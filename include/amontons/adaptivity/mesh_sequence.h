@@ -12,9 +12,10 @@ namespace Amontons
   public:
     /// Of the same number of DoFs as the last one: instead of it. Infinite errors, which are not known yet,
     /// are left out. growth: of the DoFs, within which errors need not fall; of numbers, whose errors are
-    /// differences between meshes of so many DoFs, 4.
+    /// differences between meshes of so many DoFs, 4. has_limit: of the exact quantity, whatever the pressure
+    /// is (forces, energies): its error falls, if not always.
     void
-    add(const double n_dofs, const double error, const double growth = 2);
+    add(const double n_dofs, const double error, const double growth = 2, const bool has_limit = false);
 
     /// r in error ~ DoFs^-r over the last meshes, at least four refinements and that growth of the DoFs; NaN
     /// where there are not so many yet. Without the first mesh if its error is smaller than that of the
@@ -30,7 +31,8 @@ namespace Amontons
     double
     dofs_for(const double target) const;
 
-    /// The quantity does not converge: the error stands still, or its order is below 0.1, where smooth
+    /// The quantity does not converge: the error stands still, or, where there may be no limit, its order is
+    /// below 0.1, where smooth
     /// contact has 1/2 (3D) and more, and contact at an edge with a pressure that is square integrable 1/4 on
     /// uniform and more on graded meshes.
     bool
@@ -51,5 +53,6 @@ namespace Amontons
     };
     std::vector<Mesh> meshes;
     double            least_growth = 2;
+    bool              always_falls = false;
   };
 } // namespace Amontons

@@ -16,6 +16,12 @@ namespace Amontons
                           const SurfaceFields<dim>    &fields,
                           const std::vector<double>   &gap_errors);
 
+  // By slave face: those that press and two faces around them. Beyond, there is no pressure, and none that is
+  // wrong: stresses that are singular in a corner of the open part are errors of the stress alone.
+  template <int dim>
+  std::vector<bool>
+  faces_near_contact(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
+
   template <int dim>
   unsigned int
   n_closed_nodes(const SurfaceFields<dim> &fields);

@@ -6,11 +6,15 @@
 
 namespace Amontons
 {
-  /// peak pressure | contact size | stick size | total force | approach: of each pair (0: it has none);
-  /// energy | dissipation: one. Collective.
+  /// peak pressure | contact size | stick size | total force (along symmetry planes that cut the
+  /// contact) | approach: of each pair (0: it has none); energy | dissipation: one. Collective.
   template <int dim>
   std::vector<double>
   target_quantity(const std::string &name, const Answer<dim> &answer, const WorkDone<dim> &work);
+
+  /// Whether it has a limit however sharp an edge presses: works, and forces that displacements cause.
+  bool
+  always_converges(const std::string &name);
 
   /// The relative error of the target quantity by small strain, as a multiple of what is estimated for the
   /// shear traction: one of the shear itself (`contact pressure` asks for the worse of both), two of the

@@ -1,9 +1,9 @@
 #include <amontons/adaptivity/data_error.h>
+#include <amontons/adaptivity/peak_error.h>
 #include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/surface_fields.h>
 #include <amontons/evaluation.h>
-#include <amontons/output/target_quantity.h>
 #include <amontons/friction/shear_law.h>
 
 namespace Amontons
@@ -80,6 +80,7 @@ namespace Amontons
                            &loads,
                            refined.doubts());
     add_error_of_displacements(model.discretization(), state, error);
+    add_error_of_peaks(model.discretization(), model.interfaces, fields, error);
     pressure_norm = error.pressure_norm;
     shear_norm    = error.shear_norm;
     if (!of_history)
@@ -88,6 +89,7 @@ namespace Amontons
     error.worst_shear    = kept.worst_shear;
     keep_largest(kept.cell_indicators, error.cell_indicators);
     keep_largest(kept.contact_indicators, error.contact_indicators);
+    keep_largest(kept.pollution_indicators, error.pollution_indicators);
     keep_largest(kept.shear_indicators, error.shear_indicators);
     error.energy_norm   = std::max(kept.energy_norm, error.energy_norm);
     error.pressure_norm = std::max(kept.pressure_norm, error.pressure_norm);
@@ -114,16 +116,19 @@ namespace Amontons
     double result = values.error();
     // Pressures that swing from node to node may do so alike on two meshes, or let the peak jump on the way:
     // it is not known much worse than the whole, unless it has no limit.
-    if (name == "peak pressure" && std::isfinite(result) && !values.keeps_on_changing())
+    if (name == "peak pressure" && std::isfinite(result) && error.cusp == 0 && !values.keeps_on_changing())
       result = std::max(std::min(result, 3 * error.contact), error.peak);
+    if (name == "peak pressure")
+      result = std::max(result, error.cusp);
     // What all meshes miss alike shows in no difference. (Nodes carry the bounds, by areas that are not those
     // of the interpolation.)
     result = std::max({result, error.data, 3 * error.friction_data});
     // Of a Galerkin solution energies are off by the square of the error in their norm; so are forces that
-    // displacements cause, and what forces approach by. (What loads decide changes by rounding only.)
+    // displacements cause, and what forces approach by (half of that: at a sharp rim recovery sees twice the
+    // square that there is). What loads decide changes by rounding only.
     constexpr double rounding = 1e-8;
     if (always_converges(name) && (name == "energy" || result > rounding))
-      result = std::max(result, std::pow(error.bulk, 2));
+      result = std::max(result, std::pow(error.bulk, 2) * (name == "energy" ? 1 : 0.5));
     error.quantity = result;
   }
 

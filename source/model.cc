@@ -159,6 +159,11 @@ namespace Amontons
       {
         any = mark(error.contact_indicators) || any;
         mark(error.shear_indicators);
+        if (parameters.target_quantity == "peak pressure")
+          {
+            mark(error.pollution_indicators);
+            mark(error.cusp_indicators);
+          }
       }
     return any;
   }

@@ -204,6 +204,7 @@ CHANGES = [
     ("mesh and kinematics share the target", "small_strain_check.cc", "std::max(all / 4, all - of_mesh)", "all", "scenes/auto_shares_the_target"),
     ("small strain that gave way", "small_strain_check.cc", "return !has_given_way &&", "return", "scenes/auto_leaves_small_strain_for_good"),
     ("a first mesh that sees no edge", "adaptivity/mesh_sequence.cc", "meshes[1].error > meshes[0].error ? 1 : 0", "0", "scenes/target_of_what_the_first"),
+    ("peaks that are cusps", "adaptivity/peak_error.cc", "part * near / peak", "0 * near / peak", "scenes/cusp"),
     ("coarse cells around a contact", "adaptivity/pollution_error.cc", "constants[degree - 1] * modulus", "0 * modulus", "scenes/hertz_on_cantilever"),
     ("continued pressures", "adaptivity/face_points.cc", "covered[point.slave_face] = true", "covered.assign(covered.size(), true)", "scenes/round_punch"),
     ("forces across planes of symmetry", "output/target_quantity.cc", "along -= (along * normal) * normal", "along -= 0 * (along * normal) * normal", "scenes/ball_in_hollow"),

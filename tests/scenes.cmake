@@ -1050,7 +1050,7 @@ add_scene_test(NAME target_of_nothing SCENE verification/no_contact.prm SET "Ref
 add_scene_test(NAME target_stick_size SCENE half_plane_box_friction.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.003" "Refinement/Target quantity=stick size"
                CHECK "error_estimate.quantity <= 0.003" "meshes.-1.reference.errors.stick_size <= 0.003" "dofs <= 15000")
 add_scene_test(NAME target_size_at_a_sharp_edge SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.001" "Refinement/Target quantity=contact size"
-               CHECK "error_estimate.quantity <= 0.001" "meshes.-1.reference.errors.contact_size <= 0.001" "dofs <= 4000")
+               CHECK "error_estimate.quantity <= 0.001" "meshes.-1.reference.errors.contact_size <= 0.001" "dofs <= 5000")
 # Of the mesh's limit, 1.7067 % below the half space's (targets of 1e-3 and less).
 add_scene_test(NAME target_approach SCENE hertz_sphere_axisymmetric.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.003" "Refinement/Target quantity=approach"
                CHECK "error_estimate.quantity <= 0.003" "meshes.-1.reference.errors.approach ~ 0.017067 0.003" "pairs.0.approach ~ reference.values.approach.0 1e-12" "dofs <= 3000")
@@ -1185,7 +1185,7 @@ add_scene_test(NAME punch_moment SCENE verification/punch_moment.prm
                CHECK "sum(contact.:.fy) ~ pairs.0.normal_force.1 1e-12" "contact.state=open.pressure == 0" "contact.X=0.pressure ~ 318.31 0.005"
                      "contact.X=-5.pressure ~ 275.66 0.01")
 # Tied or stuck, the same solution has the same numbers.
-add_comparison_test(NAME tied_or_stuck SCENE verification/flat_punch_axisymmetric.prm SET "Refinement/Cycles=3" OPTIONS --any-iterations
+add_comparison_test(NAME tied_or_stuck SCENE verification/flat_punch_axisymmetric.prm SET "Refinement/Cycles=3" "Refinement/Strategy=uniform" OPTIONS --any-iterations
                     RUN "1 | Contact top/Tied=true" "1 | Contact top/Friction coefficient=1000")
 # The stick zone that bulk tension moves keeps its size.
 add_scene_test(NAME bulk_tension SCENE verification/bulk_tension.prm
@@ -1364,7 +1364,7 @@ add_scene_test(NAME auto_of_a_way_back SCENE snap_away.prm SET Kinematics=auto I
                CHECK "status is converged" "probes.0.points.0.displacement.1 ~ -4.288 1e-3" "notes.0 has on a way that comes back")
 # Small strain leaves out 4.4 times what it keeps: finite strain from the first mesh on.
 add_scene_test(NAME auto_leaves_small_strain SCENE verification/two_leaves.prm SET Kinematics=auto "Refinement/Cycles=-1" "Refinement/Target error=0.03"
-               CHECK "status is converged" "probes.0.points.0.displacement.1 ~ -2.157 1e-3" "linear_solves <= 60")
+               CHECK "status is converged" "probes.0.points.0.displacement.1 ~ -2.157 1e-3" "linear_solves <= 80")
 # What gave way to finite strain on the first mesh stays with it, though what that changes there is less than the target.
 add_scene_test(NAME auto_leaves_small_strain_for_good SCENE verification/two_leaves.prm SET Kinematics=auto "Refinement/Cycles=-1" "Refinement/Target error=0.03" "Boundary condition load/Value=0|-0.6"
                CHECK "status is converged" "error_estimate.contact <= 0.03" "notes.-1 has more than the strain")
@@ -1421,11 +1421,11 @@ foreach(case "1 2 0.38 2.3" "5 3 0.09 0.53" "80 40 0.003 0.02")
                        "error_estimate.increments <= ${most}" "increments.shear >= 0.002" "meshes.-1.increment == ${n}")
 endforeach()
 
-# The mesh is for the worst of the increments: it does not forget the contact where the load is taken off again (1574 unknowns with the load that stays, too; 996
+# The mesh is for the worst of the increments: it does not forget the contact where the load is taken off again (1484 unknowns with the load that stays, too; 996
 # for a thousandth of the load alone).
 add_scene_test(NAME unloaded_two_cylinders SCENE verification/two_cylinders.prm
                SET "Contact line/Friction coefficient=0.3" "Refinement/Cycles=3" "Increments=4" "Boundary condition load/Force=0|-250*table(0: 0, 0.5: 1, 1: 0.001)"
-               CHECK "dofs == 1574" "checks.energy_balance <= 1e-6")
+               CHECK "dofs == 1484" "checks.energy_balance <= 1e-6")
 
 # ---- Found by independent tests (2026-11-24): each failed before
 
@@ -1673,11 +1673,14 @@ add_scene_test(NAME stack_without_friction SCENE verification/stack_without_fric
 # One estimate for both: the light one was not resolved (0.146).
 add_scene_test(NAME two_indenters SCENE verification/two_indenters.prm CHECK "status is converged" "error_estimate.contact <= 0.1" "pairs.0.peak_pressure ~ 23.37 5e-3"
                "pairs.1.peak_pressure ~ 1.0254 0.03" "dofs <= 5000")
+# A cusp: p_0 - c |x - 0.55|^(1/2), 0.00665 by meshes of targets down to 0.1 %; two meshes had it alike by chance (0.006555, 0.6 % estimated).
+add_scene_test(NAME cusp SCENE verification/wavy_gap.prm SET "Contact face/Initial gap=0.01*abs(x-0.55)^1.5" "Refinement/Target error=0.01" "Refinement/Target quantity=peak pressure"
+               CHECK "status is converged" "pairs.0.peak_pressure ~ 0.00665 0.005" "error_estimate.quantity <= 0.01" "dofs <= 40000")
 # Coarse cells around it moved the surface: 56.04 with 0.5 % estimated.
 add_scene_test(NAME hertz_on_cantilever SCENE verification/hertz_on_cantilever.prm CHECK "status is converged" "pairs.0.peak_pressure ~ 52.93 0.01" "error_estimate.contact <= 0.01"
                "dofs <= 25000")
-# Continued pressures beyond the rim told where to refine (0.5365, 3 % estimated); the force across the plane of symmetry hid the change of the other (106.3).
-add_scene_test(NAME round_punch SCENE verification/round_punch.prm CHECK "status is converged" "pairs.0.normal_force.2 ~ -0.46764 0.1" "error_estimate.quantity <= 0.1" "dofs <= 12000")
+# Continued pressures beyond the rim told where to refine (0.5365 for a target of 10 %, 3 % estimated); the force across the plane of symmetry hid the change of the other (106.3).
+add_scene_test(NAME round_punch SCENE verification/round_punch.prm CHECK "status is converged" "pairs.0.normal_force.2 ~ -0.46764 0.05" "error_estimate.quantity <= 0.05" "dofs <= 12000")
 add_scene_test(NAME ball_in_hollow SCENE verification/ball_in_hollow.prm CHECK "status is converged" "pairs.0.normal_force.2 ~ 127.32 0.05" "error_estimate.quantity <= 0.05")
 add_scene_test(NAME target_of_what_the_first_mesh_does_not_see SCENE verification/shaft_in_longer_hub.prm CHECK "status is converged" "error_estimate.contact <= 0.01" "dofs <= 12000")
 add_scene_test(NAME light_beside_heavy SCENE verification/light_beside_heavy.prm

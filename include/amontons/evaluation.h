@@ -1,6 +1,7 @@
 /// What is derived from a solved state: contact fields, recovered stress, estimated error.
 #pragma once
 
+#include <amontons/output/target_quantity.h>
 #include <amontons/adaptivity/error_estimator.h>
 #include <amontons/adaptivity/quantity_sequence.h>
 #include <amontons/adaptivity/refined_pairs.h>
@@ -50,6 +51,14 @@ namespace Amontons
     /// The error of the target quantity, by its values on the meshes so far and by what the fields say.
     void
     judge_quantity(const std::string &name, const QuantitySequence &values);
+
+    /// Of the target quantity, that some mesh reaches.
+    bool
+    has_limit(const std::string &name, const QuantitySequence &values) const
+    {
+      return always_converges(name) ||
+             (name == "peak pressure" && error.cusp > 0 && !error.cusp_grows && !values.keeps_on_changing());
+    }
 
     /// The increment is over: its error counts from now on; or it failed: back to that of the last one.
     void

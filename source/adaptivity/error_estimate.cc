@@ -12,6 +12,7 @@ namespace Amontons
         result[c] += weight * std::pow(part[c] / norm, 2);
     };
     add(contact_indicators, pressure_norm, 1);
+    add(pollution_indicators, pressure_norm, 1);
     add(shear_indicators, shear_norm, 1);
     add(cell_indicators, energy_norm, std::min(1., 2 * target));
     for (auto &square : result)

@@ -21,18 +21,13 @@ namespace Amontons
 {
   namespace
   {
-    // sigma n (or m of NominalArea); in the plane kinds zz takes no part.
-    template <int dim>
-    Tensor<1, dim>
-    traction(const Voigt<dim> &sigma, const Tensor<1, dim> &n)
+    Vector<float>
+    roots(const std::vector<double> &squares)
     {
-      Tensor<2, dim> tensor;
-      for (unsigned int d = 0; d < dim; ++d)
-        tensor[d][d] = sigma[d];
-      for (unsigned int i = 0, k = 3; i < dim; ++i)
-        for (unsigned int j = i + 1; j < dim; ++j, ++k)
-          tensor[i][j] = tensor[j][i] = sigma[k];
-      return tensor * n;
+      Vector<float> result(squares.size());
+      for (unsigned int c = 0; c < squares.size(); ++c)
+        result[c] = std::sqrt(squares[c]);
+      return result;
     }
 
     template <int dim>
@@ -56,7 +51,8 @@ namespace Amontons
                                                           gauss,
                                                           update_quadrature_points | update_JxW_values),
             squares(discretization.geometry.triangulation.n_active_cells()), contact_squares(squares.size()),
-            shear_squares(squares.size()), unseen(squares.size()), rounding(2e-14 * largest_displacement)
+            pollution_squares(squares.size()), shear_squares(squares.size()), unseen(squares.size()),
+            rounding(2e-14 * largest_displacement)
       {
         prepare_faces(displacement);
       }
@@ -149,7 +145,7 @@ namespace Amontons
             discretization, interface, fields, combined_modulus(interface), squares, displacement);
         pollution_square += weight_of_pair * error.square;
         for (unsigned int c = 0; c < error.by_cell.size(); ++c)
-          contact_squares[c] += weight_of_pair * error.by_cell[c];
+          pollution_squares[c] += weight_of_pair * error.by_cell[c];
       }
 
       // By slave face: whether it is near the contact, the errors of edge_errors(), gap_errors() and
@@ -192,17 +188,12 @@ namespace Amontons
           return reference > 0 ? std::sqrt(error / reference) : 0.;
         };
         ErrorEstimate<dim> estimate;
-        estimate.cell_indicators.reinit(squares.size());
-        estimate.contact_indicators.reinit(squares.size());
-        estimate.shear_indicators.reinit(squares.size());
-        for (unsigned int c = 0; c < squares.size(); ++c)
-          {
-            estimate.cell_indicators[c]    = std::sqrt(squares[c]);
-            estimate.contact_indicators[c] = std::sqrt(contact_squares[c]);
-            estimate.shear_indicators[c]   = std::sqrt(shear_squares[c]);
-          }
-        const double all_unseen = total(n_unseen);
-        const auto   or_none    = [](const double square, const double none) {
+        estimate.cell_indicators      = roots(squares);
+        estimate.contact_indicators   = roots(contact_squares);
+        estimate.pollution_indicators = roots(pollution_squares);
+        estimate.shear_indicators     = roots(shear_squares);
+        const double all_unseen       = total(n_unseen);
+        const auto   or_none          = [](const double square, const double none) {
           return square > none ? square : 0;
         };
         double pressure = or_none(total(pressure_square), total(no_pressure_square));
@@ -355,8 +346,8 @@ namespace Amontons
             for (unsigned int q = 0; q < interpolation.size(); ++q)
               {
                 const Tensor<1, dim> area = is_nominal ? areas[f].vector(q, n, interface.pair->tied) : n;
-                t += interpolation[q] * traction<dim>(sigma[q], area);
-                t_star += interpolation[q] * traction<dim>(smooth[q], area);
+                t += interpolation[q] * times_vector<dim>(sigma[q], area);
+                t_star += interpolation[q] * times_vector<dim>(smooth[q], area);
               }
             const double mismatch = p + common * t;
             square += weight * mismatch * mismatch;
@@ -435,8 +426,9 @@ namespace Amontons
       std::vector<std::unique_ptr<FEValues<dim>>> recovered_on_face;
       std::deque<NominalArea<dim>>                areas; // by face number; finite strain
       std::vector<std::array<double, 2>>          peaks; // by interface: of the pressure, of -n . sigma* n
-      std::vector<double> squares, contact_squares, shear_squares, unseen; // by active cell
-      const double        rounding;                                        // of differences of displacements
+      std::vector<double>                         squares, contact_squares, pollution_squares, shear_squares,
+          unseen;            // by active cell
+      const double rounding; // of differences of displacements
       // of this rank
       double no_energy = 0, no_pressure_square = 0;
       double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0, shear_error = 0,

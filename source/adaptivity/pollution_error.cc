@@ -92,8 +92,7 @@ namespace Amontons
         centre += ((point - centre) * plane) * plane;
       Tensor<2, dim> moments;
       for (const unsigned int i : zone)
-        moments +=
-            fields.area[i] / area * outer_product(slave.nodes[i].x - centre, slave.nodes[i].x - centre);
+        moments += weight(i) / area * outer_product(slave.nodes[i].x - centre, slave.nodes[i].x - centre);
       for (const auto &[plane, point] : planes) // the image has what is mixed with the other sign
         {
           const Tensor<2, dim> across = outer_product(plane, plane),

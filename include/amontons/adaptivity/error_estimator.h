@@ -25,8 +25,10 @@ namespace Amontons
   {
     Vector<float> cell_indicators; // by active cell of this rank's triangulation (0 on cells of others and of
                                    // rigid bodies): energy norm
-    Vector<float> contact_indicators; // the same for the L2 error of the contact pressure alone
-    Vector<float> shear_indicators;   // and of the tangential traction, with friction
+    Vector<float> contact_indicators;   // the same for the L2 error of the contact pressure alone
+    Vector<float> shear_indicators;     // and of the tangential traction, with friction
+    Vector<float> pollution_indicators; // of coarse cells around the contact, for the pressure
+    Vector<float> cusp_indicators;      // of the peak of the pressure where it is a cusp
     double        energy_norm = 0, pressure_norm = 0, shear_norm = 0; // what these count against
     double        bulk = 0; // sqrt(sum eta_K^2) / energy norm of the recovered stress: relative
     double        contact =
@@ -37,7 +39,9 @@ namespace Amontons
     double pollution     = 0; // part of `contact`: what coarse cells around the contact cause
     double data          = 0; // part of `contact`: lost between the nodes, where recovery sees nothing
     double peak          = 0; // difference of the peak pressure from that of the recovered stress, relative
-    double friction_data = 0; // of the sum of |shear|: bounds of friction that are lost between the nodes
+    double cusp          = 0; // how far the peak may be above all nodes, relative; 0: it is none
+    bool   cusp_grows    = false; // too slowly for any mesh
+    double friction_data = 0;     // of the sum of |shear|: bounds of friction that are lost between the nodes
     RecoveredErrors         doubted;   // what pairs that are not refined yet may hide beside `recovered`
     RecoveredErrors         recovered; // without what differences between meshes add (mesh_difference.h)
     std::vector<FacetError> facets_of; // by interface

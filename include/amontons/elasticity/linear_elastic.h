@@ -33,4 +33,18 @@ namespace Amontons
   template <int dim>
   double
   complementary_energy(const Voigt<dim> &sigma, const MaterialData &material);
+
+  // sigma n of a stress; in the plane kinds zz takes no part.
+  template <int dim>
+  Tensor<1, dim>
+  times_vector(const Voigt<dim> &sigma, const Tensor<1, dim> &n)
+  {
+    Tensor<2, dim> tensor;
+    for (unsigned int d = 0; d < dim; ++d)
+      tensor[d][d] = sigma[d];
+    for (unsigned int i = 0, k = 3; i < dim; ++i)
+      for (unsigned int j = i + 1; j < dim; ++j, ++k)
+        tensor[i][j] = tensor[j][i] = sigma[k];
+    return tensor * n;
+  }
 } // namespace Amontons

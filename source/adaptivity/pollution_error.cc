@@ -182,7 +182,7 @@ namespace Amontons
     const Zones<dim> zones(*interface.slave, fields, discretization.scene.kind);
     result.by_cell.resize(bulk_squares.size(), 0.);
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned() &&
+      if (cell->is_locally_owned() && bulk_squares[cell->active_cell_index()] > 0 &&
           (cell->material_id() == interface.slave->body ||
            (interface.master_surface && cell->material_id() == interface.master_surface->body)))
         {

@@ -384,18 +384,23 @@ void
 test_indicators_for_target()
 {
   ErrorEstimate<2> error;
-  for (Vector<float> *part : {&error.cell_indicators, &error.contact_indicators, &error.shear_indicators})
-    part->reinit(3);
-  error.cell_indicators[0]    = 2;
-  error.contact_indicators[1] = 3;
-  error.shear_indicators[1]   = 4;
-  error.energy_norm           = 10;
-  error.pressure_norm         = 3;
-  error.shear_norm            = 2;
-  const auto result           = error.indicators_for(0.01);
+  for (Vector<float> *part : {&error.cell_indicators,
+                              &error.contact_indicators,
+                              &error.pollution_indicators,
+                              &error.shear_indicators})
+    part->reinit(4);
+  error.cell_indicators[0]      = 2;
+  error.contact_indicators[1]   = 3;
+  error.shear_indicators[1]     = 4;
+  error.pollution_indicators[3] = 6;
+  error.energy_norm             = 10;
+  error.pressure_norm           = 3;
+  error.shear_norm              = 2;
+  const auto result             = error.indicators_for(0.01);
   check::is_close(result[0], std::sqrt(0.02) * 0.2, 1e-6, "of the stress");
   check::is_close(result[1], std::sqrt(5.), 1e-6, "of the tractions");
   check::is_close(result[2], 0, 0, "of nothing", 1);
+  check::is_close(result[3], 2, 1e-6, "of coarse cells around the contact");
   check::is_close(error.indicators_for(3)[0], 0.2, 1e-6, "coarse target");
   error.contact = 0.01;
   error.bulk    = 0.5;
@@ -474,6 +479,8 @@ test_contact_terms()
       fields[0].pressure.assign(interface.slave->nodes.size(), p + d);
       fields[0].multiplier = fields[0].pressure;
       fields[0].state.assign(interface.slave->nodes.size(), ContactStatus::slip);
+      fields[0].is_covered.assign(interface.slave->nodes.size(), true);
+      fields[0].area.assign(interface.slave->nodes.size(), 1.);
       fields[0].traction.resize(interface.slave->nodes.size());
       for (const auto &node : interface.slave->nodes)
         fields[0].normal.push_back(node.normal);
@@ -546,6 +553,8 @@ test_varying_contact_terms(const ProblemType kind, const double a, const double 
   fields[0].multiplier    = fields[0].pressure;
   fields[0].peak_pressure = p + 2 * a;
   fields[0].state.assign(interface.slave->nodes.size(), ContactStatus::slip);
+  fields[0].is_covered.assign(interface.slave->nodes.size(), true);
+  fields[0].area.assign(interface.slave->nodes.size(), 1.);
 
   // int x^n over [from, to], of the full turn in axisymmetric scenes
   const auto moment = [&](const double from, const double to, const int n) {

@@ -36,6 +36,7 @@ namespace Amontons
     public:
       using Cell       = typename DoFHandler<dim>::active_cell_iterator;
       using Conditions = std::vector<const ConditionData *>;
+
       // displacement: where areas are nominal (see NominalArea).
       Estimation(const Discretization<dim> &discretization,
                  const StressRecovery<dim> &recovery,
@@ -345,6 +346,8 @@ namespace Amontons
             Tensor<1, dim>       t = -load, t_star = -load;
             for (unsigned int q = 0; q < interpolation.size(); ++q)
               {
+                if (interpolation[q] == 0) // all but one, on whole faces
+                  continue;
                 const Tensor<1, dim> area = is_nominal ? areas[f].vector(q, n, interface.pair->tied) : n;
                 t += interpolation[q] * times_vector<dim>(sigma[q], area);
                 t_star += interpolation[q] * times_vector<dim>(smooth[q], area);
@@ -426,15 +429,15 @@ namespace Amontons
       std::vector<std::unique_ptr<FEValues<dim>>> recovered_on_face;
       std::deque<NominalArea<dim>>                areas; // by face number; finite strain
       std::vector<std::array<double, 2>>          peaks; // by interface: of the pressure, of -n . sigma* n
-      std::vector<double>                         squares, contact_squares, pollution_squares, shear_squares,
-          unseen;            // by active cell
-      const double rounding; // of differences of displacements
+      // by active cell
+      std::vector<double> squares, contact_squares, pollution_squares, shear_squares, unseen;
+      const double        rounding;             // of differences of displacements
+      double              pollution_square = 0; // of all ranks
       // of this rank
       double no_energy = 0, no_pressure_square = 0;
       double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0, shear_error = 0,
              hidden_pressure = 0, hidden_shear = 0, shear_square = 0, n_unseen = 0, friction_resultants = 0,
-             shear_sum                         = 0;
-      double                  pollution_square = 0; // of all ranks
+             shear_sum = 0;
       std::vector<FacetError> facets_of;
     };
   } // namespace

@@ -72,13 +72,15 @@ namespace Amontons
                      : std::vector<double>(1, std::sqrt(3 * square));
     }
 
-    // Half the lengths of a zone along its axes, least first; symmetry planes cut it.
+    // Half the lengths of a zone along its axes, least first; symmetry planes cut it. No less than half a
+    // face: a node alone is as wide as those.
     template <int dim>
     std::vector<double>
     extents(const ContactSurface<dim>       &slave,
             const SurfaceFields<dim>        &fields,
             const std::vector<unsigned int> &zone,
-            const ProblemType                kind)
+            const ProblemType                kind,
+            const double                     face)
     {
       const auto planes = planes_through(slave, zone);
       double     area   = 0;
@@ -100,10 +102,8 @@ namespace Amontons
           moments                     = across * moments * across + along * moments * along;
         }
       auto result = half_axes(symmetrize(moments), kind == ProblemType::axisymmetric && !planes.empty());
-      for (const auto &face : slave.faces) // a node alone is as wide as its faces
-        if (std::find(face.nodes.begin(), face.nodes.end(), zone[0]) != face.nodes.end())
-          for (double &length : result)
-            length = std::max(length, face.size / 2);
+      for (double &length : result)
+        length = std::max(length, face / 2);
       return result;
     }
 
@@ -113,12 +113,16 @@ namespace Amontons
     public:
       Zones(const ContactSurface<dim> &slave, const SurfaceFields<dim> &fields, const ProblemType kind)
       {
+        std::vector<double> face_at(slave.nodes.size(), 0.); // largest
+        for (const auto &face : slave.faces)
+          for (const unsigned int i : face.nodes)
+            face_at[i] = std::max(face_at[i], face.size);
         std::vector<std::pair<Point<dim>, unsigned int>> closed;
         for (const auto &zone : closed_zones(slave, fields))
           {
             for (const unsigned int i : zone)
               closed.emplace_back(slave.nodes[i].x, half_lengths.size());
-            half_lengths.push_back(extents(slave, fields, zone, kind));
+            half_lengths.push_back(extents(slave, fields, zone, kind, face_at[zone[0]]));
           }
         tree = pack_rtree(closed);
       }

@@ -8,14 +8,14 @@ namespace Amontons
   struct PeakError
   {
     double                    error = 0;     ///< relative to the peak; 0: it is smooth, or there is none
-    bool                      grows = false; ///< for so long that no mesh is fine enough: m < 1/4
+    bool                      grows = false; ///< for so long that no mesh is fine enough: n < 5/4
     std::vector<unsigned int> faces;         ///< of the slave, at the node of the highest pressure
   };
 
   /// Around the peak of a smooth pressure the mesh is off by next to nothing. Some contacts have a cusp: gaps
-  /// |x|^n with 1 < n < 2 a pressure p_0 - c r^(n-1), whose top lies anywhere between nodes, and may be
-  /// higher than it falls from there to the next ones. It is one if from
-  /// there to those twice as far it falls less than 2^(3/2) times as much.
+  /// |x|^n with 1 < n < 2 a pressure p_0 - c r^(n-1), which may be higher than its highest node by a quarter
+  /// of what it falls from there to the next ones. It is one if from there to those twice as far it falls
+  /// less than 2^(3/2) times as much.
   template <int dim>
   PeakError
   peak_error(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);

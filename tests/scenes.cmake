@@ -24,7 +24,7 @@ function(add_scene_test)
     list(APPEND arguments --read-back)
   endif()
   add_test(NAME scenes/${T_NAME}
-           COMMAND python3 ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/run_scene.py $<TARGET_FILE:amontons> ${CMAKE_BINARY_DIR}/scenes/${T_NAME}
+           COMMAND ${AMONTONS_PYTHON} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/run_scene.py $<TARGET_FILE:amontons> ${CMAKE_BINARY_DIR}/scenes/${T_NAME}
                    ${T_RANKS} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../parameters/${T_SCENE} ${arguments})
   set_tests_properties(scenes/${T_NAME} PROPERTIES PROCESSORS ${T_RANKS} TIMEOUT 400)
 endfunction()
@@ -42,7 +42,7 @@ function(add_comparison_test)
     list(APPEND arguments --check "${text}")
   endforeach()
   add_test(NAME scenes/${T_NAME}
-           COMMAND python3 ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/compare_runs.py $<TARGET_FILE:amontons> ${CMAKE_BINARY_DIR}/scenes/${T_NAME}
+           COMMAND ${AMONTONS_PYTHON} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/compare_runs.py $<TARGET_FILE:amontons> ${CMAKE_BINARY_DIR}/scenes/${T_NAME}
                    ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../parameters/${T_SCENE} ${arguments})
   # One run after the other: two processors only where one of them has several ranks.
   set(processors 1)
@@ -901,7 +901,7 @@ add_scene_test(NAME slide_over_edges_friction_second SCENE verification/slide_ov
 # Small strain and finite strain agree to the order of the strain.
 foreach(mu 0 0.3)
   add_test(NAME scenes/small_and_finite_mu_${mu}
-           COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/small_and_finite.py $<TARGET_FILE:amontons> ${CMAKE_BINARY_DIR}/scenes/small_and_finite_mu_${mu}
+           COMMAND ${AMONTONS_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/small_and_finite.py $<TARGET_FILE:amontons> ${CMAKE_BINARY_DIR}/scenes/small_and_finite_mu_${mu}
                    ${CMAKE_CURRENT_LIST_DIR}/../parameters/verification/punch_small_and_finite.prm "Boundary condition top/Value=0| -%g*t" 0.1,0.01,0.001
                    --set "Contact interface/Friction coefficient=${mu}")
 endforeach()

@@ -1682,6 +1682,9 @@ add_scene_test(NAME hertz_on_cantilever SCENE verification/hertz_on_cantilever.p
 # Continued pressures beyond the rim told where to refine (0.5365 for a target of 10 %, 3 % estimated); the force across the plane of symmetry hid the change of the other (106.3).
 add_scene_test(NAME round_punch SCENE verification/round_punch.prm CHECK "status is converged" "pairs.0.normal_force.2 ~ -0.46764 0.05" "error_estimate.quantity <= 0.05" "dofs <= 12000")
 add_scene_test(NAME ball_in_hollow SCENE verification/ball_in_hollow.prm CHECK "status is converged" "pairs.0.normal_force.2 ~ 127.32 0.05" "error_estimate.quantity <= 0.05")
+# Nodes that come near a hollow sphere are within it, by the sagitta of their faces, while the weighted gap is open: they were said to have passed through, and the coarse mesh was the answer.
+add_scene_test(NAME ball_in_hollow_deeper SCENE verification/ball_in_hollow.prm SET "Boundary condition moved/Value=0|0|-0.1" "Refinement/Target error=0.03"
+               CHECK "status is converged" "pairs.0.normal_force.2 ~ 176.94 0.03" "error_estimate.quantity <= 0.03")
 add_scene_test(NAME target_of_what_the_first_mesh_does_not_see SCENE verification/shaft_in_longer_hub.prm CHECK "status is converged" "error_estimate.contact <= 0.01" "dofs <= 12000")
 add_scene_test(NAME light_beside_heavy SCENE verification/light_beside_heavy.prm
                CHECK "status is converged" "pairs.0.peak_pressure ~ 1.884 0.02" "pairs.0.normal_force.1 ~ -0.01 1e-6" "dofs <= 8000")

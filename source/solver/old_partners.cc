@@ -35,13 +35,18 @@ namespace Amontons
               if (interface.pair->tied || away >= nearest[n])
                 continue;
               nearest[n]  = away;
-              of_nodes[n] = {p.slave_face, p.master_face, p.xi_slave, p.xi_master, {}, 0.};
+              of_nodes[n] = {p.slave_face, p.master_face, p.xi_slave, p.xi_master, {}, 0., 0.};
               if (interface.master.obstacle != nullptr)
                 of_nodes[n]->on_obstacle = interface.master.motion.origin_of(p.x_master);
             }
         for (auto &of_node : of_nodes)
           if (of_node)
             of_node->gap = distance(interface, *of_node).gap;
+        // Of a node that touches on faces that are chords of a curved surface the gap is -4/3 of their sagitta
+        // for each direction in which it is curved, at a weighted gap of 0.
+        for (const auto &row : interface.coupling.rows)
+          if (auto &of_node = of_nodes[row.node])
+            of_node->of_facets = std::clamp(row.gap - of_node->gap, 0., 0.3 * slave.mean_size);
         auto &of_sides = places.emplace_back();
         if (interface.master_surface && !interface.pair->tied)
           of_sides = {{places_of_sides(slave, *interface.master_surface),
@@ -75,7 +80,8 @@ namespace Amontons
             continue;
           const auto   now    = distance(interfaces[i], *partners[i][n]);
           const double before = partners[i][n]->gap, h = interfaces[i].slave->mean_size;
-          if (before > -0.02 * h && now.gap < -0.05 * h && before - now.gap > now.sideways)
+          if (before > -0.02 * h && now.gap < -0.05 * h - partners[i][n]->of_facets &&
+              before - now.gap > now.sideways)
             result.push_back(interfaces[i].slave->nodes[n].X);
         }
     return result;

@@ -146,6 +146,8 @@ CHANGES = [
     ("stresses of probes", "output/probes.cc", "point.stress.assign(values + dim, values + dim + n_voigt<dim>);", "point.stress.assign(values, values + n_voigt<dim>);", READ),
     ("tangential force of the chart", "output/report_history.cc", "x /= std::copysign(length, largest);", "x /= length;", "^output/report$"),
     ("curves of work", "output/report_history.cc", 'add_curve(chart, "stored energy", pass, [](const MeshSummary &mesh) { return mesh.energy; });', 'add_curve(chart, "stored energy", pass, [](const MeshSummary &mesh) { return 2 * mesh.energy; });', READ + "|^output/report$"),
+    ("room of a logarithmic axis", "output/svg_chart.cc", "std::max(std::pow(upper / lower, room), 1.3)", "std::min(std::pow(upper / lower, room), 1.3)", "^output/svg$"),
+    ("chords in what passed through", "solver/old_partners.cc", "now.gap < -0.05 * h - partners[i][n]->of_facets", "now.gap < -0.05 * h", "scenes/ball_in_hollow_deeper$"),
     ("depth of pixels", "output/rasteriser.cc", "if (!(depth > sample.depth))", "if (false)", "^output/rasteriser$"),
     ("where tetrahedra are cut", "output/body_section.cc", "const double s = da / (da - db);", "const double s = 0.5;", "^output/body_picture$"),
     ("faces of one rank", "output/body_surfaces.cc", "for (BodySurfaces &part : parts)", "for (BodySurfaces &part : std::vector<BodySurfaces>(1, parts.empty() ? BodySurfaces() : parts[0]))", "^same_pictures$"),

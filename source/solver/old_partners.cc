@@ -42,8 +42,8 @@ namespace Amontons
         for (auto &of_node : of_nodes)
           if (of_node)
             of_node->gap = distance(interface, *of_node).gap;
-        // Of a node that touches on faces that are chords of a curved surface the gap is -4/3 of their sagitta
-        // for each direction in which it is curved, at a weighted gap of 0.
+        // Of a node that touches on faces that are chords of a curved surface the gap is -4/3 of their
+        // sagitta for each direction in which it is curved, at a weighted gap of 0.
         for (const auto &row : interface.coupling.rows)
           if (auto &of_node = of_nodes[row.node])
             of_node->of_facets = std::clamp(row.gap - of_node->gap, 0., 0.3 * slave.mean_size);

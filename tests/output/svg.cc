@@ -75,6 +75,21 @@ check_chart_of_zeros()
   check::is_close(check::count(svg_chart(chart), "nan"), 0, 0, "a curve of zeros has its place", 1);
 }
 
+// From 74 to 514: room of a fiftieth of six decades on both sides, 10^0.12 = 1.318; a single value, which has
+// no decades, lies in the middle of 1.3 times less and more.
+void
+check_logarithmic_axis()
+{
+  Chart chart;
+  chart.log_x           = true;
+  chart.curves          = {{"", {1, 1e6}, {1, 1}, false, true}};
+  const std::string six = svg_chart(chart);
+  for (const char *const place : {"cx=\"82.5\"", "cx=\"505.5\""})
+    check::is_close(check::count(six, place), 1, 0, place);
+  chart.curves = {{"", {10}, {1}, false, true}};
+  check::is_close(check::count(svg_chart(chart), "cx=\"294.0\""), 1, 0, "a single value");
+}
+
 int
 main(int, char **)
 {
@@ -82,6 +97,7 @@ main(int, char **)
   check_values();
   check_axes();
   check_chart_of_zeros();
+  check_logarithmic_axis();
   return check::result();
 }
 } // namespace test_svg

@@ -35,7 +35,7 @@ namespace Amontons
     {
       unsigned int   slave_face, master_face;
       Point<dim - 1> xi_slave, xi_master;
-      Point<dim>     on_obstacle; // at rest
+      Point<dim>     on_obstacle;    // at rest
       double         gap, of_facets; // the latter: what the weighted gap is more
     };
     struct Distance

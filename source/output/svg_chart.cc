@@ -160,7 +160,7 @@ namespace Amontons
         svg += line_between(x0, frame.py(0), x1, frame.py(0), "#999");
       const std::string middle = pixels((y0 + y1) / 2);
       svg += text_at(
-          chart.width / 2, 20, chart.title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"600\"");
+          0.5 * chart.width, 20, chart.title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"600\"");
       svg += text_at((x0 + x1) / 2, frame.height - 12, chart.x_label, "text-anchor=\"middle\"");
       svg += text_at(16,
                      (y0 + y1) / 2,
@@ -208,9 +208,10 @@ namespace Amontons
       for (std::size_t c = 0; c < frame.chart.curves.size(); ++c)
         if (const Curve &curve = frame.chart.curves[c]; !curve.name.empty())
           {
-            const double      x      = left + frame.legend_width * (n % frame.legend_columns);
-            const double      y      = title_height + 10 + legend_line * (n / frame.legend_columns);
-            const std::string colour = colour_of_curve(frame.chart, c);
+            const unsigned int row    = n / frame.legend_columns;
+            const double       x      = left + frame.legend_width * (n % frame.legend_columns);
+            const double       y      = title_height + 10 + legend_line * row;
+            const std::string  colour = colour_of_curve(frame.chart, c);
             if (curve.line)
               svg += line_between(x, y - 4, x + 20, y - 4, colour);
             if (curve.markers)

@@ -193,6 +193,8 @@ namespace Amontons
              alike;
     }
 
+    constexpr double per_level = 16; // a squared error falls by that: second order
+
     // How often a cell is refined.
     struct Levels
     {
@@ -203,8 +205,7 @@ namespace Amontons
       unsigned int
       operator()(const double square) const
       {
-        constexpr double per_level = 16; // a squared error falls by that: second order
-        unsigned int     levels    = square >= threshold ? 1 : 0;
+        unsigned int levels = square >= threshold ? 1 : 0;
         for (double left = square / per_level; levels > 0 && levels < most && left > share; left /= per_level)
           ++levels;
         return levels;
@@ -282,6 +283,24 @@ namespace Amontons
       return levels;
     }
 
+    // Half of the squared error that may be left; coarse meshes do not know more than a quarter of theirs.
+    double
+    left_at_once(const double reduction)
+    {
+      return 0.5 * std::pow(std::clamp(reduction, 0.25, 1.), 2);
+    }
+
+    // The part l of the squared error that stays, and that the rest is refined once, leave l + (1 - l)/16.
+    double
+    left_by_equal_steps(const double reduction)
+    {
+      constexpr double largest_step = 0.4, safety = 0.95, least = 0.05;
+      const double     whole = std::clamp(reduction, 1e-6, 1.),
+                   n_steps   = std::max(1., std::ceil(std::log(whole) / std::log(largest_step))),
+                   of_square = std::pow(safety * std::pow(whole, 1 / n_steps), 2);
+      return std::max(least, (per_level * of_square - 1) / (per_level - 1));
+    }
+
     DeeperCells
     of_all_ranks(const DeeperCells &mine, const MPI_Comm communicator)
     {
@@ -302,9 +321,7 @@ namespace Amontons
                         const bool                 has_history,
                         DeeperCells               &deeper)
   {
-    constexpr double    least   = 0.25;
-    const double        staying = dim == 3 && !has_history ? 0.85 : 0.5;
-    const double        left    = staying * std::pow(std::min(1., std::max(least, reduction)), 2);
+    const double left = dim == 3 && !has_history ? left_by_equal_steps(reduction) : left_at_once(reduction);
     const SquaredErrors errors(discretization, indicators);
     if (errors.largest == 0)
       return false;

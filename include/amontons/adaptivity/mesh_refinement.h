@@ -66,12 +66,14 @@ namespace Amontons
   // the same on all ranks.
   using DeeperCells = std::map<CellId, unsigned int>;
 
-  // The same for a target: the error is to fall to `reduction` of what it is (to a quarter at least: coarse
-  // meshes do not know more). The cells that together have half of the squared error that may be left stay;
-  // the others share as much, and where the error of a cell is that much larger than its share that
-  // one refinement will not do, it goes to `deeper`. In space 85 % stay: an error costs most unknowns there,
-  // and those of cells that stay fall, too, as they owe a part of theirs to others. has_history: not so, as
-  // the load program is repeated on each mesh, and one more costs more than it saves. Collective.
+  // The same for a target: the error is to fall to `reduction` of what it is. The cells that together have a
+  // part of the squared error that may be left stay; the others share the rest of that, and where the error
+  // of a cell is that much larger than its share that one refinement will not do, it goes to `deeper`.
+  // In space the way goes by equal steps, of which none leaves less than 0.4 of the error: unknowns are dear
+  // there, and a mesh that is much finer than the one it was made from has many where they do little.
+  // has_history: not so, as the load program is repeated on each mesh, and one more costs more than it saves;
+  // nor in the plane. There half of the squared error stays, and a quarter of the error is left at least, as
+  // coarse meshes do not know more. Collective.
   template <int dim>
   bool
   mark_cells_for_target(const Discretization<dim> &discretization,

@@ -119,15 +119,20 @@ namespace Amontons
         return t + h * std::clamp((before - after + left + right) / (right - left), -1., 1.);
       }
 
+      // Values on either side of one midway between them are the same.
       std::optional<double>
       extremum(const unsigned int i) const
       {
-        const double left = slope(i - 1), right = slope(i), rounding = 1e-13 * range;
+        const double rounding  = 1e-13 * range;
+        const bool   is_midway = std::abs(slope(i)) <= rounding;
+        const double left = slope(i - 1), right = slope(is_midway ? i + 1 : i);
         if (!(left > rounding && right < -rounding) && !(left < -rounding && right > rounding))
           return {};
         const double sign = left > 0 ? -1 : 1;
-        return rounded(boost::math::tools::brent_find_minima(
-                           [&](const double t) { return sign * f(t); }, time(i - 1.), time(i + 1.), 40)
+        return rounded(boost::math::tools::brent_find_minima([&](const double t) { return sign * f(t); },
+                                                             time(i - 1.),
+                                                             time(i + (is_midway ? 2. : 1.)),
+                                                             40)
                            .first);
       }
 

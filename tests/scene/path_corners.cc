@@ -42,6 +42,8 @@ main(int, char **)
   check_corners("absolute value", [](double t) { return std::abs(t - 0.5); }, {0.5});
   check_corners("weak bend", [](double t) { return t + 0.05 * std::max(0., t - 1); }, {1});
   check_corners("table", [](double t) { return t < 0.5 ? t : t < 1.5 ? 1 - t : t - 2; }, {0.5, 1.5});
+  check_corners(
+      "midway between values", [&](double t) { return std::sin(pi * (t - 0.063)); }, {0.563, 1.563}, 1e-7);
   check_corners("sine", [&](double t) { return std::sin(pi * t); }, {0.5, 1.5});
   check_corners("ten periods",
                 [&](double t) { return std::sin(10 * pi * t); },

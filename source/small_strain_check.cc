@@ -91,12 +91,13 @@ namespace Amontons
     struct ContactChange
     {
       double forces = 0, pressures = 0, shift = 0;
+      bool   touches = false; // in either
     };
 
     // The largest change of a pair's force, against the largest force; the change of the pressures of all
     // pairs in the mean square, wherever they are; and how far a pair's force moves along the slave, by its
     // part of the largest force, against `size`. (A contact that is much smaller than its body may be the
-    // same a little beside.)
+    // same a little beside.) What touches with finite strain alone is all new.
     template <int dim>
     ContactChange
     change_of_contact(const std::vector<ContactInterface<dim>> &interfaces,
@@ -106,16 +107,18 @@ namespace Amontons
                       const double                              size)
     {
       double force_change = 0, largest_force = 0, square_change = 0, square = 0, shift = 0;
+      bool   appears = false;
       for (unsigned int i = 0; i < interfaces.size(); ++i)
         {
-          const auto before = pressures_of(interfaces[i], state.contact[i]);
-          auto       after  = pressures_of(finite_interfaces[i], finite_state.contact[i]);
+          const auto   before    = pressures_of(interfaces[i], state.contact[i]);
+          auto         after     = pressures_of(finite_interfaces[i], finite_state.contact[i]);
+          const double old_force = force_of(before), new_force = force_of(after);
           for (auto &[node, value] : after) // on the same surface
             if (const auto same = before.find(node); same != before.end())
               value[0] = same->second[0];
-          const double old_force = force_of(before), new_force = force_of(after);
           force_change  = std::max(force_change, std::abs(new_force - old_force));
           largest_force = std::max(largest_force, std::abs(old_force));
+          appears       = appears || new_force > 0;
           square_change += distance_of_sorted(before, after);
           for (const auto &[node, value] : before)
             square += value[0] * value[1] * value[1];
@@ -126,9 +129,11 @@ namespace Amontons
                                 .norm());
         }
       if (largest_force <= 0)
-        return {};
-      return {
-          force_change / largest_force, std::sqrt(square_change / square), shift / (largest_force * size)};
+        return appears ? ContactChange{1, 1, 0, true} : ContactChange();
+      return {force_change / largest_force,
+              std::sqrt(square_change / square),
+              shift / (largest_force * size),
+              true};
     }
 
     template <int dim>
@@ -383,7 +388,7 @@ namespace Amontons
     return found > too_much ? std::max(found, with_strains_to(too_much / 6)) : found;
   }
 
-  // The largest relative change of contact forces and, unless the total force is all that is asked for, of
+  // The largest relative change of contact forces and, unless these are there and all that is asked for, of
   // pressures, of their place and of the displacement.
   template <int dim>
   typename SmallStrainCheck<dim>::Change
@@ -398,7 +403,7 @@ namespace Amontons
                                            finite_interfaces,
                                            finite_state,
                                            *std::max_element(sizes.begin(), sizes.end()));
-    if (parameters.refinement.target_quantity == "total force")
+    if (parameters.refinement.target_quantity == "total force" && contact.touches)
       return {contact.forces, contact.forces};
     LA::Vector difference = model.discretization().make_owned_vector(), old = difference;
     difference = finite_state.displacement;

@@ -66,15 +66,18 @@ namespace Amontons
 
   template <int dim>
   double
-  noteworthy_value(const std::string &name, const WorkDone<dim> &work)
+  noteworthy_value(const std::string &name, const Answer<dim> &answer, const WorkDone<dim> &work)
   {
-    return name == "dissipation" ? noteworthy_dissipation * work.largest_work : 0;
+    constexpr double part_of_displacement = 1e-3;
+    return name == "dissipation" ? noteworthy_dissipation * work.largest_work
+           : name == "approach"  ? part_of_displacement * answer.state.displacement.linfty_norm()
+                                 : 0;
   }
 
   template double
-  noteworthy_value(const std::string &, const WorkDone<2> &);
+  noteworthy_value(const std::string &, const Answer<2> &, const WorkDone<2> &);
   template double
-  noteworthy_value(const std::string &, const WorkDone<3> &);
+  noteworthy_value(const std::string &, const Answer<3> &, const WorkDone<3> &);
   template std::vector<double>
   target_quantity(const std::string &, const Answer<2> &, const WorkDone<2> &);
   template std::vector<double>

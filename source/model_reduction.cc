@@ -1,3 +1,4 @@
+#include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/load_path.h>
 #include <amontons/model_reduction.h>
 
@@ -204,24 +205,35 @@ namespace Amontons
         return Utilities::MPI::max(most, mesh->geometry.communicator) / u.linfty_norm();
       }
 
-      // Of the shear, over the pressure.
-      double
+      // Of the shear, over the pressure. Nothing where a pair presses by a few nodes only: one at a tip has
+      // no shear, however much there is beside it.
+      std::optional<double>
       part_of_shear() const
       {
-        double shear = 0, pressure = 0; // squares
+        double                    shear = 0, pressure = 0; // squares
+        std::vector<unsigned int> most_nodes;              // that press, by pair
         for (const auto &landing : path->history.record.breakpoints)
-          for (const auto &pair : landing.pairs)
-            {
-              double q = 0, p = 0;
-              for (const auto &[node, values] : pair.nodes)
-                {
-                  q += values.area * values.shear.norm_square();
-                  p += values.area * values.pressure * values.pressure;
-                }
-              shear    = std::max(shear, q);
-              pressure = std::max(pressure, p);
-            }
-        return pressure > 0 ? std::sqrt(shear / pressure) : std::numeric_limits<double>::infinity();
+          {
+            most_nodes.resize(landing.pairs.size(), 0);
+            for (unsigned int i = 0; i < landing.pairs.size(); ++i)
+              {
+                double       q = 0, p = 0;
+                unsigned int n = 0;
+                for (const auto &[node, values] : landing.pairs[i].nodes)
+                  {
+                    q += values.area * values.shear.norm_square();
+                    p += values.area * values.pressure * values.pressure;
+                    n += values.pressure > 0;
+                  }
+                shear         = std::max(shear, q);
+                pressure      = std::max(pressure, p);
+                most_nodes[i] = std::max(most_nodes[i], n);
+              }
+          }
+        const bool is_seen = std::all_of(most_nodes.begin(), most_nodes.end(), [](const unsigned int n) {
+          return n == 0 || n >= enough_closed_nodes<dim>;
+        });
+        return pressure > 0 && is_seen ? std::optional<double>(std::sqrt(shear / pressure)) : std::nullopt;
       }
 
     private:
@@ -304,14 +316,14 @@ namespace Amontons
     void
     leave_out_friction(const FirstAnswer<dim> &first, const double target, ReducedScene &reduced)
     {
-      const double part = first.part_of_shear() / noteworthy_shear;
-      if (part > part_of_target * target)
+      const auto part_of_shear = first.part_of_shear();
+      if (!part_of_shear || *part_of_shear / noteworthy_shear > part_of_target * target)
         return;
       for (auto &pair : reduced.scene.pairs)
         pair.friction = pair.tresca_bound = {};
       reduced.notes.push_back(
           "model: friction, and with it the increments, is left out: shear is, of 5 % of the pressure, " +
-          worth(part, target));
+          worth(*part_of_shear / noteworthy_shear, target));
     }
   } // namespace
 

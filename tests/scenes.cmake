@@ -1082,6 +1082,15 @@ add_scene_test(NAME model_elastic_punch SCENE verification/stiff_punch.prm SET "
 add_scene_test(NAME model_full SCENE verification/stiff_punch.prm SET "Model=full" CHECK "dofs >= 10000" "pairs.0.normal_force.1 ~ -1.3354 1e-2")
 # (The limit of uniform meshes is 2.25198.)
 add_scene_test(NAME model_without_friction SCENE verification/equal_blocks.prm CHECK "notes.0 has friction, and with it the increments, is left out" "pairs.0.normal_force.1 ~ 2.25198 2e-4")
+# What small strain does not see, or takes for a small change: contact that comes by what compression does to bending, and a force whose pressure stays.
+add_scene_test(NAME column_with_stop SCENE verification/column_with_stop.prm CHECK "status is converged" "pairs.0.normal_force.0 ~ -3.166e-3 5e-3")
+add_scene_test(NAME squeezed_rod SCENE verification/squeezed_rod.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -1.0511 1e-3")
+# What coarse meshes do not see: contact that they are too stiff for, and a beam behind an even pressure (0.0020127 on 40 x 4 cells).
+add_scene_test(NAME floor_below_beam SCENE verification/floor_below_beam.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ 5.238e-5 1e-2")
+add_scene_test(NAME pad_below_beam SCENE verification/pad_below_beam.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -0.0020127 3e-2" "dofs <= 1000")
+# Friction is not left out where the first mesh cannot see that it matters: without it 0.01597 is the size.
+add_scene_test(NAME model_with_unseen_friction SCENE verification/light_disk.prm
+               CHECK "error_estimate.shear <= 0.03" "pairs.0.tangential_force.0 ~ 9.985e-6 3e-3" "pairs.0.contact_size ~ 0.015533 5e-3")
 add_scene_test(NAME model_with_friction SCENE verification/equal_blocks.prm SET "Body upper/Young modulus=1100" CHECK "error_estimate.shear <= 0.011" "dofs >= 1000")
 # In the end nothing touches, which coarse meshes get right. What does not exist, or is 0, is no target.
 add_scene_test(NAME target_of_a_history_that_opens SCENE verification/opened_again.prm CHECK "dofs >= 1500" "error_estimate.contact >= 1e-3" "error_estimate.shear >= 1e-2" "error_estimate.shear <= 0.1")

@@ -22,7 +22,8 @@ namespace Amontons
   ///   or displacements of all of it; on the first mesh it moves so, to that part of the largest
   ///   displacement.
   /// - Friction, if shear is nowhere more than that part of what the target looks at, 5 % of the pressure
-  ///   (both in the mean square).
+  ///   (both in the mean square), and each pair that touches does so by as many nodes as it takes to see
+  ///   that.
   /// Not in scenes with a reference, nor bodies with probes. Collective.
   template <int dim>
   ReducedScene

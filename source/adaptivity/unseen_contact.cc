@@ -98,6 +98,19 @@ namespace Amontons
 
   template <int dim>
   double
+  smallest_gap_of_untouched(const std::vector<ContactInterface<dim>> &interfaces,
+                            const std::vector<SurfaceFields<dim>>    &fields)
+  {
+    double smallest = std::numeric_limits<double>::max();
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      if (!interfaces[i].pair->tied && n_closed_nodes(fields[i]) == 0)
+        for (const auto &row : interfaces[i].coupling.rows)
+          smallest = std::min(smallest, fields[i].gap[row.node]); // not a NaN
+    return smallest;
+  }
+
+  template <int dim>
+  double
   smallest_closed_face(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
   {
     double smallest = std::numeric_limits<double>::max();
@@ -111,7 +124,7 @@ namespace Amontons
   bool
   contact_is_resolved(const ContactInterface<dim> &interface,
                       const SurfaceFields<dim>    &fields,
-                      const double                 few)
+                      const double                 enough)
   {
     double area = 0;
     for (const auto &face : interface.slave->faces)
@@ -124,7 +137,7 @@ namespace Amontons
       }
     constexpr double point    = 1e-5; // of the surface
     const double     smallest = smallest_closed_face(interface, fields);
-    return n_closed_nodes(fields) >= few ||
+    return n_closed_nodes(fields) >= enough ||
            (smallest > 0 && smallest < point * std::pow(area, 1. / (dim - 1)));
   }
 
@@ -181,6 +194,10 @@ namespace Amontons
   faces_near_contact(const ContactInterface<2> &, const SurfaceFields<2> &);
   template std::vector<bool>
   faces_near_contact(const ContactInterface<3> &, const SurfaceFields<3> &);
+  template double
+  smallest_gap_of_untouched(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &);
+  template double
+  smallest_gap_of_untouched(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &);
   template unsigned int
   n_closed_nodes(const SurfaceFields<2> &);
   template unsigned int

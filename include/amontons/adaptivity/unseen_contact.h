@@ -22,17 +22,27 @@ namespace Amontons
   std::vector<bool>
   faces_near_contact(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
 
+  // At nodes of the pairs that touch nowhere, and are not tied; the largest number if there are none.
+  template <int dim>
+  double
+  smallest_gap_of_untouched(const std::vector<ContactInterface<dim>> &interfaces,
+                            const std::vector<SurfaceFields<dim>>    &fields);
+
   template <int dim>
   unsigned int
   n_closed_nodes(const SurfaceFields<dim> &fields);
 
-  // Whether more than a few nodes are closed (2D: 4, space: 9), or the contact is at a sharp edge of a side,
-  // where it is as small as any mesh, or hardly wider than a point.
+  // Closed nodes with which a mesh sees a contact.
+  template <int dim>
+  constexpr unsigned int enough_closed_nodes = dim == 2 ? 4 : 9;
+
+  // Whether enough nodes are closed, or the contact is at a sharp edge of a side, where it is as small as any
+  // mesh, or hardly wider than a point.
   template <int dim>
   bool
   contact_is_resolved(const ContactInterface<dim> &interface,
                       const SurfaceFields<dim>    &fields,
-                      const double                 few = dim == 2 ? 4 : 9);
+                      const double                 enough = enough_closed_nodes<dim>);
 
   // 0 if nothing is closed.
   template <int dim>

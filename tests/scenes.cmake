@@ -1085,6 +1085,9 @@ add_scene_test(NAME model_without_friction SCENE verification/equal_blocks.prm C
 # What small strain does not see, or takes for a small change: contact that comes by what compression does to bending, and a force whose pressure stays.
 add_scene_test(NAME column_with_stop SCENE verification/column_with_stop.prm CHECK "status is converged" "pairs.0.normal_force.0 ~ -3.166e-3 5e-3")
 add_scene_test(NAME squeezed_rod SCENE verification/squeezed_rod.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -1.0511 1e-3")
+# Nodes that look away from a round obstacle do not overlap with it. The weight is 4 pi/10, and what a flat mesh of few cells lacks of it.
+add_scene_test(NAME disk_in_cradle SCENE verification/disk_in_cradle.prm
+               CHECK "status is converged" "pairs.:.normal_force.1 ~ 0.62832 1e-3" "pairs.0.normal_force.0 ~ -0.5458 2e-3" "newton.:.iterations <= 10")
 # What coarse meshes do not see: contact that they are too stiff for, and a beam behind an even pressure (0.0020127 on 40 x 4 cells).
 add_scene_test(NAME floor_below_beam SCENE verification/floor_below_beam.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ 5.238e-5 1e-2")
 add_scene_test(NAME pad_below_beam SCENE verification/pad_below_beam.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -0.0020127 3e-2" "dofs <= 1000")

@@ -32,12 +32,13 @@ namespace Amontons
     // of it, faces away.
     template <int dim>
     bool
-    lies_behind(const ObstacleData &obstacle, const OverlapPoint<dim> &p)
+    lies_behind(const MasterSide<dim> &master, const OverlapPoint<dim> &p)
     {
-      const bool is_round =
+      const auto &obstacle = *master.obstacle;
+      const bool  is_round =
           obstacle.type == ObstacleData::Type::sphere || obstacle.type == ObstacleData::Type::cylinder;
       return is_round && !obstacle.hollow && p.gap < 0 &&
-             distance_from_axis(obstacle, p.x_slave) > (1 + 1e-9) * obstacle.radius;
+             distance_from_axis(obstacle, master.motion.origin_of(p.x_slave)) > (1 + 1e-9) * obstacle.radius;
     }
   } // namespace
 
@@ -169,11 +170,10 @@ namespace Amontons
       if (master.surface == nullptr)
         {
           overlap_obstacle(slave, s, *master.obstacle, master.motion, search_distance, points);
-          if (!moved)
-            points.erase(std::remove_if(points.begin(),
-                                        points.end(),
-                                        [&](const auto &p) { return lies_behind(*master.obstacle, p); }),
-                         points.end());
+          points.erase(std::remove_if(points.begin(),
+                                      points.end(),
+                                      [&](const auto &p) { return lies_behind(master, p); }),
+                       points.end());
           return points;
         }
       candidates.clear();

@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/data_error.h>
+#include <amontons/adaptivity/load_record.h>
 #include <amontons/adaptivity/peak_error.h>
 #include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/base/points.h>
@@ -130,6 +131,23 @@ namespace Amontons
     if (always_converges(name) && (name == "energy" || result > rounding))
       result = std::max(result, std::pow(error.bulk, 2) * (name == "energy" ? 1 : 0.5));
     error.quantity = result;
+  }
+
+  template <int dim>
+  bool
+  Evaluation<dim>::may_hide(const Model<dim>         &model,
+                            const SolutionState<dim> &state,
+                            const std::string        &quantity,
+                            const double              target,
+                            const bool                is_zero) const
+  {
+    const auto &interfaces = model.interfaces;
+    return (!touches() && error.data >= 1) ||
+           (error.quantity && !small_contacts_are_resolved(interfaces, fields)) ||
+           (quantity == "contact size" && !sizes_are_resolved(interfaces, fields, target)) ||
+           (quantity == "stick size" && is_zero && may_hide_stick(interfaces, state)) ||
+           (error.bulk > target &&
+            smallest_gap_of_untouched(interfaces, fields) < error.bulk * state.displacement.linfty_norm());
   }
 
   template struct Evaluation<2>;

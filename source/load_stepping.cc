@@ -331,19 +331,10 @@ namespace Amontons
     const bool   is_first = model->mesh->n_refinements == 0;
     const double believed = is_first ? target / RefinedPairs<dim>::doubt : target,
                  estimate = is_first ? std::max(mendable, error.bulk) : mendable;
-    // A zone, or all of the contact, may be smaller than the faces of the first meshes.
     const bool may_hide =
-        (!evaluation.touches() && error.data >= 1) ||
-        (error.quantity && !small_contacts_are_resolved(model->interfaces, evaluation.fields)) ||
-        (quantity == "contact size" && !sizes_are_resolved(model->interfaces, evaluation.fields, target)) ||
-        (quantity == "stick size" && history.quantity.is_zero() &&
-         may_hide_stick(model->interfaces, history.state));
-    // So may that of a pair whose sides are nearer than displacements are known.
-    const bool may_appear =
-        (quantity.find(" size") != std::string::npos && error.contact > target) ||
-        (error.bulk > target && smallest_gap_of_untouched(model->interfaces, evaluation.fields) <
-                                    error.bulk * history.state.displacement.linfty_norm());
-    const bool is_enough = target > 0 && ((estimate <= believed && !may_hide && !may_appear) ||
+        evaluation.may_hide(*model, history.state, quantity, target, history.quantity.is_zero());
+    const bool may_appear = quantity.find(" size") != std::string::npos && error.contact > target;
+    const bool is_enough  = target > 0 && ((estimate <= believed && !may_hide) ||
                                           history.meshes.is_hopeless(target, parameters.refinement.max_dofs));
     return may_refine() && !is_enough && (may_hide || may_appear || !history.quantity.is_zero());
   }

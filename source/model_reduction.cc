@@ -9,6 +9,7 @@ namespace Amontons
   namespace
   {
     constexpr double part_of_target = 0.1;
+    constexpr double most_slender   = 4; // a first mesh may be much too stiff for a body that bends
 
     bool
     stands_on(const std::vector<BoundaryName> &boundaries, const std::string &body)
@@ -183,6 +184,30 @@ namespace Amontons
         return path->model->elasticity.stored_energy(relevant) / energy;
       }
 
+      // The longest side of the box around a body over the shortest.
+      double
+      slenderness(const unsigned int body) const
+      {
+        std::vector<double> ends(2 * dim, std::numeric_limits<double>::max()); // low ones, negative high ones
+        for (const auto &cell : mesh->geometry.triangulation.active_cell_iterators())
+          if (cell->is_locally_owned() && cell->material_id() == body)
+            for (const unsigned int v : cell->vertex_indices())
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  ends[d]       = std::min(ends[d], cell->vertex(v)[d]);
+                  ends[dim + d] = std::min(ends[dim + d], -cell->vertex(v)[d]);
+                }
+        Utilities::MPI::min(ends, mesh->geometry.communicator, ends);
+        double longest = 0, shortest = std::numeric_limits<double>::max();
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const double side = -ends[dim + d] - ends[d];
+            longest           = std::max(longest, side);
+            shortest          = std::min(shortest, side);
+          }
+        return longest / shortest;
+      }
+
       double
       part_of_unknowns(const unsigned int body) const
       {
@@ -303,7 +328,7 @@ namespace Amontons
       auto        &body   = reduced.scene.bodies[b];
       const auto   motion = *SupportedMotion(reduced.scene, body).find();
       const double part = first.part_of_energy(b), allowed = part_of_target * target;
-      if (part > allowed ||
+      if (part > allowed || first.slenderness(b) > most_slender ||
           (SupportedMotion::is_prescribed(motion) && first.distance_from(motion.displacement, b) > allowed))
         return;
       make_rigid(reduced.scene, body, motion);

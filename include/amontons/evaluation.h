@@ -34,6 +34,16 @@ namespace Amontons
       return n_closed_nodes() >= (dim == 2 ? 12 : 60);
     }
 
+    /// A zone that the target looks at, or all of the contact of a pair, may be smaller than the faces of the
+    /// first meshes; or its sides may be nearer than displacements are known. target: what error is allowed;
+    /// is_zero: the quantity, on all meshes so far. Collective.
+    bool
+    may_hide(const Model<dim>         &model,
+             const SolutionState<dim> &state,
+             const std::string        &quantity,
+             const double              target,
+             const bool                is_zero) const;
+
     void
     collect_fields(const Model<dim> &model, const SolutionState<dim> &state);
 

@@ -18,9 +18,9 @@ namespace Amontons
   /// The scene is solved on its first mesh, if there is something to look at. What would change the answer by
   /// less than a tenth of the target is left out:
   /// - A body that holds that part of the stored energy at most becomes rigid. It must be stiffer than
-  ///   another one by 1/target, without curved boundaries, and its supports must tell its motion: a platen,
-  ///   or displacements of all of it; on the first mesh it moves so, to that part of the largest
-  ///   displacement.
+  ///   another one by 1/target, without curved boundaries, not slender (sides of 4:1), and its supports must
+  ///   tell its motion: a platen, or displacements of all of it; on the first mesh it moves so, to that part
+  ///   of the largest displacement.
   /// - Friction, if shear is nowhere more than that part of what the target looks at, 5 % of the pressure
   ///   (both in the mean square), and each pair that touches does so by as many nodes as it takes to see
   ///   that.

@@ -96,7 +96,8 @@ namespace Amontons
     /// harder: a tenth of the error where stress makes anything much softer or stiffer.
     double
     allowed_change() const;
-    /// neglected_strain, neglected_contact, neglected_stiffening(, change_of_answer): when it was looked.
+    /// neglected_strain, neglected_contact, neglected_pressure, neglected_stiffening(, change_of_answer):
+    /// when it was looked.
     const std::map<std::string, double> &
     checks() const
     {
@@ -109,6 +110,11 @@ namespace Amontons
     double
     allowed_part() const;
     // How much stress changes the stiffness.
+    // What is left out as far as the target quantity looks at it.
+    double
+    error_by_uneven_gaps() const;
+    double
+    neglected_part() const;
     double
     stiffening_at(Model<dim>               &model,
                   const SolutionState<dim> &state,

@@ -1,5 +1,6 @@
 #include <amontons/adaptivity/model_selection.h>
 #include <amontons/adaptivity/slenderness.h>
+#include <amontons/elasticity/linear_elastic.h>
 
 namespace Amontons
 {
@@ -172,6 +173,74 @@ namespace Amontons
     return std::max(other, place.energy > 0 ? work / place.energy : 0.);
   }
 
+  // By node.
+  template <int dim>
+  std::map<unsigned int, double>
+  NeglectedTermsOfHistory<dim>::gaps_of_closed_nodes(const std::vector<Node>     &nodes,
+                                                     const ContactInterface<dim> *at_rest,
+                                                     const ContactInterface<dim> &moved) const
+  {
+    std::vector<bool> closed(moved.slave->nodes.size(), false);
+    for (const Node &node : nodes)
+      closed[node.node] = node.closed;
+    const auto now = gaps_by_node(moved, closed), before = at_rest ? gaps_by_node(*at_rest, closed) : now;
+    std::map<unsigned int, double> gaps;
+    for (const Node &node : nodes)
+      if (const auto gap = now.find(node.node), old = before.find(node.node);
+          node.closed && gap != now.end() && old != before.end())
+        gaps[node.node] = at_rest ? node.initial_gap + gap->second - old->second : gap->second;
+    return gaps;
+  }
+
+  // Gaps g that should be 0 take the pressure E*/2 H(g') to close them on a half plane, H Hilbert's
+  // transform, which changes no norm: |p| = E*/2 |g'|. Slopes are those of the faces at a node in the mean
+  // square.
+  template <int dim>
+  double
+  NeglectedTermsOfHistory<dim>::pressure_of_uneven_gaps(const Place               &place,
+                                                        const Discretization<dim> &discretization,
+                                                        const std::vector<ContactInterface<dim>> &at_rest,
+                                                        const std::vector<ContactInterface<dim>> &moved) const
+  {
+    const auto &bodies    = discretization.scene.bodies;
+    double      neglected = 0, all = 0; // squares
+    for (unsigned int i = 0; i < moved.size(); ++i)
+      {
+        const auto &[pair, slave] = std::tie(*moved[i].pair, *moved[i].slave);
+        if (pair.tied)
+          continue;
+        double compliance = 1 / contact_modulus(bodies[slave.body].material);
+        if (moved[i].master_surface)
+          compliance += 1 / contact_modulus(bodies[moved[i].master_surface->body].material);
+        const bool declared = pair.initial_gap || pair.adjust > 0;
+        const auto gaps = gaps_of_closed_nodes(place.nodes[i], declared ? &at_rest[i] : nullptr, moved[i]);
+        std::map<unsigned int, std::pair<double, unsigned int>> squares; // of slopes, and how many: by node
+        for (const auto &face : slave.faces)
+          {
+            double slope = 0;
+            for (const unsigned int a : face.unknowns)
+              for (const unsigned int b : face.unknowns)
+                if (const auto at_a = gaps.find(a), at_b = gaps.find(b);
+                    a < b && at_a != gaps.end() && at_b != gaps.end())
+                  slope = std::max(slope,
+                                   std::abs(at_a->second - at_b->second) /
+                                       slave.nodes[a].x.distance(slave.nodes[b].x));
+            for (const unsigned int node : face.unknowns)
+              {
+                squares[node].first += slope * slope;
+                ++squares[node].second;
+              }
+          }
+        for (const Node &node : place.nodes[i])
+          if (const auto at = squares.find(node.node); node.closed && at != squares.end())
+            {
+              neglected += node.area * at->second.first / at->second.second / std::pow(2 * compliance, 2);
+              all += node.area * node.pressure * node.pressure;
+            }
+      }
+    return all > 0 ? std::sqrt(neglected / all) : 0;
+  }
+
   template <int dim>
   double
   NeglectedTermsOfHistory<dim>::turned_force(const Place                              &place,
@@ -228,7 +297,9 @@ namespace Amontons
             at_rest = at(discretization.make_relevant_vector(), **place);
           const auto moved = at((*place)->displacement, **place);
           terms.contact    = std::max(terms.contact, neglected_contact(**place, at_rest, moved));
-          terms.turn       = std::max(terms.turn, turned_force(**place, interfaces, moved));
+          terms.pressure =
+              std::max(terms.pressure, pressure_of_uneven_gaps(**place, discretization, at_rest, moved));
+          terms.turn = std::max(terms.turn, turned_force(**place, interfaces, moved));
           place->reset();
         }
   }

@@ -19,6 +19,10 @@ namespace Amontons
     // a pair's force where nothing is opposite any more; and, where surfaces overlap that carry no force, how
     // far, against their motion.
     double contact = 0;
+    // What pressures are off, in the mean square, as gaps of closed nodes where the surfaces really are vary
+    // along them: a flat that slides by T with its rounded end, of radius R, has a kink T/R, and a pressure
+    // without bound there.
+    double pressure = 0;
     // By how much the normals turn as surfaces move, so that the force of a pair has another direction: the
     // sum of its nodal pressures times areas times their change, against the force. Not across planes of
     // symmetry, where it vanishes in the whole model.
@@ -91,6 +95,16 @@ namespace Amontons
       double       area, pressure;
       double       initial_gap, gap; // before any motion, and now to first order
     };
+    std::map<unsigned int, double>
+    gaps_of_closed_nodes(const std::vector<Node>     &nodes,
+                         const ContactInterface<dim> *at_rest,
+                         const ContactInterface<dim> &moved) const;
+    double
+    pressure_of_uneven_gaps(const Place                              &place,
+                            const Discretization<dim>                &discretization,
+                            const std::vector<ContactInterface<dim>> &at_rest,
+                            const std::vector<ContactInterface<dim>> &moved) const;
+
     struct Place
     {
       LA::Vector                     displacement;

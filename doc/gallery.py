@@ -32,7 +32,7 @@ GROUPS = [
      "verification/press_finite verification/slide_off_edge verification/slide_over_edges verification/slid_block verification/ring_rolls verification/corner_on_corner verification/turned_disk "
      "verification/objectivity verification/turned_rigid_body verification/turned_obstacle verification/turned_platens verification/turned_with_friction verification/patch_finite "
      "verification/patch_finite_3d verification/patch_finite_turned verification/patch_finite_turned_3d verification/uniaxial_finite verification/simple_shear_finite "
-     "verification/pulled_strip verification/punch_small_and_finite verification/punch_with_flanks"),
+     "verification/pulled_strip verification/punch_small_and_finite verification/punch_with_flanks verification/column_with_stop verification/squeezed_rod verification/sliding_pad"),
     ("In space", "half_space_box hertz_sphere two_spheres crossed_cylinders mindlin_sphere ironing_3d walk/pin_in_lug_3d sphere_on_block_scaling verification/three_spheres "
      "verification/oblique_drag verification/lifted_off verification/patch_friction_3d verification/shrink_fit_spheres_3d verification/cap_in_seat_3d"),
     ("Surfaces of CAD, meshes of gmsh", "step_file verification/polygon_roller verification/patch_3d_irregular verification/patch_3d_step"),
@@ -43,14 +43,14 @@ GROUPS = [
      "verification/patch_3d_punch verification/patch_3d_hanging_nodes"),
     ("Tied bodies", "verification/tied_patch verification/tied_patch_3d verification/tied_beam verification/beam_in_one_piece verification/tied_column verification/tied_bracket"),
     ("Unusual input", "verification/no_contact verification/just_touching verification/tension verification/stiff_punch verification/gap_closes_on_incompressible verification/piston verification/narrow_load verification/thin_wire verification/edge_beyond_nodes verification/wavy_gap verification/two_loads verification/beam_on_stop verification/corner_on_plane verification/edge_on_plate_3d "
-     "verification/touched_at_the_axis verification/rider verification/v_joint verification/disk_in_groove verification/disk_squeezed verification/stack_without_friction verification/ball_between_planes verification/half_ring_below_lid verification/friction_band verification/displaced_bump verification/growing_stick verification/growing_stick_3d verification/receding_layer_rough verification/tied_and_turned verification/tied_shear verification/light_beside_heavy verification/two_indenters verification/hertz_on_cantilever verification/round_punch verification/ball_in_hollow verification/shaft_in_longer_hub verification/roller_bearing verification/ring_between_walls verification/band_on_drum"),
+     "verification/touched_at_the_axis verification/rider verification/v_joint verification/disk_in_groove verification/disk_squeezed verification/stack_without_friction verification/ball_between_planes verification/half_ring_below_lid verification/friction_band verification/displaced_bump verification/growing_stick verification/growing_stick_3d verification/receding_layer_rough verification/tied_and_turned verification/tied_shear verification/light_beside_heavy verification/two_indenters verification/hertz_on_cantilever verification/round_punch verification/ball_in_hollow verification/shaft_in_longer_hub verification/roller_bearing verification/ring_between_walls verification/band_on_drum verification/disk_in_cradle verification/light_disk verification/pad_below_beam verification/floor_below_beam"),
 ]
 
 # Where the bodies as a whole (in space: the pressure on the first surface) are not what is to be seen: the title of the picture; entries of a run for the picture.
 AROUND, COARSE = ("Around the contact",), ("Deformed mesh", "Refinement/Cycles=1")
 PICTURES = {name: AROUND for name in (
     "hertz_cylinder hertz_sphere_axisymmetric half_plane_box cattaneo_mindlin ironing nafems_roller_finite walk/pin_in_lug verification/bulk_tension verification/cone "
-    "verification/peers_cylinder verification/peers_shear verification/peers_sphere verification/pin_in_hole verification/stepped_punch verification/thin_wire").split()}
+    "verification/peers_cylinder verification/peers_shear verification/peers_sphere verification/pin_in_hole verification/stepped_punch verification/thin_wire verification/sliding_pad").split()}
 PICTURES |= {name: ("Contact pressure",) for name in ("verification/hertz_on_cantilever", "verification/flat_punch_axisymmetric", "verification/flat_punch_line", "verification/punch_moment", "verification/tied_patch_3d")}
 PICTURES |= {
     "greco": ("Shear traction",), "microslip_bar": ("Hysteresis", "Increments=30"), "nafems_roller_friction": ("Shear traction",), "nafems_punch_friction": ("Shear traction",),

@@ -31,13 +31,13 @@ namespace Amontons
     /// After the load program, at its last state. Finite strain is tried where small strain leaves out more
     /// than is allowed, or, if the scene insists on small strain, more than any answer may. Not after a
     /// failure, nor where the bodies have been much farther before: what finite strain changes in the end
-    /// says nothing of the way then, and what is left out decides. error_of_mesh: of the target quantity.
+    /// says nothing of the way then, and what is left out decides. of_mesh: error of the target quantity.
     /// control: of the run. Collective.
     void
     look(Model<dim>               &model,
          const SolutionState<dim> &state,
          const bool                converged,
-         const double              error_of_mesh,
+         const double              of_mesh,
          TimerOutput              &timer,
          RunControl               &control);
 
@@ -158,7 +158,7 @@ namespace Amontons
     const Parameters                 &parameters;
     bool                              rotations_are_held = true;
     bool                              has_given_way      = false;
-    double                            of_mesh            = 0;
+    double                            error_of_mesh      = 0;
     bool                              tried              = false; // finite strain, and
     std::optional<Change>             change;                     // by it, if it converged
     std::optional<SolutionState<dim>> found;

@@ -283,22 +283,19 @@ namespace Amontons
       return levels;
     }
 
-    // Half of the squared error that may be left; coarse meshes do not know more than a quarter of theirs.
+    // Of the squared error, by the cells that stay. At once: half of what may be left, and of coarse meshes,
+    // which do not know more, a quarter. Else the part l of them and the rest, refined once, leave l + (1 -
+    // l)/16.
     double
-    left_at_once(const double reduction)
+    part_that_stays(const double reduction, const bool at_once)
     {
-      return 0.5 * std::pow(std::clamp(reduction, 0.25, 1.), 2);
-    }
-
-    // The part l of the squared error that stays, and that the rest is refined once, leave l + (1 - l)/16.
-    double
-    left_by_equal_steps(const double reduction)
-    {
-      constexpr double largest_step = 0.4, safety = 0.95, least = 0.05;
+      if (at_once)
+        return 0.5 * std::pow(std::clamp(reduction, 0.25, 1.), 2);
+      constexpr double largest_step = 0.4, safety = 0.93, least = 0.05;
       const double     whole = std::clamp(reduction, 1e-6, 1.),
-                   n_steps   = std::max(1., std::ceil(std::log(whole) / std::log(largest_step))),
-                   of_square = std::pow(safety * std::pow(whole, 1 / n_steps), 2);
-      return std::max(least, (per_level * of_square - 1) / (per_level - 1));
+                   n_steps   = std::max(1., std::ceil(std::log(whole) / std::log(largest_step)));
+      return std::max(least,
+                      (per_level * std::pow(safety * std::pow(whole, 1 / n_steps), 2) - 1) / (per_level - 1));
     }
 
     DeeperCells
@@ -321,12 +318,11 @@ namespace Amontons
                         const bool                 has_history,
                         DeeperCells               &deeper)
   {
-    const double left = dim == 3 && !has_history ? left_by_equal_steps(reduction) : left_at_once(reduction);
     const SquaredErrors errors(discretization, indicators);
     if (errors.largest == 0)
       return false;
     const Levels levels = levels_for(errors,
-                                     left,
+                                     part_that_stays(reduction, dim == 2 || has_history),
                                      affordable_cells(discretization, max_dofs),
                                      geometry.triangulation.n_global_active_cells(),
                                      GeometryInfo<dim>::max_children_per_cell);

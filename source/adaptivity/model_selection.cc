@@ -217,14 +217,16 @@ namespace Amontons
         std::map<unsigned int, std::pair<double, unsigned int>> squares; // of slopes, and how many: by node
         for (const auto &face : slave.faces)
           {
-            double slope = 0;
+            double slope = 0, farthest_pair = 0; // of nodes; those between differ by how faces are curved
             for (const unsigned int a : face.unknowns)
               for (const unsigned int b : face.unknowns)
-                if (const auto at_a = gaps.find(a), at_b = gaps.find(b);
-                    a < b && at_a != gaps.end() && at_b != gaps.end())
-                  slope = std::max(slope,
-                                   std::abs(at_a->second - at_b->second) /
-                                       slave.nodes[a].x.distance(slave.nodes[b].x));
+                if (const double distance = slave.nodes[a].x.distance(slave.nodes[b].x);
+                    a < b && gaps.count(a) > 0 && gaps.count(b) > 0 && distance > 0.9 * farthest_pair)
+                  {
+                    const double along = std::abs(gaps.at(a) - gaps.at(b)) / distance;
+                    slope              = distance > 1.1 * farthest_pair ? along : std::max(slope, along);
+                    farthest_pair      = std::max(farthest_pair, distance);
+                  }
             for (const unsigned int node : face.unknowns)
               {
                 squares[node].first += slope * slope;

@@ -386,7 +386,7 @@ test_marking_in_space()
   const auto far = n_marked_in_space(3, 0.1, n);
   check::is_close(far[0], n, 0, "far from the target: small errors stay");
   check::is_close(far[1], 2 * n, 0, "far from the target with a history: all are marked");
-  check::is_close(n_marked_in_space(3, 0, n)[0], n, 0, "no error is known: small errors stay");
+  check::is_close(n_marked_in_space(4, 0, n)[0], n, 0, "no error is known: small errors stay");
 }
 
 // What counts for a target: tractions as they are, the stress by twice the target.

@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/error_estimator.h>
+#include <amontons/elasticity/linear_elastic.h>
 
 namespace Amontons
 {
@@ -46,6 +47,16 @@ namespace Amontons
     return weights;
   }
 
+  template <int dim>
+  double
+  combined_modulus(const Scene &scene, const ContactInterface<dim> &interface)
+  {
+    double compliance = 1 / contact_modulus(scene.bodies[interface.slave->body].material);
+    if (interface.master_surface && !scene.bodies[interface.master_surface->body].rigid)
+      compliance += 1 / contact_modulus(scene.bodies[interface.master_surface->body].material);
+    return 1 / compliance;
+  }
+
   template struct ErrorEstimate<2>;
   template struct ErrorEstimate<3>;
 
@@ -53,4 +64,8 @@ namespace Amontons
   pair_weights(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &);
   template std::vector<double>
   pair_weights(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &);
+  template double
+  combined_modulus(const Scene &, const ContactInterface<2> &);
+  template double
+  combined_modulus(const Scene &, const ContactInterface<3> &);
 } // namespace Amontons

@@ -100,7 +100,7 @@ namespace Amontons
 
         // By slave face: eta_F^2, then the squared errors of pressure and shear, and what is unseen.
         const unsigned int n       = slave.faces.size();
-        const double       modulus = combined_modulus(interface);
+        const double       modulus = combined_modulus(discretization.scene, interface);
         const auto         near    = faces_near_contact(interface, fields);
         peaks.emplace_back();
         const PairParts parts{FacePoints<dim>(interface, QGauss<1>(discretization.fe.degree + 2), kind),
@@ -142,8 +142,12 @@ namespace Amontons
                     const double                 weight_of_pair,
                     const LA::Vector            *displacement)
       {
-        const auto error = pollution_error(
-            discretization, interface, fields, combined_modulus(interface), squares, displacement);
+        const auto error = pollution_error(discretization,
+                                           interface,
+                                           fields,
+                                           combined_modulus(discretization.scene, interface),
+                                           squares,
+                                           displacement);
         pollution_square += weight_of_pair * error.square;
         for (unsigned int c = 0; c < error.by_cell.size(); ++c)
           pollution_squares[c] += weight_of_pair * error.by_cell[c];
@@ -160,17 +164,6 @@ namespace Amontons
         double                     weight;
         double                     hidden; // squared errors that are not seen, of those that are
       };
-
-      // E* of both bodies.
-      double
-      combined_modulus(const ContactInterface<dim> &interface) const
-      {
-        const auto &bodies     = discretization.scene.bodies;
-        double      compliance = 1 / contact_modulus(bodies[interface.slave->body].material);
-        if (interface.master_surface && !bodies[interface.master_surface->body].rigid)
-          compliance += 1 / contact_modulus(bodies[interface.master_surface->body].material);
-        return 1 / compliance;
-      }
 
       double
       stress_of_rounding(const Cell &cell) const

@@ -1,6 +1,6 @@
+#include <amontons/adaptivity/error_estimator.h>
 #include <amontons/adaptivity/model_selection.h>
 #include <amontons/adaptivity/slenderness.h>
-#include <amontons/elasticity/linear_elastic.h>
 
 namespace Amontons
 {
@@ -202,18 +202,15 @@ namespace Amontons
                                                         const std::vector<ContactInterface<dim>> &at_rest,
                                                         const std::vector<ContactInterface<dim>> &moved) const
   {
-    const auto &bodies    = discretization.scene.bodies;
-    double      neglected = 0, all = 0; // squares
+    double neglected = 0, all = 0; // squares
     for (unsigned int i = 0; i < moved.size(); ++i)
       {
         const auto &[pair, slave] = std::tie(*moved[i].pair, *moved[i].slave);
         if (pair.tied)
           continue;
-        double compliance = 1 / contact_modulus(bodies[slave.body].material);
-        if (moved[i].master_surface)
-          compliance += 1 / contact_modulus(bodies[moved[i].master_surface->body].material);
-        const bool declared = pair.initial_gap || pair.adjust > 0;
-        const auto gaps = gaps_of_closed_nodes(place.nodes[i], declared ? &at_rest[i] : nullptr, moved[i]);
+        const double modulus  = combined_modulus(discretization.scene, moved[i]);
+        const bool   declared = pair.initial_gap || pair.adjust > 0;
+        const auto   gaps = gaps_of_closed_nodes(place.nodes[i], declared ? &at_rest[i] : nullptr, moved[i]);
         std::map<unsigned int, std::pair<double, unsigned int>> squares; // of slopes, and how many: by node
         for (const auto &face : slave.faces)
           {
@@ -236,7 +233,7 @@ namespace Amontons
         for (const Node &node : place.nodes[i])
           if (const auto at = squares.find(node.node); node.closed && at != squares.end())
             {
-              neglected += node.area * at->second.first / at->second.second / std::pow(2 * compliance, 2);
+              neglected += node.area * at->second.first / at->second.second * std::pow(modulus / 2, 2);
               all += node.area * node.pressure * node.pressure;
             }
       }

@@ -74,6 +74,11 @@ namespace Amontons
   pair_weights(const std::vector<ContactInterface<dim>> &interfaces,
                const std::vector<SurfaceFields<dim>>    &fields);
 
+  // E* of both sides of a pair.
+  template <int dim>
+  double
+  combined_modulus(const Scene &scene, const ContactInterface<dim> &interface);
+
   // Bulk: eta_K^2 = int_K (sigma* - sigma_h) : C^-1 : (sigma* - sigma_h) (doc/introduction.md, (30);
   // Zienkiewicz and Zhu 1987), with sigma* the recovered stress. Contact: eta_F^2 = h_F / E int_F (p + n .
   // sigma_h n)^2 + |tangential part of sigma_h n, less that of the contact|^2 (doc/introduction.md, (31)) on

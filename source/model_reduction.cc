@@ -188,22 +188,18 @@ namespace Amontons
       double
       slenderness(const unsigned int body) const
       {
-        std::vector<double> ends(2 * dim, std::numeric_limits<double>::max()); // low ones, negative high ones
-        for (const auto &cell : mesh->geometry.triangulation.active_cell_iterators())
-          if (cell->is_locally_owned() && cell->material_id() == body)
+        std::vector<Point<dim>> vertices;
+        for (const auto &cell :
+             mesh->geometry.triangulation.cell_iterators_on_level(0)) // all ranks have these
+          if (cell->material_id() == body)
             for (const unsigned int v : cell->vertex_indices())
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  ends[d]       = std::min(ends[d], cell->vertex(v)[d]);
-                  ends[dim + d] = std::min(ends[dim + d], -cell->vertex(v)[d]);
-                }
-        Utilities::MPI::min(ends, mesh->geometry.communicator, ends);
-        double longest = 0, shortest = std::numeric_limits<double>::max();
-        for (unsigned int d = 0; d < dim; ++d)
+              vertices.push_back(cell->vertex(v));
+        const BoundingBox<dim> box(vertices);
+        double                 longest = box.side_length(0), shortest = longest;
+        for (unsigned int d = 1; d < dim; ++d)
           {
-            const double side = -ends[dim + d] - ends[d];
-            longest           = std::max(longest, side);
-            shortest          = std::min(shortest, side);
+            longest  = std::max(longest, box.side_length(d));
+            shortest = std::min(shortest, box.side_length(d));
           }
         return longest / shortest;
       }

@@ -16,6 +16,36 @@ namespace Amontons
       return gaps;
     }
 
+    bool
+    has_declared_gap(const PairData &pair)
+    {
+      return pair.initial_gap || pair.adjust > 0;
+    }
+
+    // Between the nodes of a face that are farthest apart: those between differ by how faces are curved. 0
+    // where fewer than two have gaps.
+    template <int dim>
+    double
+    largest_slope(const ContactSurface<dim>            &slave,
+                  const SurfaceFace<dim>               &face,
+                  const std::map<unsigned int, double> &gaps)
+    {
+      std::vector<std::pair<double, double>> pairs; // distance, difference
+      double                                 farthest = 0, slope = 0;
+      for (const unsigned int a : face.unknowns)
+        for (const unsigned int b : face.unknowns)
+          if (a < b && gaps.count(a) > 0 && gaps.count(b) > 0)
+            {
+              pairs.emplace_back(slave.nodes[a].x.distance(slave.nodes[b].x),
+                                 std::abs(gaps.at(a) - gaps.at(b)));
+              farthest = std::max(farthest, pairs.back().first);
+            }
+      for (const auto &[distance, difference] : pairs)
+        if (distance > 0.9 * farthest)
+          slope = std::max(slope, difference / distance);
+      return slope;
+    }
+
     // Open nodes that are farther from the other side than this part of the motion are left alone: where
     // small strain is that wrong, it shows elsewhere.
     constexpr double near = 0.1;
@@ -113,8 +143,31 @@ namespace Amontons
     return result;
   }
 
-  // at_rest: empty, or where nothing has moved. Meshes with a declared gap (`Initial gap`, `Adjust`) may lie
-  // elsewhere than the surfaces that they stand for: there the change of the geometric gap counts.
+  // Of pair i, by node of the slave, where the surfaces really are. at_rest: empty, or where nothing has
+  // moved. Meshes with a declared gap (`Initial gap`, `Adjust`) may lie elsewhere than the surfaces that they
+  // stand for: there the change of the geometric gap counts.
+  template <int dim>
+  std::map<unsigned int, double>
+  NeglectedTermsOfHistory<dim>::true_gaps(const unsigned int                        i,
+                                          const Place                              &place,
+                                          const std::vector<ContactInterface<dim>> &at_rest,
+                                          const std::vector<ContactInterface<dim>> &moved) const
+  {
+    std::vector<bool> closed(moved[i].slave->nodes.size(), false);
+    for (const Node &node : place.nodes[i])
+      closed[node.node] = node.closed;
+    const auto now = gaps_by_node(moved[i], closed);
+    if (!has_declared_gap(*moved[i].pair))
+      return now;
+    const auto                     before = gaps_by_node(at_rest[i], closed);
+    std::map<unsigned int, double> gaps;
+    for (const Node &node : place.nodes[i])
+      if (const auto gap = now.find(node.node), old = before.find(node.node);
+          gap != now.end() && old != before.end())
+        gaps[node.node] = node.initial_gap + gap->second - old->second;
+    return gaps;
+  }
+
   template <int dim>
   double
   NeglectedTermsOfHistory<dim>::neglected_contact(const Place                              &place,
@@ -130,12 +183,7 @@ namespace Amontons
       {
         if (moved[i].pair->tied)
           continue;
-        const bool        declared = moved[i].pair->initial_gap || moved[i].pair->adjust > 0;
-        std::vector<bool> closed(moved[i].slave->nodes.size(), false);
-        for (const Node &node : place.nodes[i])
-          closed[node.node] = node.closed;
-        const auto gaps     = gaps_by_node(moved[i], closed);
-        const auto before   = declared ? gaps_by_node(at_rest[i], closed) : gaps;
+        const auto gaps     = true_gaps(i, place, at_rest, moved);
         double     rounding = 0;
         for (const auto &node : moved[i].slave->nodes)
           rounding = std::max(rounding, 1e-12 * std::max(node.x.norm(), node.X.norm()));
@@ -148,13 +196,12 @@ namespace Amontons
             area += node.closed ? node.area : 0;
             if (!node.closed && node.gap > near * place.motion)
               continue;
-            const auto now = gaps.find(node.node), old = before.find(node.node);
-            if (now == gaps.end() || old == before.end())
+            const auto gap = gaps.find(node.node);
+            if (gap == gaps.end())
               lost += facing.count(moved[i].slave->nodes[node.node].dofs[0]) == 0 ? share : 0;
             else
               {
-                const double gap  = declared ? node.initial_gap + now->second - old->second : now->second;
-                const double size = node.closed ? std::abs(gap) : std::max(0., -gap);
+                const double size = node.closed ? std::abs(gap->second) : std::max(0., -gap->second);
                 if (size <= rounding)
                   continue;
                 work += share * size;
@@ -173,25 +220,6 @@ namespace Amontons
     return std::max(other, place.energy > 0 ? work / place.energy : 0.);
   }
 
-  // By node.
-  template <int dim>
-  std::map<unsigned int, double>
-  NeglectedTermsOfHistory<dim>::gaps_of_closed_nodes(const std::vector<Node>     &nodes,
-                                                     const ContactInterface<dim> *at_rest,
-                                                     const ContactInterface<dim> &moved) const
-  {
-    std::vector<bool> closed(moved.slave->nodes.size(), false);
-    for (const Node &node : nodes)
-      closed[node.node] = node.closed;
-    const auto now = gaps_by_node(moved, closed), before = at_rest ? gaps_by_node(*at_rest, closed) : now;
-    std::map<unsigned int, double> gaps;
-    for (const Node &node : nodes)
-      if (const auto gap = now.find(node.node), old = before.find(node.node);
-          node.closed && gap != now.end() && old != before.end())
-        gaps[node.node] = at_rest ? node.initial_gap + gap->second - old->second : gap->second;
-    return gaps;
-  }
-
   // Gaps g that should be 0 take the pressure E*/2 H(g') to close them on a half plane, H Hilbert's
   // transform, which changes no norm: |p| = E*/2 |g'|. Slopes are those of the faces at a node in the mean
   // square.
@@ -205,25 +233,19 @@ namespace Amontons
     double neglected = 0, all = 0; // squares
     for (unsigned int i = 0; i < moved.size(); ++i)
       {
-        const auto &[pair, slave] = std::tie(*moved[i].pair, *moved[i].slave);
-        if (pair.tied)
+        if (moved[i].pair->tied)
           continue;
-        const double modulus  = combined_modulus(discretization.scene, moved[i]);
-        const bool   declared = pair.initial_gap || pair.adjust > 0;
-        const auto   gaps = gaps_of_closed_nodes(place.nodes[i], declared ? &at_rest[i] : nullptr, moved[i]);
+        const auto                    &slave    = *moved[i].slave;
+        const double                   modulus  = combined_modulus(discretization.scene, moved[i]);
+        const auto                     all_gaps = true_gaps(i, place, at_rest, moved);
+        std::map<unsigned int, double> gaps; // of closed nodes
+        for (const Node &node : place.nodes[i])
+          if (const auto gap = all_gaps.find(node.node); node.closed && gap != all_gaps.end())
+            gaps.insert(*gap);
         std::map<unsigned int, std::pair<double, unsigned int>> squares; // of slopes, and how many: by node
         for (const auto &face : slave.faces)
           {
-            double slope = 0, farthest_pair = 0; // of nodes; those between differ by how faces are curved
-            for (const unsigned int a : face.unknowns)
-              for (const unsigned int b : face.unknowns)
-                if (const double distance = slave.nodes[a].x.distance(slave.nodes[b].x);
-                    a < b && gaps.count(a) > 0 && gaps.count(b) > 0 && distance > 0.9 * farthest_pair)
-                  {
-                    const double along = std::abs(gaps.at(a) - gaps.at(b)) / distance;
-                    slope              = distance > 1.1 * farthest_pair ? along : std::max(slope, along);
-                    farthest_pair      = std::max(farthest_pair, distance);
-                  }
+            const double slope = largest_slope(slave, face, gaps);
             for (const unsigned int node : face.unknowns)
               {
                 squares[node].first += slope * slope;
@@ -283,7 +305,7 @@ namespace Amontons
     if (!farthest)
       return;
     const bool declared = std::any_of(interfaces.begin(), interfaces.end(), [](const auto &interface) {
-      return interface.pair->initial_gap || interface.pair->adjust > 0;
+      return has_declared_gap(*interface.pair);
     });
     const auto at       = [&](const LA::Vector &u, const Place &place) {
       return interfaces_at(u, place, discretization, supports, interfaces);

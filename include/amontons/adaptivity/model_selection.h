@@ -96,9 +96,10 @@ namespace Amontons
       double       initial_gap, gap; // before any motion, and now to first order
     };
     std::map<unsigned int, double>
-    gaps_of_closed_nodes(const std::vector<Node>     &nodes,
-                         const ContactInterface<dim> *at_rest,
-                         const ContactInterface<dim> &moved) const;
+    true_gaps(const unsigned int                        i,
+              const Place                              &place,
+              const std::vector<ContactInterface<dim>> &at_rest,
+              const std::vector<ContactInterface<dim>> &moved) const;
     double
     pressure_of_uneven_gaps(const Place                              &place,
                             const Discretization<dim>                &discretization,

@@ -43,7 +43,7 @@ GROUPS = [
      "verification/patch_3d_punch verification/patch_3d_hanging_nodes"),
     ("Tied bodies", "verification/tied_patch verification/tied_patch_3d verification/tied_beam verification/beam_in_one_piece verification/tied_column verification/tied_bracket"),
     ("Unusual input", "verification/no_contact verification/just_touching verification/tension verification/stiff_punch verification/gap_closes_on_incompressible verification/piston verification/narrow_load verification/thin_wire verification/edge_beyond_nodes verification/wavy_gap verification/two_loads verification/beam_on_stop verification/corner_on_plane verification/edge_on_plate_3d "
-     "verification/touched_at_the_axis verification/rider verification/v_joint verification/disk_in_groove verification/disk_squeezed verification/stack_without_friction verification/ball_between_planes verification/half_ring_below_lid verification/friction_band verification/displaced_bump verification/growing_stick verification/growing_stick_3d verification/receding_layer_rough verification/tied_and_turned verification/tied_shear verification/light_beside_heavy verification/two_indenters verification/hertz_on_cantilever verification/round_punch verification/ball_in_hollow verification/shaft_in_longer_hub verification/roller_bearing verification/ring_between_walls verification/band_on_drum verification/disk_in_cradle verification/light_disk verification/pad_below_beam verification/floor_below_beam"),
+     "verification/touched_at_the_axis verification/rider verification/v_joint verification/disk_in_groove verification/disk_squeezed verification/stack_without_friction verification/ball_between_planes verification/half_ring_below_lid verification/friction_band verification/displaced_bump verification/growing_stick verification/growing_stick_3d verification/receding_layer_rough verification/tied_and_turned verification/tied_shear verification/light_beside_heavy verification/two_indenters verification/hertz_on_cantilever verification/round_punch verification/ball_in_hollow verification/shaft_in_longer_hub verification/roller_bearing verification/ring_between_walls verification/band_on_drum verification/disk_in_cradle verification/light_disk verification/pad_below_beam verification/beam_on_rollers verification/floor_below_beam"),
 ]
 
 # Where the bodies as a whole (in space: the pressure on the first surface) are not what is to be seen: the title of the picture; entries of a run for the picture.
@@ -59,6 +59,7 @@ PICTURES |= {
     "verification/slide_off_edge": ("Deformed mesh", "End time=1.4"), "verification/slide_over_edges": ("Deformed mesh", "End time=0.3", "Increments=18"),
     "verification/roller_bearing": ("Deformed mesh", "Refinement/Target error=0", "Refinement/Cycles=0"),
     "verification/three_contacts": ("Deformed mesh", "Refinement/Cycles=12"),
+    "verification/beam_on_rollers": ("Deformed mesh", "Refinement/Cycles=10"),
     "verification/opened_again": ("Deformed mesh", "End time=1"), "verification/lifted_off": ("States", "End time=1"),
 }
 

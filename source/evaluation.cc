@@ -141,13 +141,14 @@ namespace Amontons
                             const double              target,
                             const bool                is_zero) const
   {
-    const auto &interfaces = model.interfaces;
+    const auto  &interfaces = model.interfaces;
+    const double doubt      = std::max(height_in_doubt(interfaces, fields),
+                                  error.bulk > target ? error.bulk * state.displacement.linfty_norm() : 0.);
     return (!touches() && error.data >= 1) ||
            (error.quantity && !small_contacts_are_resolved(interfaces, fields)) ||
            (quantity == "contact size" && !sizes_are_resolved(interfaces, fields, target)) ||
            (quantity == "stick size" && is_zero && may_hide_stick(interfaces, state)) ||
-           (error.bulk > target &&
-            smallest_gap_of_untouched(interfaces, fields) < error.bulk * state.displacement.linfty_norm());
+           smallest_gap_of_untouched(interfaces, fields) < doubt;
   }
 
   template struct Evaluation<2>;

@@ -187,6 +187,8 @@ namespace Amontons
           std::fill(values.begin(), values.end(), 0.);
         if (is_resolved)
           history.quantity.add(n_dofs, values, noteworthy_value(name, answer(), history.work));
+        else // meshes before did not see all that touches
+          history.quantity = {};
         evaluation.judge_quantity(name, history.quantity);
       }
     // Where error.data is 1 what touches is unseen.
@@ -399,7 +401,9 @@ namespace Amontons
   LoadStepping<dim>::refine()
   {
     TimerOutput::Scope scope(timer, "mesh");
-    if (!model->mark_cells(parameters.refinement, evaluation.error))
+    // Numbers are compared between meshes: where corners are all that is refined these are hardly others.
+    const double step = history.quantity.is_empty() ? 0 : 0.3;
+    if (!model->mark_cells(parameters.refinement, evaluation.error, step))
       {
         report.say("no further refinement: the limit of 'Maximum DoFs' is reached");
         return false;

@@ -139,7 +139,9 @@ namespace Amontons
   // sizes depend, and the tractions themselves.
   template <int dim>
   bool
-  Model<dim>::mark_cells(const RefinementParameters &parameters, const ErrorEstimate<dim> &error)
+  Model<dim>::mark_cells(const RefinementParameters &parameters,
+                         const ErrorEstimate<dim>   &error,
+                         const double                step)
   {
     deeper.clear();
     if (parameters.target_error > 0 && parameters.strategy == "adaptive" && !error.quantity &&
@@ -151,10 +153,10 @@ namespace Amontons
                                    parameters.target_error / error.of_target(),
                                    discretization().scene.has_friction(),
                                    deeper);
-    const auto mark = [&](const Vector<float> &indicators) {
-      return Amontons::mark_cells(discretization(), mesh->geometry, parameters, indicators);
+    const auto mark = [&](const Vector<float> &indicators, const double growth = 0) {
+      return Amontons::mark_cells(discretization(), mesh->geometry, parameters, indicators, growth);
     };
-    bool any = mark(error.cell_indicators);
+    bool any = mark(error.cell_indicators, step);
     if (parameters.strategy == "adaptive" && (any || error.data >= 1)) // 1: what may touch shows there alone
       {
         any = mark(error.contact_indicators) || any;

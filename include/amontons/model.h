@@ -81,9 +81,10 @@ namespace Amontons
     /// Surfaces that touch in a small part of what faces each other are refined there, at most `times`.
     void
     refine_where_bodies_are_close(const unsigned int times);
-    /// False where no cell may be refined.
+    /// step: growth of the number of cells where the stress marks few (adaptivity/mesh_refinement.h). False
+    /// where no cell may be refined.
     bool
-    mark_cells(const RefinementParameters &parameters, const ErrorEstimate<dim> &error);
+    mark_cells(const RefinementParameters &parameters, const ErrorEstimate<dim> &error, const double step);
     /// Refines marked cells, and takes fields along (see refine_and_transfer); move_to() has to follow.
     void
     refine(const std::vector<LA::Vector *> &fields);

@@ -57,6 +57,26 @@ namespace Amontons
     return 1 / compliance;
   }
 
+  template <int dim>
+  Point<dim>
+  place_of_largest(const Discretization<dim> &discretization, const Vector<float> &indicators)
+  {
+    const MPI_Comm communicator = discretization.geometry.communicator;
+    double         largest      = -1;
+    Point<dim>     place;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && indicators[cell->active_cell_index()] > largest)
+        {
+          largest = indicators[cell->active_cell_index()];
+          place   = cell->center();
+        }
+    const auto of_ranks = Utilities::MPI::all_gather(communicator, std::make_pair(largest, place));
+    return std::max_element(of_ranks.begin(),
+                            of_ranks.end(),
+                            [](const auto &a, const auto &b) { return a.first < b.first; })
+        ->second;
+  }
+
   template struct ErrorEstimate<2>;
   template struct ErrorEstimate<3>;
 
@@ -68,4 +88,8 @@ namespace Amontons
   combined_modulus(const Scene &, const ContactInterface<2> &);
   template double
   combined_modulus(const Scene &, const ContactInterface<3> &);
+  template Point<2>
+  place_of_largest(const Discretization<2> &, const Vector<float> &);
+  template Point<3>
+  place_of_largest(const Discretization<3> &, const Vector<float> &);
 } // namespace Amontons

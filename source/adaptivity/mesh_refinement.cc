@@ -178,16 +178,22 @@ namespace Amontons
     }
 
     // Doerfler marking: the largest squared error from which on the cells make up the fraction, or the
-    // smallest that can be afforded. Cells that differ by rounding only (symmetric meshes) are marked
-    // together.
+    // smallest that can be afforded; `step` cells where these are few of them. Cells that differ by rounding
+    // only (symmetric meshes) are marked together.
     double
-    adaptive_threshold(const SquaredErrors &errors, const double fraction, const double affordable)
+    adaptive_threshold(const SquaredErrors &errors,
+                       const double         fraction,
+                       const double         affordable,
+                       const double         step = 0)
     {
-      constexpr double alike  = 1 - 1e-4;
+      constexpr double alike = 1 - 1e-4, few = 0.15;
       const double     wanted = fraction * errors.sum_above(0);
       const double     doerfler =
           alike * errors.largest_threshold([&](const double t) { return errors.sum_above(t) >= wanted; });
-      if (errors.count_above(doerfler) <= affordable)
+      if (const double n = errors.count_above(doerfler); n < few * step && step <= affordable)
+        return alike *
+               errors.largest_threshold([&](const double t) { return errors.count_above(t) >= step; });
+      else if (n <= affordable)
         return doerfler;
       return errors.largest_threshold([&](const double t) { return errors.count_above(t) > affordable; }) /
              alike;
@@ -241,7 +247,8 @@ namespace Amontons
   mark_cells(const Discretization<dim>  &discretization,
              Geometry<dim>              &geometry,
              const RefinementParameters &parameters,
-             const Vector<float>        &indicators)
+             const Vector<float>        &indicators,
+             const double                step)
   {
     const double        affordable = affordable_cells(discretization, parameters.max_dofs);
     const SquaredErrors errors(discretization, indicators);
@@ -253,7 +260,11 @@ namespace Amontons
           return false;
       }
     else if (errors.largest > 0)
-      once.threshold = adaptive_threshold(errors, parameters.fraction, affordable);
+      once.threshold = adaptive_threshold(errors,
+                                          parameters.fraction,
+                                          affordable,
+                                          step * geometry.triangulation.n_global_active_cells() /
+                                              (GeometryInfo<dim>::max_children_per_cell - 1));
     else
       return false;
     DeeperCells none;
@@ -349,26 +360,6 @@ namespace Amontons
     deeper = of_all_ranks(children, geometry.communicator);
   }
 
-  template <int dim>
-  Point<dim>
-  place_of_largest(const Discretization<dim> &discretization, const Vector<float> &indicators)
-  {
-    const MPI_Comm communicator = discretization.geometry.communicator;
-    double         largest      = -1;
-    Point<dim>     place;
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned() && indicators[cell->active_cell_index()] > largest)
-        {
-          largest = indicators[cell->active_cell_index()];
-          place   = cell->center();
-        }
-    const auto of_ranks = Utilities::MPI::all_gather(communicator, std::make_pair(largest, place));
-    return std::max_element(of_ranks.begin(),
-                            of_ranks.end(),
-                            [](const auto &a, const auto &b) { return a.first < b.first; })
-        ->second;
-  }
-
   // Faces in the zone that touches first, with which the first solution sees the contact.
   template <int dim>
   constexpr unsigned int enough = dim == 2 ? 8 : 24;
@@ -456,9 +447,17 @@ namespace Amontons
   }
 
   template bool
-  mark_cells(const Discretization<2> &, Geometry<2> &, const RefinementParameters &, const Vector<float> &);
+  mark_cells(const Discretization<2> &,
+             Geometry<2> &,
+             const RefinementParameters &,
+             const Vector<float> &,
+             const double);
   template bool
-  mark_cells(const Discretization<3> &, Geometry<3> &, const RefinementParameters &, const Vector<float> &);
+  mark_cells(const Discretization<3> &,
+             Geometry<3> &,
+             const RefinementParameters &,
+             const Vector<float> &,
+             const double);
   template bool
   mark_cells_for_target(const Discretization<2> &,
                         Geometry<2> &,
@@ -479,10 +478,6 @@ namespace Amontons
   mark_children(const Discretization<2> &, Geometry<2> &, DeeperCells &);
   template void
   mark_children(const Discretization<3> &, Geometry<3> &, DeeperCells &);
-  template Point<2>
-  place_of_largest(const Discretization<2> &, const Vector<float> &);
-  template Point<3>
-  place_of_largest(const Discretization<3> &, const Vector<float> &);
   template unsigned int
   mark_close_cells(const Discretization<2> &, const std::vector<ContactInterface<2>> &, const double);
   template unsigned int

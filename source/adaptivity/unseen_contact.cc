@@ -1,12 +1,57 @@
 #include <amontons/adaptivity/unseen_contact.h>
+#include <amontons/contact/face_basis.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace Amontons
 {
-  // At small strain gaps of points are those at rest. Where nothing touches the surfaces come nearer as they
-  // are, by as much as the nodes beside.
+  namespace
+  {
+    struct Range
+    {
+      double smallest = std::numeric_limits<double>::max(), largest = -std::numeric_limits<double>::max();
+    };
+
+    // Of the gaps at the points of each slave face. At small strain those of points are gaps at rest, and the
+    // surfaces have come nearer by what their nodes have: dual functions weigh the traces of the unknowns to
+    // their values. Nodes with nothing opposite: as the one that has come least.
+    template <int dim>
+    std::vector<Range>
+    gaps_on_faces(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+    {
+      const auto         &slave = *interface.slave;
+      const double        far   = std::numeric_limits<double>::max();
+      std::vector<double> approach(slave.nodes.size(), far);
+      for (const auto &row : interface.coupling.rows)
+        if (std::isfinite(fields.gap[row.node]))
+          approach[row.node] = row.gap - fields.gap[row.node];
+      std::vector<Range> gaps(slave.faces.size());
+      for (const auto &point : interface.coupling.points)
+        {
+          const auto  &face  = slave.faces[point.slave_face];
+          const double least = approach[*std::min_element(
+              face.unknowns.begin(), face.unknowns.end(), [&](const unsigned int a, const unsigned int b) {
+                return approach[a] < approach[b];
+              })];
+          if (least == far)
+            continue;
+          const auto traces =
+              traces_of_unknowns(bernstein_values<dim - 1>(slave.degree, point.xi_slave), face.subdivision);
+          double gap = point.gap;
+          for (unsigned int j = 0; j < traces.size(); ++j)
+            {
+              const double of_node = approach[face.unknowns[j]];
+              gap -= traces[j] * (of_node == far ? least : of_node);
+            }
+          auto &range    = gaps[point.slave_face];
+          range.smallest = std::min(range.smallest, gap);
+          range.largest  = std::max(range.largest, gap);
+        }
+      return gaps;
+    }
+  } // namespace
+
   template <int dim>
   std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<dim> &interface,
@@ -15,31 +60,14 @@ namespace Amontons
   {
     const auto       &slave = *interface.slave;
     std::vector<bool> unseen(slave.faces.size(), false);
-    if (interface.pair->tied || std::any_of(fields.state.begin(), fields.state.end(), [](const auto state) {
-          return state != ContactStatus::open;
-        }))
+    if (interface.pair->tied || n_closed_nodes(fields) > 0)
       return unseen;
-    const double        far = std::numeric_limits<double>::max();
-    std::vector<double> approach(slave.nodes.size(), far);
-    for (const auto &row : interface.coupling.rows)
-      if (std::isfinite(fields.gap[row.node]))
-        approach[row.node] = row.gap - fields.gap[row.node];
-    std::vector<double> smallest(slave.faces.size(), far), largest(slave.faces.size(), -far);
-    for (const auto &point : interface.coupling.points)
-      {
-        double least = far;
-        for (const unsigned int node : slave.faces[point.slave_face].unknowns)
-          least = std::min(least, approach[node]);
-        if (least == far)
-          continue;
-        auto &s = smallest[point.slave_face], &l = largest[point.slave_face];
-        s = std::min(s, point.gap - least);
-        l = std::max(l, point.gap - least);
-      }
+    const auto gaps = gaps_on_faces(interface, fields);
     for (unsigned int f = 0; f < unseen.size(); ++f)
       {
-        const double range = largest[f] - smallest[f];
-        unseen[f] = gap_errors[f] > 0 || (range > 1e-6 * slave.faces[f].size && smallest[f] < 0.01 * range);
+        const double range = gaps[f].largest - gaps[f].smallest;
+        unseen[f] =
+            gap_errors[f] > 0 || (range > 1e-6 * slave.faces[f].size && gaps[f].smallest < 0.01 * range);
       }
     return unseen;
   }
@@ -142,6 +170,26 @@ namespace Amontons
   }
 
   template <int dim>
+  double
+  height_in_doubt(const std::vector<ContactInterface<dim>> &interfaces,
+                  const std::vector<SurfaceFields<dim>>    &fields)
+  {
+    double doubt = 0;
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      {
+        const unsigned int n_closed = n_closed_nodes(fields[i]);
+        if (interfaces[i].pair->tied || n_closed == 0 || n_closed >= enough_closed_nodes<dim>)
+          continue;
+        const auto  gaps  = gaps_on_faces(interfaces[i], fields[i]);
+        const auto &faces = interfaces[i].slave->faces;
+        for (unsigned int f = 0; f < faces.size(); ++f)
+          if (has_closed_node(faces[f], fields[i]))
+            doubt = std::max(doubt, gaps[f].largest - gaps[f].smallest);
+      }
+    return doubt;
+  }
+
+  template <int dim>
   bool
   small_contacts_are_resolved(const std::vector<ContactInterface<dim>> &interfaces,
                               const std::vector<SurfaceFields<dim>>    &fields)
@@ -198,6 +246,10 @@ namespace Amontons
   smallest_gap_of_untouched(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &);
   template double
   smallest_gap_of_untouched(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &);
+  template double
+  height_in_doubt(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &);
+  template double
+  height_in_doubt(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &);
   template unsigned int
   n_closed_nodes(const SurfaceFields<2> &);
   template unsigned int

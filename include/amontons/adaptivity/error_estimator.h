@@ -100,4 +100,9 @@ namespace Amontons
                  const bool                                finite_strain,
                  const FaceLoads<dim>                     *face_loads = nullptr,
                  const std::vector<double>                &doubts     = {});
+
+  // The centre of the cell with the largest indicator. Collective.
+  template <int dim>
+  Point<dim>
+  place_of_largest(const Discretization<dim> &discretization, const Vector<float> &indicators);
 } // namespace Amontons

@@ -54,13 +54,15 @@ namespace Amontons
 
   // Marks the cells of deformable bodies with the largest indicators until their squares make `fraction` of
   // the sum; uniform: all of them. Fewer where the mesh would get more than about max_dofs DoFs (uniform:
-  // none). Returns whether anything is marked, on any rank. Collective.
+  // none), more where these are few: the number of cells would grow by less than a seventh of `step`; it
+  // grows by that then. Returns whether anything is marked, on any rank. Collective.
   template <int dim>
   bool
   mark_cells(const Discretization<dim>  &discretization,
              Geometry<dim>              &geometry,
              const RefinementParameters &parameters,
-             const Vector<float>        &indicators);
+             const Vector<float>        &indicators,
+             const double                step = 0);
 
   // Cells that are marked, or that have just been refined, and how often their children are refined in turn;
   // the same on all ranks.
@@ -88,11 +90,6 @@ namespace Amontons
   template <int dim>
   void
   mark_children(const Discretization<dim> &discretization, Geometry<dim> &geometry, DeeperCells &deeper);
-
-  // The centre of the cell with the largest indicator. Collective.
-  template <int dim>
-  Point<dim>
-  place_of_largest(const Discretization<dim> &discretization, const Vector<float> &indicators);
 
   // Marks the cells of deformable bodies behind slave and master faces that may touch first: faces with
   // overlap points whose gap exceeds the smallest of the pair by at most `distance` times the face's size.

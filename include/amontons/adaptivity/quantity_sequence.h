@@ -30,6 +30,11 @@ namespace Amontons
     double
     error() const;
 
+    bool
+    is_empty() const
+    {
+      return meshes.empty();
+    }
     /// All values on two meshes or more: what does not exist, or vanishes.
     bool
     is_zero() const;

@@ -49,6 +49,13 @@ namespace Amontons
   double
   smallest_closed_face(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
 
+  // By what bodies may stand too high or too low: where few nodes touch it is weighted gaps that are closed,
+  // and gaps vary over the faces there by so much. (A beam on a roller that its faces hardly see.)
+  template <int dim>
+  double
+  height_in_doubt(const std::vector<ContactInterface<dim>> &interfaces,
+                  const std::vector<SurfaceFields<dim>>    &fields);
+
   // Of several pairs that touch with more than a millionth of the largest force: whether none does so with a
   // few nodes only that are much farther apart than a point is wide. Tied pairs do not count; nor do contacts
   // at a sharp edge of a side, which are as small as any mesh.

@@ -324,9 +324,9 @@ namespace Amontons
     if (control.stop.is_there())
       return;
     if (!report.error_of_increments())
-      return report.announce(
-          "the error of the increments is not known: with half as many (where they are few: twice as "
-          "many) the iteration does not converge");
+      return report.announce("warning: the error of the increments is not known: neither with half as many "
+                             "nor with twice as many does "
+                             "the iteration converge");
     const IncrementErrors &errors  = *report.error_of_increments();
     const double           allowed = small_strain.allowed_error();
     std::ostringstream     text;

@@ -1098,6 +1098,9 @@ add_scene_test(NAME pad_below_beam SCENE verification/pad_below_beam.prm CHECK "
 add_scene_test(NAME beam_on_rollers SCENE verification/beam_on_rollers.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ 3.675e-4 1e-3")
 add_scene_test(NAME beam_on_three_rollers SCENE verification/beam_on_rollers.prm SET "Obstacle middle/Centre=0, -5.0180737578125"
                CHECK "status is converged" "pairs.0.normal_force.1 ~ 0.0060882 1e-3" "dofs <= 45000")
+# Half as many increments do not converge, twice as many tell the error of the increments.
+add_scene_test(NAME rolled_disk SCENE verification/rolled_disk.prm
+               CHECK "increments.repeated_with >= 16" "increments.number >= 50" "energy ~ 0.1548 1e-2" "probes.0.points.0.displacement.0 ~ 1 1e-6")
 # Friction is not left out where the first mesh cannot see that it matters: without it 0.01597 is the size.
 add_scene_test(NAME model_with_unseen_friction SCENE verification/light_disk.prm
                CHECK "error_estimate.shear <= 0.03" "pairs.0.tangential_force.0 ~ 9.985e-6 3e-3" "pairs.0.contact_size ~ 0.015533 5e-3")

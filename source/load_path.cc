@@ -185,6 +185,7 @@ namespace Amontons
     check_bounds();
     if (program.is_incremental())
       history.work.add(answer());
+    history.record.times.push_back(program.time());
     ++history.record.n_increments;
     history.record.largest_work = history.work.largest_work;
     if (program.is_at_breakpoint())
@@ -217,10 +218,9 @@ namespace Amontons
 
   template <int dim>
   std::optional<LoadRecord>
-  LoadPath<dim>::repeat_with(const double length, const bool is_guided)
+  LoadPath<dim>::repeat(LoadProgram program, const bool is_guided)
   {
     TimerOutput::Scope scope(timer, "error of the increments");
-    auto               program = load_program(length);
     LoadPath<dim>      repeat(parameters, model->at_rest(program.next()), timer, control);
     if (is_guided) // first guesses for both
       repeat.history.path.swap(history.path);

@@ -289,10 +289,10 @@ namespace Amontons
       return false;
     const bool   mesh_is_last = !wants_refinement();
     const double before       = increments.length();
-    const auto   errors       = increments.choose(*report.error_of_increments(),
-                                          history.record,
-                                          mesh_is_last,
-                                          [&](const double length) { return repeat_with(length, false); });
+    const auto   errors       = increments.choose(
+        *report.error_of_increments(), history.record, mesh_is_last, [&](const double length) {
+          return repeat(load_program(length), false);
+        });
     if (!errors || control.stop.is_there())
       return false;
     report.set_error_of_increments(*errors);
@@ -393,8 +393,8 @@ namespace Amontons
            (parameters.refinement.target_quantity != "stick size" || history.record.resolves_stick());
   }
 
-  // The load program, which has converged on this mesh, once more with half as many increments; where they
-  // are few, or too long then, with twice as many.
+  // The load program, which has converged on this mesh, once more with half as many increments, where they
+  // are few with twice as many; if that fails, with halves of those that converged.
   template <int dim>
   void
   LoadStepping<dim>::measure_increments()
@@ -404,9 +404,20 @@ namespace Amontons
       plan.accept(1);
     const bool few = plan.number() - 1 < 4 * plan.n_breakpoints();
 
-    auto record = few ? std::nullopt : repeat_with(2 * increments.length(), true);
+    auto record = repeat(load_program(increments.length() * (few ? 0.5 : 2)), true);
     if (!record && !control.stop.is_there())
-      record = repeat_with(increments.length() / 2, true);
+      {
+        auto                halved = load_program(1);
+        std::vector<double> times;
+        double              begin = halved.time();
+        for (const double end : history.record.times)
+          {
+            times.insert(times.end(), {(begin + end) / 2, end});
+            begin = end;
+          }
+        halved.follow(times);
+        record = repeat(halved, true);
+      }
     if (record)
       report.set_error_of_increments(error_of_increments(history.record, *record));
     measured = true;

@@ -896,7 +896,7 @@ add_scene_test(NAME slide_off_edge_friction_first SCENE verification/slide_off_e
 add_scene_test(NAME slide_over_edges_friction_second SCENE verification/slide_over_edges.prm
                SET "Contact interface/Slave=second" "Contact interface/Friction coefficient=0.3" "Increments=240"
                CHECK "status is converged" "newton.:.iterations <= 8" "kink(history.:.interface.normal_force_y) <= 0.2" "checks.negative_dissipation <= 1e-9"
-                     "peak(history.:.interface.normal_force_y) ~ 45.8 0.02" "meshes.-1.dissipation ~ 48.98 0.001") # 47.5, 48.7, 48.97 with 60, 120, 240
+                     "peak(history.:.interface.normal_force_y) ~ 45.8 0.02" "meshes.-1.dissipation ~ 49.05 0.001") # 49.74, 49.20, 49.09 with 60, 120, 240; where nodes that leave counted for nothing 47.5, 48.7, 48.97
 
 # Small strain and finite strain agree to the order of the strain.
 foreach(mu 0 0.3)

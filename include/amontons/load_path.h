@@ -58,11 +58,11 @@ namespace Amontons
     commit(const LoadProgram &program);
     void
     begin_next(const LoadProgram &program);
-    /// What the load program leaves on this mesh with increments of this length; nothing if it fails or they
-    /// are as many. is_guided: by the states of `path`. Where states are several these lead longer increments
-    /// to an answer that they do not find on another mesh: what is to be taken must find its way alone.
+    /// What a load program leaves on this mesh; nothing if it fails or has as many increments. is_guided: by
+    /// the states of `path`. Where states are several these lead longer increments to an answer that they do
+    /// not find on another mesh: what is to be taken must find its way alone.
     std::optional<LoadRecord>
-    repeat_with(const double length, const bool is_guided);
+    repeat(LoadProgram program, const bool is_guided);
     void
     store_contact();
     void

@@ -76,7 +76,7 @@ namespace Amontons
     using LoadPath<dim>::must_stop;
     using LoadPath<dim>::commit;
     using LoadPath<dim>::begin_next;
-    using LoadPath<dim>::repeat_with;
+    using LoadPath<dim>::repeat;
     using LoadPath<dim>::store_contact;
     using LoadPath<dim>::restore_contact;
 

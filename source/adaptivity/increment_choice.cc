@@ -22,12 +22,16 @@ namespace Amontons
                           const bool             mesh_is_last,
                           const Repeat          &repeat)
   {
-    double n = wanted(errors);
+    // In each piece; more than at first where some were cut.
+    const double taken =
+        std::max(at_first, errors.n_increments / std::max<double>(1, record.breakpoints.size()));
+    const IncrementErrors of_first = errors.scaled(taken / at_first);
+    double                n        = wanted(of_first);
     if (n <= at_first && mesh_is_last)
       return {};
-    std::optional<IncrementErrors> of_these = errors.scaled(at_first / n);
+    std::optional<IncrementErrors> of_these = of_first.scaled(at_first / n);
     if (n < at_first)
-      of_these = try_fewer(n, errors, record, repeat);
+      of_these = try_fewer(n, of_first, record, repeat);
     if (!of_these)
       {
         n        = at_first;

@@ -81,7 +81,7 @@ namespace Amontons
     contact  = contact_force_vector(answer);
     external = external_forces(answer, contact);
     pressing = forces_on_growing_gaps(answer);
-    bounds   = bounds_of_friction(answer);
+    friction = friction_of(answer);
     start    = Half();
   }
 
@@ -147,38 +147,47 @@ namespace Amontons
   }
 
   template <int dim>
-  typename WorkDone<dim>::NodeValues
-  WorkDone<dim>::bounds_of_friction(const Answer<dim> &answer)
+  typename WorkDone<dim>::template ByNode<typename WorkDone<dim>::Friction>
+  WorkDone<dim>::friction_of(const Answer<dim> &answer)
   {
-    NodeValues result;
+    ByNode<Friction> result;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       if (const auto &interface = answer.interfaces[i]; interface.pair->has_friction())
         for (const auto &row : interface.coupling.rows)
-          result[{i, row.node}] =
-              bound_at(interface, row.node, answer.state.t, answer.state.contact[i][row.node].pressure);
+          {
+            const auto &node      = answer.state.contact[i][row.node];
+            result[{i, row.node}] = {bound_at(interface, row.node, answer.state.t, node.pressure),
+                                     row.area * node.shear};
+          }
     return result;
   }
 
   // doc/introduction.md, (26): a node slips against its bound phi, which changes on the way. (The
-  // traction itself has another direction at the start, where the node stuck.)
+  // traction itself has another direction at the start, where the node stuck.) Of one that has opened the
+  // bound falls to 0.
   template <int dim>
   double
-  WorkDone<dim>::work_of_friction(const Answer<dim> &answer, const NodeValues &bounds_now) const
+  WorkDone<dim>::work_of_friction(const Answer<dim> &answer, const ByNode<Friction> &now) const
   {
-    const bool bears = bounds.empty() && answer.state.t > 0 && is_loaded_at_rest(answer.discretization.scene);
-    double     work  = 0;
+    const bool bears =
+        friction.empty() && answer.state.t > 0 && is_loaded_at_rest(answer.discretization.scene);
+    double work = 0;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       if (const auto &interface = answer.interfaces[i]; interface.pair->has_friction())
         for (const auto &row : interface.coupling.rows)
           {
             const auto  &node  = answer.state.contact[i][row.node];
-            const double bound = bounds_now.at({i, row.node});
+            const double bound = now.at({i, row.node}).bound;
+            const auto   known = friction.find({i, row.node});
             if (bound <= 0)
-              continue;
-            const auto   known = bounds.find({i, row.node});
-            const double start = known != bounds.end() ? known->second
-                                 : bears               ? bound
-                                                       : bound_at(interface, row.node, answer.state.t, 0);
+              {
+                if (known != friction.end())
+                  work += std::max(0., known->second.force * node.slip / 2);
+                continue;
+              }
+            const double start = known != friction.end() ? known->second.bound
+                                 : bears                 ? bound
+                                                         : bound_at(interface, row.node, answer.state.t, 0);
             work += row.area * (start + bound) / (2 * bound) * (node.shear * node.slip);
           }
     return work;
@@ -202,14 +211,14 @@ namespace Amontons
     pressing            = pressing_now;
     start               = Half();
 
-    const auto   bounds_now = bounds_of_friction(answer);
-    const double friction   = work_of_friction(answer, bounds_now);
-    bounds                  = bounds_now;
-    const double stored     = stored_energy(answer);
+    const auto   friction_now = friction_of(answer);
+    const double dissipated   = work_of_friction(answer, friction_now);
+    friction                  = friction_now;
+    const double stored       = stored_energy(answer);
     external_work += work + growth;
     contact_work += by_contact + growth;
-    dissipation += friction;
-    smallest_dissipation = std::min(smallest_dissipation, friction);
+    dissipation += dissipated;
+    smallest_dissipation = std::min(smallest_dissipation, dissipated);
     largest_work         = std::max({largest_work, std::abs(external_work), stored});
     // Of bodies that move without load all of this is rounding.
     const double rounding = 1e-14 * answer.elasticity.rounding_scale(state.displacement) *

@@ -46,6 +46,12 @@ namespace Amontons
     breakpoints.insert(breakpoints.begin(), 0.);
   }
 
+  void
+  LoadProgram::follow(const std::vector<double> &times)
+  {
+    followed = times;
+  }
+
   double
   LoadProgram::Piece::progress(const double t) const
   {
@@ -78,6 +84,8 @@ namespace Amontons
   double
   LoadProgram::next() const
   {
+    if (const auto given = std::upper_bound(followed.begin(), followed.end(), t); given != followed.end())
+      return *given;
     const Piece  here = piece();
     const double done = here.progress(t);
     const double n    = std::ceil((1 - done) / (factor * longest(here)) * (1 - 1e-9));

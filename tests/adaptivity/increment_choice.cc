@@ -56,6 +56,11 @@ main(int, char **)
   check::is_close(choice.length(), most / 7, 1e-15, "more");
   check::is_close(errors->shear, 0.017 * 4 / 7, 1e-12, "their error");
   check::is_close(errors->n_increments, 7, 0, "their number");
+  IncrementErrors of_cut = error_of_shear(0.017);
+  of_cut.n_increments    = 8;
+  errors                 = choice.choose(of_cut, run, true, fails);
+  check::is_close(choice.length(), most / 14, 1e-15, "as they were cut to eight");
+  check::is_close(errors->n_increments, 14, 0, "their number then");
   choice.choose(error_of_shear(1), run, true, fails);
   check::is_close(choice.length(), 0.2, 1e-15, "no more than five times as many as by default");
   parameters.target_is_given = false;

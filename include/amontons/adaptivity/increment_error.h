@@ -36,6 +36,7 @@ namespace Amontons
       double            dissipation = 0;
     };
     std::vector<Landing> breakpoints;
+    std::vector<double>  times; // that increments end at
     unsigned int         n_increments = 0;
     double               largest_work = 0;
 

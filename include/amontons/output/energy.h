@@ -9,7 +9,8 @@ namespace Amontons
   // c on the bodies and e = internal forces - c, which holds loads and forces of moving supports:
   //   external work  W = sum (e_old + e)/2 . (u - u_old) + G
   //   contact work   C = - sum (c_old + c)/2 . (u - u_old) + G
-  //   dissipation    D = sum area (b_old + b)/(2 b) q . slip    slip of the increment, bounds b of |q|
+  //   dissipation    D = sum area (b_old + b)/(2 b) q . slip    slip of the increment, bounds b of |q|;
+  //                     + area_old q_old . slip/2, if positive, of nodes that have opened
   //   growth         G = - sum (area_old p_old + area p)/2 |normal|^2 (g - g_old)
   // with g the declared gaps at the nodes (those of their rows: normal . int psi g n / area): an interference
   // that grows works on both sides. So W = (change of the stored energy) + C in equilibrium: exactly with
@@ -45,15 +46,23 @@ namespace Amontons
     double     energy = 0;
     LA::Vector external, contact; // e and c of the last state
     // By interface and slave node, of the last state: forces area x p |normal|^2 where declared gaps grow;
-    // bounds of the shear.
-    using NodeValues = std::map<std::pair<unsigned int, unsigned int>, double>;
-    NodeValues pressing, bounds;
+    // friction.
+    template <typename Value>
+    using ByNode     = std::map<std::pair<unsigned int, unsigned int>, Value>;
+    using NodeValues = ByNode<double>;
+    NodeValues pressing;
+    struct Friction
+    {
+      double         bound; // of the shear
+      Tensor<1, dim> force; // area q
+    };
+    ByNode<Friction> friction;
     static NodeValues
     forces_on_growing_gaps(const Answer<dim> &answer);
-    static NodeValues
-    bounds_of_friction(const Answer<dim> &answer);
+    static ByNode<Friction>
+    friction_of(const Answer<dim> &answer);
     double
-    work_of_friction(const Answer<dim> &answer, const NodeValues &bounds_now) const;
+    work_of_friction(const Answer<dim> &answer, const ByNode<Friction> &now) const;
 
     // Of one end of an increment: half of its forces on the whole way (trapezoidal rule).
     struct Half

@@ -22,6 +22,9 @@ namespace Amontons
     // may be than the scene says.
     LoadProgram(const Scene &scene, const bool incremental, const double coarser = 1);
 
+    // Before its first increment: all of them end at these times.
+    void
+    follow(const std::vector<double> &times);
     // Before its first increment: it starts at -end_time, and what is there at t = 0 is applied in increments
     // until then.
     void
@@ -97,7 +100,7 @@ namespace Amontons
     longest(const Piece &here) const; // increment at time t, as progress in its piece
 
     bool                incremental;
-    std::vector<double> breakpoints, corners;
+    std::vector<double> breakpoints, corners, followed;
     double              constant_size;  // 0: increments_by_default in each piece,
     double              coarser;        // times this
     double              smallest;       // as a time

@@ -156,8 +156,10 @@ namespace Amontons
     const auto mark = [&](const Vector<float> &indicators, const double growth = 0) {
       return Amontons::mark_cells(discretization(), mesh->geometry, parameters, indicators, growth);
     };
-    bool any = mark(error.cell_indicators, step);
-    if (parameters.strategy == "adaptive" && (any || error.data >= 1)) // 1: what may touch shows there alone
+    const bool is_adaptive = parameters.strategy == "adaptive",
+               is_unseen   = is_adaptive && error.data >= 1; // what touches: it shows there alone
+    bool any               = !is_unseen && mark(error.cell_indicators, step);
+    if (is_adaptive && (any || is_unseen))
       {
         any = mark(error.contact_indicators) || any;
         mark(error.shear_indicators);

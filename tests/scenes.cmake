@@ -1101,6 +1101,12 @@ add_scene_test(NAME beam_on_three_rollers SCENE verification/beam_on_rollers.prm
 # Half as many increments do not converge, twice as many tell the error of the increments.
 add_scene_test(NAME rolled_disk SCENE verification/rolled_disk.prm
                CHECK "increments.repeated_with >= 16" "increments.number >= 50" "energy ~ 0.1548 1e-2" "probes.0.points.0.displacement.0 ~ 1 1e-6")
+# Cells around a contact that are longer than their distance from it: 2122 and 0.0311 before they counted.
+add_scene_test(NAME flat_cell SCENE verification/flat_cell.prm CHECK "status is converged" "pairs.0.peak_pressure ~ 1870 3e-2" "pairs.0.contact_size ~ 0.0340 2e-2" "dofs <= 12000")
+# Pairs that press lightly have to be resolved; meanwhile the rest of the mesh has time.
+add_scene_test(NAME heavy_and_light SCENE verification/heavy_and_light.prm CHECK "status is converged" "pairs.0.peak_pressure ~ 591 1e-2" "pairs.1.peak_pressure ~ 1.870 5e-2")
+add_scene_test(NAME heavy_and_light_size SCENE verification/heavy_and_light.prm SET "Refinement/Target quantity=contact size" "Refinement/Target error=0.01"
+               CHECK "status is converged" "pairs.1.contact_size ~ 3.404e-4 1e-2" "dofs <= 20000")
 # Friction is not left out where the first mesh cannot see that it matters: without it 0.01597 is the size.
 add_scene_test(NAME model_with_unseen_friction SCENE verification/light_disk.prm
                CHECK "error_estimate.shear <= 0.03" "pairs.0.tangential_force.0 ~ 9.985e-6 3e-3" "pairs.0.contact_size ~ 0.015533 5e-3")

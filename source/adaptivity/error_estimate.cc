@@ -26,7 +26,6 @@ namespace Amontons
   pair_weights(const std::vector<ContactInterface<dim>> &interfaces,
                const std::vector<SurfaceFields<dim>>    &fields)
   {
-    constexpr double    least = 1e-3; // of the largest norm
     std::vector<double> squares(interfaces.size(), 0.);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       for (const auto &row : interfaces[i].coupling.rows)
@@ -42,7 +41,7 @@ namespace Amontons
     std::vector<double> weights;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       weights.push_back(interfaces[i].pair->tied && of_others > 0 ? 0.
-                        : largest > 0 ? largest / std::max(squares[i], least * least * largest)
+                        : largest > 0 ? largest / std::max(squares[i], largest / largest_pair_weight)
                                       : 1.);
     return weights;
   }

@@ -91,7 +91,8 @@ namespace Amontons
       add_interface(const ContactInterface<dim> &interface,
                     const SurfaceFields<dim>    &fields,
                     const double                 weight_of_pair,
-                    const double                 doubt)
+                    const double                 doubt,
+                    const bool                   is_unresolved) // and too light to count in full
       {
         const ContactSurface<dim> &slave = *interface.slave;
         std::vector<bool>          has_row(slave.nodes.size(), false);
@@ -112,7 +113,8 @@ namespace Amontons
                               doubt * doubt - 1};
         facets_of.push_back(facet_error(interface, fields, modulus));
         facets_of.back().pressure *= weight_of_pair;
-        const auto          is_unseen = faces_of_unseen_contact(interface, fields, parts.gap);
+        const auto          is_unseen = is_unresolved ? faces_that_press(interface, fields)
+                                                      : faces_of_unseen_contact(interface, fields, parts.gap);
         std::vector<double> face_squares(4 * n, 0.);
         for (unsigned int f = 0; f < slave.faces.size(); ++f)
           if (slave.faces[f].rank == my_rank() &&
@@ -462,8 +464,13 @@ namespace Amontons
     const auto weights = pair_weights(interfaces, fields);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       estimation.add_pollution(interfaces[i], fields[i], weights[i], finite_strain ? &displacement : nullptr);
+    const auto is_unresolved = unresolved_pairs(interfaces, fields);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      estimation.add_interface(interfaces[i], fields[i], weights[i], doubts.empty() ? 1. : doubts[i]);
+      estimation.add_interface(interfaces[i],
+                               fields[i],
+                               weights[i],
+                               doubts.empty() ? 1. : doubts[i],
+                               is_unresolved[i] && weights[i] >= largest_pair_weight * (1 - 1e-12));
     return estimation.result();
   }
 

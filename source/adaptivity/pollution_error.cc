@@ -127,18 +127,20 @@ namespace Amontons
         tree = pack_rtree(closed);
       }
 
-      // (h/s)^(2 degree) / s min(1, b/s)^2 prod_i min(1, b_i/s) of a cell; 0 beside the contact, where
-      // recovery sees its error, and without contact.
+      // (h/s)^(2 degree) / s min(1, b/s)^2 prod_i min(1, b_i/s) of a cell of length h; 0 less than its height
+      // from the contact, where recovery sees its error, and without contact.
       double
-      share(const Point<dim> &place, const double h, const unsigned int degree) const
+      share(const Point<dim> &place, const double h, const double height, const unsigned int degree) const
       {
         std::vector<std::pair<Point<dim>, unsigned int>> nearest;
         tree.query(boost::geometry::index::nearest(place, 1), std::back_inserter(nearest));
         const double s = nearest.empty() ? 0 : place.distance(nearest[0].first);
-        if (s <= h)
+        if (s <= height)
           return 0;
-        const auto &b      = half_lengths[nearest[0].second];
-        double      result = std::pow(h / s, 2 * degree) / s * std::pow(std::min(1., b[0] / s), 2);
+        constexpr double longest = 1.5; // measured: layers of cells up to 200 times as long as high
+        const auto      &b       = half_lengths[nearest[0].second];
+        double           result =
+            std::pow(std::min(longest, h / s), 2 * degree) / s * std::pow(std::min(1., b[0] / s), 2);
         for (const double half_length : b)
           result *= std::min(1., half_length / s);
         return result;
@@ -191,11 +193,15 @@ namespace Amontons
            (interface.master_surface && cell->material_id() == interface.master_surface->body)))
         {
           const double young = discretization.scene.bodies[cell->material_id()].material.young,
-                       share = zones.share(place_of(discretization, cell, displacement),
-                                           std::pow(cell->measure(), 1. / dim),
+                       size = std::pow(cell->measure(), 1. / dim), length = cell->diameter() / std::sqrt(dim),
+                       height = cell->measure() / std::pow(length, dim - 1),
+                       flat   = std::max(1., std::pow(length / size, 2) / 2.5),
+                       share  = zones.share(place_of(discretization, cell, displacement),
+                                           std::min(length, size * flat),
+                                           std::max(height, size / flat),
                                            degree);
-          auto &part         = result.by_cell[cell->active_cell_index()];
-          part               = constants[degree - 1] * modulus * modulus / young * share *
+          auto &part          = result.by_cell[cell->active_cell_index()];
+          part                = constants[degree - 1] * modulus * modulus / young * share *
                  bulk_squares[cell->active_cell_index()];
           result.square += part;
         }

@@ -8,6 +8,15 @@ namespace Amontons
 {
   namespace
   {
+    template <int dim>
+    bool
+    has_closed_node(const SurfaceFace<dim> &face, const SurfaceFields<dim> &fields)
+    {
+      return std::any_of(face.unknowns.begin(), face.unknowns.end(), [&](const unsigned int node) {
+        return fields.state[node] != ContactStatus::open;
+      });
+    }
+
     struct Range
     {
       double smallest = std::numeric_limits<double>::max(), largest = -std::numeric_limits<double>::max();
@@ -74,6 +83,16 @@ namespace Amontons
 
   template <int dim>
   std::vector<bool>
+  faces_that_press(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+  {
+    std::vector<bool> result;
+    for (const auto &face : interface.slave->faces)
+      result.push_back(has_closed_node(face, fields));
+    return result;
+  }
+
+  template <int dim>
+  std::vector<bool>
   faces_near_contact(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
   {
     const ContactSurface<dim> &slave = *interface.slave;
@@ -103,15 +122,6 @@ namespace Amontons
       constexpr double sharp = 30; // degrees
       return surface != nullptr && surface->sharpest_edge > sharp &&
              place.distance(surface->sharpest_at) < size;
-    }
-
-    template <int dim>
-    bool
-    has_closed_node(const SurfaceFace<dim> &face, const SurfaceFields<dim> &fields)
-    {
-      return std::any_of(face.unknowns.begin(), face.unknowns.end(), [&](const unsigned int node) {
-        return fields.state[node] != ContactStatus::open;
-      });
     }
   } // namespace
 
@@ -190,23 +200,31 @@ namespace Amontons
   }
 
   template <int dim>
-  bool
-  small_contacts_are_resolved(const std::vector<ContactInterface<dim>> &interfaces,
-                              const std::vector<SurfaceFields<dim>>    &fields)
+  std::vector<bool>
+  unresolved_pairs(const std::vector<ContactInterface<dim>> &interfaces,
+                   const std::vector<SurfaceFields<dim>>    &fields)
   {
     std::vector<double> forces;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       forces.push_back(
           interfaces[i].pair->tied ? 0. : (fields[i].normal_force + fields[i].tangential_force).norm());
-    const double least      = forces.empty() ? 0. : 1e-6 * *std::max_element(forces.begin(), forces.end());
-    unsigned int n_touching = 0, n_resolved = 0;
+    const double      least   = forces.empty() ? 0. : 1e-6 * *std::max_element(forces.begin(), forces.end());
+    const auto        touches = [&](const double force) { return force > least; };
+    const bool        is_single = std::count_if(forces.begin(), forces.end(), touches) < 2;
+    std::vector<bool> result;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      if (forces[i] > least)
-        {
-          ++n_touching;
-          n_resolved += contact_is_resolved(interfaces[i], fields[i]);
-        }
-    return n_touching < 2 || n_resolved == n_touching;
+      result.push_back(!is_single && touches(forces[i]) && !contact_is_resolved(interfaces[i], fields[i]));
+    return result;
+  }
+
+  template <int dim>
+  bool
+  small_contacts_are_resolved(const std::vector<ContactInterface<dim>> &interfaces,
+                              const std::vector<SurfaceFields<dim>>    &fields)
+  {
+    const auto is_unresolved = unresolved_pairs(interfaces, fields);
+    return std::none_of(
+        is_unresolved.begin(), is_unresolved.end(), [](const bool unresolved) { return unresolved; });
   }
 
   template <>
@@ -238,6 +256,14 @@ namespace Amontons
   faces_of_unseen_contact(const ContactInterface<2> &, const SurfaceFields<2> &, const std::vector<double> &);
   template std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<3> &, const SurfaceFields<3> &, const std::vector<double> &);
+  template std::vector<bool>
+  faces_that_press(const ContactInterface<2> &, const SurfaceFields<2> &);
+  template std::vector<bool>
+  faces_that_press(const ContactInterface<3> &, const SurfaceFields<3> &);
+  template std::vector<bool>
+  unresolved_pairs(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &);
+  template std::vector<bool>
+  unresolved_pairs(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &);
   template std::vector<bool>
   faces_near_contact(const ContactInterface<2> &, const SurfaceFields<2> &);
   template std::vector<bool>

@@ -67,8 +67,10 @@ namespace Amontons
   };
 
   // By pair: what the squares of its tractions and of their errors are multiplied by, so that pairs count
-  // alike, whatever their load: with it, int p^2 is that of the pair where it is largest; 1e6 at most. Where
-  // others press, tied pairs do not count: their tractions, infinite at the ends of a joint, are stress.
+  // alike, whatever their load: with it, int p^2 is that of the pair where it is largest; largest_pair_weight
+  // at most. Where others press, tied pairs do not count: their tractions, infinite at the ends of a joint,
+  // are stress.
+  constexpr double largest_pair_weight = 1e6;
   template <int dim>
   std::vector<double>
   pair_weights(const std::vector<ContactInterface<dim>> &interfaces,

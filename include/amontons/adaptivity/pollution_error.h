@@ -14,13 +14,14 @@ namespace Amontons
   };
 
   /// Recovery on the surface sees the errors that the mesh makes there. Coarse cells around a contact move
-  /// its surfaces, too: a cell of size h, at the distance s of the nearest node that presses, with the
+  /// its surfaces, too: a cell of length h, at the distance s of the nearest node that presses, with the
   /// squared error eta^2 of the stress in the energy norm, adds
   ///
   ///   C E*^2/E eta^2 (h/s)^(2 degree) / s  min(1, b/s)^2 prod_i min(1, b_i/s)
   ///
   /// to the squared L2 error of the pressure; b_i are half the lengths of the connected part of the contact
-  /// along its axes, b the least of them. See doc/introduction.md, *Coarse cells around a contact*.
+  /// along its axes, b the least of them. Flat cells may be longer than s: h/s is 1.5 at most. See
+  /// doc/introduction.md, *Coarse cells around a contact*.
   ///
   /// modulus: E*. bulk_squares: eta^2 by active cell. displacement: where places are those of now (finite
   /// strain), readable at relevant DoFs; else null. None for tied pairs. Collective.

@@ -16,6 +16,11 @@ namespace Amontons
                           const SurfaceFields<dim>    &fields,
                           const std::vector<double>   &gap_errors);
 
+  // By slave face: whether a node of it is closed.
+  template <int dim>
+  std::vector<bool>
+  faces_that_press(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
+
   // By slave face: those that press and two faces around them. Beyond, there is no pressure, and none that is
   // wrong: stresses that are singular in a corner of the open part are errors of the stress alone.
   template <int dim>
@@ -56,9 +61,15 @@ namespace Amontons
   height_in_doubt(const std::vector<ContactInterface<dim>> &interfaces,
                   const std::vector<SurfaceFields<dim>>    &fields);
 
-  // Of several pairs that touch with more than a millionth of the largest force: whether none does so with a
-  // few nodes only that are much farther apart than a point is wide. Tied pairs do not count; nor do contacts
-  // at a sharp edge of a side, which are as small as any mesh.
+  // Of several pairs that touch with more than a millionth of the largest force: those that do so with a few
+  // nodes only that are much farther apart than a point is wide. Tied pairs do not count; nor do contacts at
+  // a sharp edge of a side, which are as small as any mesh.
+  template <int dim>
+  std::vector<bool>
+  unresolved_pairs(const std::vector<ContactInterface<dim>> &interfaces,
+                   const std::vector<SurfaceFields<dim>>    &fields);
+
+  // There are none of those.
   template <int dim>
   bool
   small_contacts_are_resolved(const std::vector<ContactInterface<dim>> &interfaces,

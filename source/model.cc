@@ -163,11 +163,10 @@ namespace Amontons
       {
         any = mark(error.contact_indicators) || any;
         mark(error.shear_indicators);
+        if (parameters.target_quantity == "contact size" || parameters.target_quantity == "peak pressure")
+          mark(error.pollution_indicators);
         if (parameters.target_quantity == "peak pressure")
-          {
-            mark(error.pollution_indicators);
-            mark(error.cusp_indicators);
-          }
+          mark(error.cusp_indicators);
       }
     return any;
   }

@@ -1105,7 +1105,7 @@ add_scene_test(NAME rolled_disk SCENE verification/rolled_disk.prm
 add_scene_test(NAME flat_cell SCENE verification/flat_cell.prm CHECK "status is converged" "pairs.0.peak_pressure ~ 1870 3e-2" "pairs.0.contact_size ~ 0.0340 2e-2" "dofs <= 12000")
 # Pairs that press lightly have to be resolved; meanwhile the rest of the mesh has time.
 add_scene_test(NAME heavy_and_light SCENE verification/heavy_and_light.prm CHECK "status is converged" "pairs.0.peak_pressure ~ 591 1e-2" "pairs.1.peak_pressure ~ 1.870 5e-2")
-add_scene_test(NAME heavy_and_light_size SCENE verification/heavy_and_light.prm SET "Refinement/Target quantity=contact size" "Refinement/Target error=0.01"
+add_scene_test(NAME heavy_and_light_size SCENE verification/heavy_and_light.prm SET "Refinement/Target quantity=contact size" "Refinement/Target error=0.03"
                CHECK "status is converged" "pairs.1.contact_size ~ 3.404e-4 1e-2" "dofs <= 20000")
 # Friction is not left out where the first mesh cannot see that it matters: without it 0.01597 is the size.
 add_scene_test(NAME model_with_unseen_friction SCENE verification/light_disk.prm

@@ -163,9 +163,11 @@ namespace Amontons
       {
         any = mark(error.contact_indicators) || any;
         mark(error.shear_indicators);
-        if (parameters.target_quantity == "contact size" || parameters.target_quantity == "peak pressure")
+        const bool is_peak = parameters.target_quantity == "peak pressure",
+                   is_size = parameters.target_quantity == "contact size";
+        if (is_peak || (is_size && error.contact < 0.5)) // more: what is not known is beside an edge
           mark(error.pollution_indicators);
-        if (parameters.target_quantity == "peak pressure")
+        if (is_peak)
           mark(error.cusp_indicators);
       }
     return any;

@@ -1,5 +1,4 @@
 #include <amontons/adaptivity/unseen_contact.h>
-#include <amontons/contact/face_basis.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +22,7 @@ namespace Amontons
     };
 
     // Of the gaps at the points of each slave face. At small strain those of points are gaps at rest, and the
-    // surfaces have come nearer by what their nodes have: dual functions weigh the traces of the unknowns to
-    // their values. Nodes with nothing opposite: as the one that has come least.
+    // surfaces have come nearer as they are, by as much as the nodes beside.
     template <int dim>
     std::vector<Range>
     gaps_on_faces(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
@@ -45,17 +43,9 @@ namespace Amontons
               })];
           if (least == far)
             continue;
-          const auto traces =
-              traces_of_unknowns(bernstein_values<dim - 1>(slave.degree, point.xi_slave), face.subdivision);
-          double gap = point.gap;
-          for (unsigned int j = 0; j < traces.size(); ++j)
-            {
-              const double of_node = approach[face.unknowns[j]];
-              gap -= traces[j] * (of_node == far ? least : of_node);
-            }
           auto &range    = gaps[point.slave_face];
-          range.smallest = std::min(range.smallest, gap);
-          range.largest  = std::max(range.largest, gap);
+          range.smallest = std::min(range.smallest, point.gap - least);
+          range.largest  = std::max(range.largest, point.gap - least);
         }
       return gaps;
     }
@@ -179,16 +169,36 @@ namespace Amontons
            (smallest > 0 && smallest < point * std::pow(area, 1. / (dim - 1)));
   }
 
+  namespace
+  {
+    // With more than a millionth of the largest force.
+    template <int dim>
+    std::vector<bool>
+    pairs_that_press(const std::vector<ContactInterface<dim>> &interfaces,
+                     const std::vector<SurfaceFields<dim>>    &fields)
+    {
+      std::vector<double> forces;
+      for (unsigned int i = 0; i < interfaces.size(); ++i)
+        forces.push_back(
+            interfaces[i].pair->tied ? 0. : (fields[i].normal_force + fields[i].tangential_force).norm());
+      const double      largest = forces.empty() ? 0. : *std::max_element(forces.begin(), forces.end());
+      std::vector<bool> result;
+      for (const double force : forces)
+        result.push_back(force > 1e-6 * largest);
+      return result;
+    }
+  } // namespace
+
   template <int dim>
   double
   height_in_doubt(const std::vector<ContactInterface<dim>> &interfaces,
                   const std::vector<SurfaceFields<dim>>    &fields)
   {
-    double doubt = 0;
+    const auto presses = pairs_that_press(interfaces, fields);
+    double     doubt   = 0;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
-        const unsigned int n_closed = n_closed_nodes(fields[i]);
-        if (interfaces[i].pair->tied || n_closed == 0 || n_closed >= enough_closed_nodes<dim>)
+        if (!presses[i] || n_closed_nodes(fields[i]) >= enough_closed_nodes<dim>)
           continue;
         const auto  gaps  = gaps_on_faces(interfaces[i], fields[i]);
         const auto &faces = interfaces[i].slave->faces;
@@ -204,16 +214,11 @@ namespace Amontons
   unresolved_pairs(const std::vector<ContactInterface<dim>> &interfaces,
                    const std::vector<SurfaceFields<dim>>    &fields)
   {
-    std::vector<double> forces;
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
-      forces.push_back(
-          interfaces[i].pair->tied ? 0. : (fields[i].normal_force + fields[i].tangential_force).norm());
-    const double      least   = forces.empty() ? 0. : 1e-6 * *std::max_element(forces.begin(), forces.end());
-    const auto        touches = [&](const double force) { return force > least; };
-    const bool        is_single = std::count_if(forces.begin(), forces.end(), touches) < 2;
+    const auto        presses   = pairs_that_press(interfaces, fields);
+    const bool        is_single = std::count(presses.begin(), presses.end(), true) < 2;
     std::vector<bool> result;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      result.push_back(!is_single && touches(forces[i]) && !contact_is_resolved(interfaces[i], fields[i]));
+      result.push_back(!is_single && presses[i] && !contact_is_resolved(interfaces[i], fields[i]));
     return result;
   }
 

@@ -20,8 +20,9 @@ namespace Amontons
   ///   C E*^2/E eta^2 (h/s)^(2 degree) / s  min(1, b/s)^2 prod_i min(1, b_i/s)
   ///
   /// to the squared L2 error of the pressure; b_i are half the lengths of the connected part of the contact
-  /// along its axes, b the least of them. Flat cells may be longer than s: h/s is 1.5 at most. See
-  /// doc/introduction.md, *Coarse cells around a contact*.
+  /// along its axes, b the least of them. Cells up to 5 times as long as high count as squares of
+  /// their area, and h < s; of those more than 12 times as long h is the length, 1.5 s at most, and s no less
+  /// than their height. See doc/introduction.md, *Coarse cells around a contact*.
   ///
   /// modulus: E*. bulk_squares: eta^2 by active cell. displacement: where places are those of now (finite
   /// strain), readable at relevant DoFs; else null. None for tied pairs. Collective.

@@ -152,6 +152,7 @@ namespace Amontons
     start(finite_strain);
     refuse_hidden_sides(steps->model->discretization(), steps->model->interfaces);
     steps->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);
+    n_first_dofs = mesh->discretization->dof_handler.n_dofs();
   }
 
   // Should a mesh fail that a target asked for, the answer is that of the one before.
@@ -164,18 +165,51 @@ namespace Amontons
     if (steps->run())
       return true;
     const auto &refinement = parameters.refinement;
-    if (is_stopped() || refinement.target_error <= 0 || refinement.history == "transfer" ||
-        mesh->n_refinements == first)
+    if (is_stopped() || refinement.target_error <= 0 || refinement.history == "transfer")
       return false;
-    report.announce("warning: on mesh " + std::to_string(mesh->n_refinements) + " " + report.message() +
-                    ": the answer is that of the mesh before");
+    const unsigned int failed  = mesh->n_refinements;
+    const std::string  message = "on mesh " + std::to_string(failed) + " " + report.message();
+    if (first == 0 && may_be_too_coarse())
+      {
+        report.announce(message +
+                        ": the loads are followed anew, from a first mesh that is once more refined");
+        report.restart();
+        for (auto &body : scene.bodies)
+          ++body.refinements;
+        is_finer = true;
+        start_on_first_mesh(finite_strain);
+        if (steps->run())
+          return true;
+        for (auto &body : scene.bodies)
+          --body.refinements;
+      }
+    if (is_stopped() || failed == first)
+      return false;
+    report.announce("warning: " + message + ": the answer is that of the mesh before");
     report.restart_coarser();
     const int cycles             = parameters.refinement.cycles;
-    parameters.refinement.cycles = mesh->n_refinements - 1;
+    parameters.refinement.cycles = failed - 1;
     start_on_first_mesh(finite_strain);
     const bool success           = steps->run();
     parameters.refinement.cycles = cycles;
     return success;
+  }
+
+  // Where surfaces move far a facet may be longer than the way from one state to the next one: the iteration
+  // then finds none, or one behind the other surface. (Of a strip that a pin bends aside: with 20 cells along
+  // it at no increment, with 10 and 40 at all.) Finer meshes whose cost is unlike that of the first one are
+  // not worth a try that may fail as well.
+  template <int dim>
+  bool
+  ContactProblem<dim>::may_be_too_coarse() const
+  {
+    using Kind          = Failure::Kind;
+    const auto &failure = steps->history.last_report.failure;
+    const auto  kinds   = {
+           Kind::inverted_cell, Kind::passed_through, Kind::motion_lost, Kind::no_states, Kind::still_moving};
+    return !is_finer && steps->model->finite_strain() && failure &&
+           std::find(kinds.begin(), kinds.end(), failure->kind) != kinds.end() &&
+           std::pow(2, dim) * n_first_dofs <= std::min(20000., double(parameters.refinement.max_dofs));
   }
 
   // Bodies that move by far more than their size leave nothing but rounding of their strain.

@@ -1103,6 +1103,8 @@ add_scene_test(NAME rolled_disk SCENE verification/rolled_disk.prm
                CHECK "increments.repeated_with >= 16" "increments.number >= 50" "energy ~ 0.1548 1e-2" "probes.0.points.0.displacement.0 ~ 1 1e-6")
 # Cells around a contact that are longer than their distance from it: 2122 and 0.0311 before they counted.
 add_scene_test(NAME flat_cell SCENE verification/flat_cell.prm CHECK "status is converged" "pairs.0.peak_pressure ~ 1870 3e-2" "pairs.0.contact_size ~ 0.0340 2e-2" "dofs <= 12000")
+# Facets longer than the way to the next state: on 20 cells the strip springs back through the pin, on 40 it is followed.
+add_scene_test(NAME swept_strip SCENE verification/swept_strip.prm CHECK "status is converged" "pairs.0.normal_force.0 ~ 0.014302 1e-2" "pairs.0.normal_force.1 ~ -0.023894 1e-2")
 # Pairs that press lightly have to be resolved; meanwhile the rest of the mesh has time.
 add_scene_test(NAME heavy_and_light SCENE verification/heavy_and_light.prm CHECK "status is converged" "pairs.0.peak_pressure ~ 591 1e-2" "pairs.1.peak_pressure ~ 1.870 5e-2")
 add_scene_test(NAME heavy_and_light_size SCENE verification/heavy_and_light.prm SET "Refinement/Target quantity=contact size" "Refinement/Target error=0.03"

@@ -33,6 +33,8 @@ namespace Amontons
     bool
     run_load_program();
     bool
+    may_be_too_coarse() const;
+    bool
     choose_kinematics(const bool success);
     bool
     run_with_finite_strain(const bool small_strain_converged);
@@ -54,11 +56,13 @@ namespace Amontons
     typename RunReport<dim>::Ending
     ending(const bool success, Checks checks) const;
 
-    const Scene                        scene;
+    Scene                              scene;
     Parameters                         parameters;
     const std::string                  folder;
     RunControl                        &control;
     RunReport<dim>                     report;
+    double                             n_first_dofs = 0;
+    bool                               is_finer     = false; // the first mesh, than the scene says
     std::shared_ptr<BodyMesh<dim>>     mesh;
     std::unique_ptr<LoadStepping<dim>> steps; // with the kinematics in effect
     SmallStrainCheck<dim>              small_strain;

@@ -1,6 +1,7 @@
 #include <amontons/adaptivity/load_record.h>
 #include <amontons/adaptivity/state_transfer.h>
 #include <amontons/base/points.h>
+#include <amontons/discretization/common_turn.h>
 #include <amontons/friction/shear_law.h>
 #include <amontons/load_path.h>
 
@@ -68,6 +69,8 @@ namespace Amontons
   LoadPath<dim>::start_increment(const double t)
   {
     set_time(t);
+    if (model->finite_strain() && turn_along())
+      return;
     if (const auto *point = guess_at(t))
       {
         history.state.displacement = point->displacement;
@@ -76,6 +79,31 @@ namespace Amontons
         model->move_to(history.state);
         restore_contact();
       }
+  }
+
+  // Where everything that is given turns as one body, from the state turned likewise: it is the answer unless
+  // loads change. What the first step would make of the old state are stretched cells.
+  template <int dim>
+  bool
+  LoadPath<dim>::turn_along()
+  {
+    auto &state = history.state;
+    if (state.displacement.size() != model->discretization().dof_handler.n_dofs())
+      return false;
+    const auto motion = common_turn(model->discretization(), model->supports, state.displacement);
+    if (!motion)
+      return false;
+    auto displacement = moved(model->discretization(), model->supports, *motion, state.displacement);
+    if (!displacement)
+      return false;
+    state.displacement = std::move(*displacement);
+    for (auto &nodes : state.contact)
+      for (auto &node : nodes)
+        for (auto *const along : {&node.shear, &node.trial})
+          *along = motion->rotation * *along;
+    stick_first();
+    model->move_to(state);
+    return true;
   }
 
   template <int dim>
@@ -210,7 +238,15 @@ namespace Amontons
     history.state.committed_t       = history.state.t;
     history.state.committed_contact = history.state.contact;
     history.last_converged          = history.state;
-    for (unsigned int i = 0; program.at_corner() && i < model->interfaces.size(); ++i)
+    if (program.at_corner())
+      stick_first();
+  }
+
+  template <int dim>
+  void
+  LoadPath<dim>::stick_first()
+  {
+    for (unsigned int i = 0; i < history.state.contact.size(); ++i)
       for (auto &node : history.state.contact[i])
         if (model->interfaces[i].pair->has_friction() && node.state == ContactStatus::slip)
           node.state = ContactStatus::stick;

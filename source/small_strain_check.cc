@@ -162,7 +162,7 @@ namespace Amontons
     if (shear)
       text << ", which makes " << error_of_shear() << " of the shear traction";
     if (stiffening > allowed_part())
-      text << ", and what stress does to the stiffness of slender bodies";
+      text << ", and what stress does to the stiffness of slender bodies (" << stiffening << ")";
     if (neglected.came_back())
       text << " on a way that comes back";
     if (change)
@@ -253,7 +253,7 @@ namespace Amontons
     shear =
         shear_kinematics(model.discretization(), model.interfaces, state.contact, neglected.largest().turn);
     const bool is_telling = converged && !neglected.came_back();
-    if (is_telling && terms.stiffening <= bound())
+    if (is_telling && terms.stiffening <= std::min(bound(), allowed_part()))
       stiffening = terms.stiffening;
     else if (is_telling)
       stiffening = is_as_before() && before->stiffening && *before->stiffening <= bound() / 2
@@ -288,8 +288,9 @@ namespace Amontons
       return solver.stress_stiffening(*mechanics, model.interfaces, model.supports, state, most_strain)
           .value_or(0);
     };
-    const double found = with_strains_to(bound() / 6);
-    return found > too_much ? std::max(found, with_strains_to(too_much / 6)) : found;
+    const double found   = with_strains_to(std::min(bound(), allowed_part()) / 6);
+    const double telling = scene.kinematics == Kinematics::automatic ? too_much : allowed_part();
+    return found > telling ? std::max(found, with_strains_to(too_much / 6)) : found;
   }
 
   // The largest relative change of contact forces and, unless these are there and all that is asked for, of

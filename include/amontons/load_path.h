@@ -84,6 +84,10 @@ namespace Amontons
     // What the load program found on the mesh before; null if it was not there, or that is forgotten.
     typename LoadHistory<dim>::PathPoint *
     guess_at(const double t);
+    bool
+    turn_along();
+    void
+    stick_first();
     // Throws InputError where a bound of friction is negative at a closed node.
     void
     check_bounds() const;

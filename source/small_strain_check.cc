@@ -194,6 +194,14 @@ namespace Amontons
     return scene.kinematics == Kinematics::automatic ? allowed_part() : too_much;
   }
 
+  // A bound, not an error: what exceeds it is worth a look whatever the scene says of its kinematics.
+  template <int dim>
+  double
+  SmallStrainCheck<dim>::most_stiffening() const
+  {
+    return std::min(allowed_part(), too_much);
+  }
+
   // What matters little on the first mesh that is not coarse does so on finer ones, too: seeing it there is a
   // small part of the work that it would be on the last one.
   template <int dim>
@@ -206,8 +214,10 @@ namespace Amontons
                                     RunControl                &control)
   {
     constexpr unsigned int enough = 5000; // unknowns
-    if (parameters.refinement.history == "transfer")
-      neglected.measure_gaps(model.discretization(), model.supports, model.interfaces);
+    neglected.measure_gaps(model.discretization(),
+                           model.supports,
+                           model.interfaces,
+                           parameters.refinement.history == "transfer");
     if (before || state.t < scene.end_time || model.discretization().dof_handler.n_dofs() < enough)
       return;
     TimerOutput::Scope           scope(timer, "choice of the model");
@@ -217,7 +227,8 @@ namespace Amontons
     here.add(model.discretization(), recovery, state, model.interfaces, energy);
     const NeglectedTerms &terms = here.largest();
     // What may come to matter on finer ones: strain hardly grows, the bound of the stiffening does.
-    const bool may_matter = terms.strain > 0.8 * bound(), may_stiffen = terms.stiffening > bound() / 4;
+    const bool may_matter  = terms.strain > 0.8 * bound(),
+               may_stiffen = terms.stiffening > most_stiffening() / 4;
     if (!may_matter && !may_stiffen)
       return;
     before = Findings{terms, {}, {}};
@@ -253,13 +264,14 @@ namespace Amontons
     shear =
         shear_kinematics(model.discretization(), model.interfaces, state.contact, neglected.largest().turn);
     const bool is_telling = converged && !neglected.came_back();
-    if (is_telling && terms.stiffening <= std::min(bound(), allowed_part()))
+    if (is_telling && terms.stiffening <= most_stiffening())
       stiffening = terms.stiffening;
     else if (is_telling)
-      stiffening = is_as_before() && before->stiffening && *before->stiffening <= bound() / 2
+      stiffening = is_as_before() && before->stiffening && *before->stiffening <= most_stiffening() / 2
                        ? *before->stiffening
                        : stiffening_at(model, state, timer, control);
-    tried = is_telling && rotations_are_held && (neglected_part() > bound() || stiffening > bound());
+    tried =
+        is_telling && rotations_are_held && (neglected_part() > bound() || stiffening > most_stiffening());
     if (tried)
       change = is_as_before() && before->change && before->change->largest <= allowed_change() / 2
                    ? before->change
@@ -288,9 +300,8 @@ namespace Amontons
       return solver.stress_stiffening(*mechanics, model.interfaces, model.supports, state, most_strain)
           .value_or(0);
     };
-    const double found   = with_strains_to(std::min(bound(), allowed_part()) / 6);
-    const double telling = scene.kinematics == Kinematics::automatic ? too_much : allowed_part();
-    return found > telling ? std::max(found, with_strains_to(too_much / 6)) : found;
+    const double found = with_strains_to(most_stiffening() / 6);
+    return found > too_much ? std::max(found, with_strains_to(too_much / 6)) : found;
   }
 
   // The largest relative change of contact forces and, unless these are there and all that is asked for, of

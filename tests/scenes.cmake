@@ -1105,6 +1105,10 @@ add_scene_test(NAME rolled_disk SCENE verification/rolled_disk.prm
 add_scene_test(NAME flat_cell SCENE verification/flat_cell.prm CHECK "status is converged" "pairs.0.peak_pressure ~ 1870 3e-2" "pairs.0.contact_size ~ 0.0340 2e-2" "dofs <= 12000")
 # Facets longer than the way to the next state: on 20 cells the strip springs back through the pin, on 40 it is followed.
 add_scene_test(NAME swept_strip SCENE verification/swept_strip.prm CHECK "status is converged" "pairs.0.normal_force.0 ~ 0.014302 1e-2" "pairs.0.normal_force.1 ~ -0.023894 1e-2")
+# What is neglected on the way is measured on the mesh of then: the motion of the first increment was read on the last mesh.
+add_scene_test(NAME hertz_with_output_time SCENE hertz_cylinder.prm SET "Output times=0.5" CHECK "status is converged" "checks.neglected_contact <= 2e-3" "checks.neglected_strain ~ 8.39e-3 1e-2")
+add_scene_test(NAME hertz_that_comes_back SCENE hertz_cylinder.prm SET "Output times=0.5" "Obstacle cylinder/Force=0|-(500*sin(pi*t)+10)"
+               CHECK "status is converged" "checks.neglected_contact <= 2e-3" "pairs.0.normal_force.1 ~ -10 1e-9")
 # Pairs that press lightly have to be resolved; meanwhile the rest of the mesh has time.
 add_scene_test(NAME heavy_and_light SCENE verification/heavy_and_light.prm CHECK "status is converged" "pairs.0.peak_pressure ~ 591 1e-2" "pairs.1.peak_pressure ~ 1.870 5e-2")
 add_scene_test(NAME heavy_and_light_size SCENE verification/heavy_and_light.prm SET "Refinement/Target quantity=contact size" "Refinement/Target error=0.03"

@@ -143,6 +143,8 @@ namespace Amontons
     // Of what is neglected: where it is more, what it does is looked for.
     double
     bound() const;
+    double
+    most_stiffening() const;
     // On a mesh before; what was looked for.
     struct Findings
     {

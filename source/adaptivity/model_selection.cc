@@ -107,7 +107,8 @@ namespace Amontons
       }
     last.reset();
     (!farthest || place.motion >= farthest->motion ? farthest : last) = std::move(place);
-    has_come_back = last && last->motion < 0.5 * farthest->motion;
+    const double now                                                  = (last ? *last : *farthest).motion;
+    has_come_back = now < 0.5 * std::max(farthest->motion, measured_motion);
   }
 
   // Copies of the interfaces where u takes them, coupled where nodes are closed or near.
@@ -300,10 +301,12 @@ namespace Amontons
   void
   NeglectedTermsOfHistory<dim>::measure_gaps(const Discretization<dim>                &discretization,
                                              const Constraints                        &supports,
-                                             const std::vector<ContactInterface<dim>> &interfaces)
+                                             const std::vector<ContactInterface<dim>> &interfaces,
+                                             const bool                                pressures)
   {
     if (!farthest)
       return;
+    measured_motion     = std::max(measured_motion, farthest->motion);
     const bool declared = std::any_of(interfaces.begin(), interfaces.end(), [](const auto &interface) {
       return has_declared_gap(*interface.pair);
     });
@@ -318,8 +321,9 @@ namespace Amontons
             at_rest = at(discretization.make_relevant_vector(), **place);
           const auto moved = at((*place)->displacement, **place);
           terms.contact    = std::max(terms.contact, neglected_contact(**place, at_rest, moved));
-          terms.pressure =
-              std::max(terms.pressure, pressure_of_uneven_gaps(**place, discretization, at_rest, moved));
+          if (pressures)
+            terms.pressure =
+                std::max(terms.pressure, pressure_of_uneven_gaps(**place, discretization, at_rest, moved));
           terms.turn = std::max(terms.turn, turned_force(**place, interfaces, moved));
           place->reset();
         }

@@ -53,11 +53,13 @@ namespace Amontons
         const std::vector<ContactInterface<dim>> &interfaces,
         const double                              energy);
 
-    // Before the mesh changes, and in the end. Collective.
+    // Before the mesh changes, and in the end. pressures: what uneven gaps make of them, too; not if the
+    // answer is that of a finer mesh, whose facets are others. Collective.
     void
     measure_gaps(const Discretization<dim>                &discretization,
                  const Constraints                        &supports,
-                 const std::vector<ContactInterface<dim>> &interfaces);
+                 const std::vector<ContactInterface<dim>> &interfaces,
+                 const bool                                pressures = true);
 
     const NeglectedTerms &
     largest() const
@@ -114,8 +116,9 @@ namespace Amontons
     };
 
     NeglectedTerms       terms;
-    double               largest_energy = 0; // twice the stored one
-    bool                 has_come_back  = false;
+    double               largest_energy  = 0; // twice the stored one
+    double               measured_motion = 0; // of places that are gone
+    bool                 has_come_back   = false;
     std::optional<Place> farthest, last; // last: unless it is the farthest
   };
 } // namespace Amontons

@@ -35,13 +35,16 @@ namespace Amontons
           std::ostringstream text;
           text.precision(2);
           text << "warning: pair '" << interfaces[i].pair->name
-               << "' touches on facets, flat faces that stand for a curve: kinks of up to "
+               << (facets.is_curved
+                       ? "' touches on arcs of second order that stand for a curve: kinks of up to "
+                       : "' touches on facets, flat faces that stand for a curve: kinks of up to ")
                << facets.angle * 180 / numbers::PI << " degrees between lengths of " << facets.size
                << " make an error of about " << facets.gap << " in the gap, of which the load closes "
                << facets.closed_gap << ", and of " << 100 * facets.pressure
-               << " % in the pressure. Refinement does not mend it: declare 'Curved boundaries', give a mesh "
-                  "of second "
-                  "order (gmsh: Mesh.ElementOrder = 2), or a finer one";
+               << " % in the pressure. Refinement does not mend it: declare 'Curved boundaries', "
+               << (facets.is_curved
+                       ? "or give a finer mesh"
+                       : "give a mesh of second order (gmsh: Mesh.ElementOrder = 2), or a finer one");
           note(text.str());
         }
   }

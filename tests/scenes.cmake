@@ -1552,6 +1552,9 @@ foreach(cycles 0 3)
   add_scene_test(NAME facets_${cycles} SCENE verification/polygon_roller.prm SET "Refinement/Cycles=${cycles}"
                  CHECK "error_estimate.facets ~ reference.errors.pressure_l2 0.15" "error_estimate.contact >= 0.1" "notes.2 has touches on facets")
 endforeach()
+# Long arcs of second order meet at kinks, too: 2.3 % were told of a half disk where 9.2 were true.
+add_scene_test(NAME kinks_of_second_order SCENE verification/polygon_roller.prm SET "Body roller/Mesh=coarse_round_roller.geo" "Refinement/Cycles=6"
+               CHECK "error_estimate.facets ~ reference.errors.pressure_l2 0.25" "notes.2 has touches on arcs of second order")
 set(ROUND "error_estimate.facets == 0" "reference.errors.nodal_peak_pressure <= 0.01" "error_estimate.contact <= 0.02" "reference.errors.pressure_l2 <= 0.015")
 add_scene_test(NAME second_order_mesh SCENE verification/polygon_roller.prm SET "Body roller/Mesh=round_roller.geo" CHECK ${ROUND})
 add_scene_test(NAME declared_circle SCENE verification/polygon_roller.prm SET "Body roller/Curved boundaries=arc = circle(0, 10)" CHECK ${ROUND})

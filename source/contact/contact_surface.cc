@@ -104,6 +104,23 @@ namespace Amontons
         boundaries.insert(discretization.geometry.boundary({name.body, further, name.where}, scene).id);
       return boundaries;
     }
+
+    // Symmetry, and the axis of revolution.
+    template <int dim>
+    IsMirror<dim>
+    planes_of_symmetry(const Discretization<dim> &discretization)
+    {
+      const auto                  &scene = discretization.scene;
+      std::set<types::boundary_id> boundaries;
+      for (const auto &condition : scene.conditions)
+        if (condition.type == ConditionData::Type::symmetry)
+          for (const auto &name : condition.boundaries)
+            boundaries.insert(discretization.geometry.boundary(name, scene).id);
+      return [boundaries, on_axis = scene.kind == ProblemType::axisymmetric](const auto &face) {
+        return boundaries.count(face->boundary_id()) > 0 ||
+               (on_axis && std::abs(face->center()[0]) < 1e-10 * face->diameter());
+      };
+    }
   } // namespace
 
   template <int dim>
@@ -169,7 +186,9 @@ namespace Amontons
     find_crossed_planes(discretization.scene.kind == ProblemType::axisymmetric);
     make_normals();
     find_sharpest_edge();
-    facets = find_facets(discretization.geometry.triangulation, boundary_ids(discretization, name));
+    facets = find_facets<dim>(discretization.geometry.triangulation,
+                              boundary_ids(discretization, name),
+                              planes_of_symmetry(discretization));
   }
 
   template <int dim>

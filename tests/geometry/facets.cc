@@ -2,6 +2,7 @@
 #include "check.h"
 
 #include <amontons/geometry/facets.h>
+#include <amontons/geometry/quadratic_faces.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/manifold_lib.h>
@@ -13,13 +14,17 @@ using namespace dealii;
 
 template <int dim>
 std::vector<Facet<dim>>
-facets_of(Triangulation<dim> &triangulation, const bool flat, const std::set<types::boundary_id> &ids)
+facets_of(
+    Triangulation<dim>                 &triangulation,
+    const bool                          flat,
+    const std::set<types::boundary_id> &ids,
+    const IsMirror<dim>                &is_mirror = [](const auto &) { return false; })
 {
   if (flat)
     triangulation.set_all_manifold_ids(numbers::flat_manifold_id);
-  const auto before = find_facets(triangulation, ids);
+  const auto before = find_facets(triangulation, ids, is_mirror);
   triangulation.refine_global(1);
-  const auto after = find_facets(triangulation, ids);
+  const auto after = find_facets(triangulation, ids, is_mirror);
   check::is_true(before.size() == after.size(), "refinement changes no facets");
   return after;
 }
@@ -98,6 +103,42 @@ check_lines()
   check::is_true(fillet.size() == 7, "a fillet, with the flat face that meets its last kink");
 }
 
+// Of second order, and a quarter of it between planes of symmetry: kinks of theta^3/16, also at the planes.
+void
+check_arcs()
+{
+  for (const unsigned int n : {24, 6})
+    {
+      Triangulation<2> ring;
+      if (n == 24)
+        GridGenerator::hyper_shell(ring, Point<2>(), 2., 3., n, true);
+      else
+        GridGenerator::quarter_hyper_shell(ring, Point<2>(), 2., 3., n, true);
+      ring.set_all_manifold_ids(numbers::flat_manifold_id);
+      MiddleNodes<2> nodes;
+      for (const auto &face : ring.active_face_iterators())
+        if (face->at_boundary() && face->boundary_id() < 2)
+          {
+            const Tensor<1, 2> middle = face->center();
+            nodes.of_edges[{{std::min(face->vertex_index(0), face->vertex_index(1)),
+                             std::max(face->vertex_index(0), face->vertex_index(1))}}] =
+                Point<2>((face->boundary_id() == 0 ? 2. : 3.) / middle.norm() * middle);
+          }
+      attach_quadratic_faces(nodes, 7, ring);
+      const auto facets =
+          facets_of<2>(ring, false, {1}, [](const auto &face) { return face->boundary_id() > 1; });
+      check::is_true(facets.size() == n, "arcs of a ring");
+      const double angle = numbers::PI / 12, kink = 2 * (std::tan(angle / 2) - 2 * std::tan(angle / 4));
+      check::is_close(kink, std::pow(angle, 3) / 16, 2e-2, "kinks of arcs by their angle");
+      for (const auto &facet : facets)
+        {
+          check::is_true(facet.is_curved, "they are curved");
+          check::is_close(facet.angle, kink, 2e-2, "kinks of arcs");
+          check::is_close(facet.mean_square, facet.angle * facet.angle, 1e-10, "at both ends");
+        }
+    }
+}
+
 void
 check_space()
 {
@@ -144,6 +185,7 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_rings();
   check_lines();
+  check_arcs();
   check_space();
   return check::result();
 }

@@ -1,4 +1,4 @@
-/// The error of the pressure by flat faces that stand for a curve.
+/// The error of the pressure by faces of the coarse mesh that stand for a curve.
 #pragma once
 
 #include <amontons/contact/surface_fields.h>
@@ -6,9 +6,11 @@
 namespace Amontons
 {
   // What facets (see geometry/facets.h) do to the contact of a pair: their largest kink, length and error of
-  // the gap where they touch, the gap that the load closes, and the relative L2 error of the pressure.
+  // the gap where they touch, whether they are curved, the gap that the load closes, and the relative L2
+  // error of the pressure.
   struct FacetError
   {
+    bool   is_curved = false;
     double angle = 0, size = 0, gap = 0, closed_gap = 0, pressure = 0;
   };
 

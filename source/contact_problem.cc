@@ -27,6 +27,30 @@ namespace Amontons
         }
       return largest;
     }
+
+    // Forces jump across what lies between tied sides, without a lever.
+    template <int dim>
+    std::string
+    gaps_of_ties(const std::vector<ContactInterface<dim>> &interfaces)
+    {
+      std::ostringstream text;
+      text.precision(2);
+      for (const auto &interface : interfaces)
+        {
+          double largest = 0;
+          for (const auto &p : interface.coupling.points)
+            if (const double gap = std::abs((p.x_master - p.x_slave) * p.normal);
+                interface.pair->tied && gap > 1e-2 * interface.slave->faces[p.slave_face].size)
+              largest = std::max(largest, gap);
+          if (largest > 0)
+            text
+                << (text.str().empty() ? "" : "; ") << "pair '" << interface.pair->name
+                << "' ties what lies up to " << largest
+                << " apart: forces go across, and turn nothing by that distance; move the bodies together if "
+                   "they are meant to touch";
+        }
+      return text.str();
+    }
   } // namespace
 
   template <int dim>
@@ -71,6 +95,8 @@ namespace Amontons
       report.announce(note);
     //! [run]
     start_on_first_mesh(scene.kinematics == Kinematics::finite_strain);
+    if (const auto gaps = gaps_of_ties(steps->model->interfaces); !gaps.empty())
+      report.announce("warning: " + gaps);
     make_output_folder(folder, mesh->geometry.communicator, control.checkpoint.resumes());
     control.checkpoint.open();
     report.open_log();

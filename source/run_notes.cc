@@ -69,8 +69,6 @@ namespace Amontons
   std::string
   RunReport<dim>::missed_target(const Discretization<dim> &discretization, const Ending &ending) const
   {
-    if (ending.history.quantity.is_zero())
-      return "the target error has no meaning: there is no such 'Target quantity', or it is 0";
     const auto        &error      = ending.evaluation.error;
     const bool         touches    = ending.evaluation.touches();
     const auto         indicators = touches ? error.indicators_for(0) : error.cell_indicators;
@@ -136,7 +134,12 @@ namespace Amontons
   {
     const auto  &error  = ending.evaluation.error;
     const double target = control.stop.is_there() ? 0. : ending.refinement.target_error; // not the end of it
-    if (target > 0 && !(error.of_target() <= target))
+    if (target > 0 && error.energy_norm == 0 && error.pressure_norm == 0)
+      note("the target error has no meaning: nothing is loaded, and the answer is 0");
+    else if (target > 0 && error.quantity && ending.history.quantity.vanishes())
+      note("the target error has no meaning: there is no " + ending.refinement.target_quantity +
+           ", or it is 0 on all meshes");
+    else if (target > 0 && !(error.of_target() <= target))
       note(finer_mesh_failed ? "the target error was not reached, as the finer mesh failed"
            : !error.quantity && error.facets > target
                ? "the target error cannot be reached: facets alone make a larger one"

@@ -1109,6 +1109,13 @@ add_scene_test(NAME swept_strip SCENE verification/swept_strip.prm CHECK "status
 add_scene_test(NAME hertz_with_output_time SCENE hertz_cylinder.prm SET "Output times=0.5" CHECK "status is converged" "checks.neglected_contact <= 2e-3" "checks.neglected_strain ~ 8.39e-3 1e-2")
 add_scene_test(NAME hertz_that_comes_back SCENE hertz_cylinder.prm SET "Output times=0.5" "Obstacle cylinder/Force=0|-(500*sin(pi*t)+10)"
                CHECK "status is converged" "checks.neglected_contact <= 2e-3" "pairs.0.normal_force.1 ~ -10 1e-9")
+# What has no meaning, and what ties do to a lever, is said.
+add_scene_test(NAME tied_apart SCENE verification/tied_patch.prm SET "Body top/Lower corner=0, 2.3" "Body top/Upper corner=3, 3.3"
+               CHECK "status is converged" "notes.0 has ties what lies up to 0.3 apart")
+add_scene_test(NAME nothing_loaded SCENE verification/tied_patch.prm SET "Boundary condition load/Value=0" "Refinement/Target error=0.05"
+               CHECK "status is converged" "notes.0 has nothing is loaded")
+add_scene_test(NAME no_such_quantity SCENE verification/tied_patch.prm SET "Refinement/Target error=0.05" "Refinement/Target quantity=approach"
+               CHECK "status is converged" "notes.0 has there is no approach")
 # Pairs that press lightly have to be resolved; meanwhile the rest of the mesh has time.
 add_scene_test(NAME heavy_and_light SCENE verification/heavy_and_light.prm CHECK "status is converged" "pairs.0.peak_pressure ~ 591 1e-2" "pairs.1.peak_pressure ~ 1.870 5e-2")
 add_scene_test(NAME heavy_and_light_size SCENE verification/heavy_and_light.prm SET "Refinement/Target quantity=contact size" "Refinement/Target error=0.03"

@@ -65,12 +65,11 @@ namespace Amontons
   }
 
   bool
-  QuantitySequence::is_zero() const
+  QuantitySequence::vanishes() const
   {
-    return meshes.size() > 1 && std::all_of(meshes.begin(), meshes.end(), [](const Mesh &mesh) {
-             return std::all_of(
-                 mesh.values.begin(), mesh.values.end(), [](const double v) { return v == 0; });
-           });
+    return !meshes.empty() && std::all_of(meshes.begin(), meshes.end(), [](const Mesh &mesh) {
+      return std::all_of(mesh.values.begin(), mesh.values.end(), [](const double v) { return v == 0; });
+    });
   }
 
   bool

@@ -35,9 +35,15 @@ namespace Amontons
     {
       return meshes.empty();
     }
-    /// All values on two meshes or more: what does not exist, or vanishes.
+    /// All values on all meshes (of which there are any): what does not exist, or vanishes.
     bool
-    is_zero() const;
+    vanishes() const;
+    /// On two meshes or more, which is enough to believe it.
+    bool
+    is_zero() const
+    {
+      return meshes.size() > 1 && vanishes();
+    }
     /// One of the numbers has changed in one direction and hardly by less on the last meshes: it may have no
     /// limit.
     bool

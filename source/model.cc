@@ -1,6 +1,7 @@
 #include <amontons/base/points.h>
 #include <amontons/contact/shared_nodes.h>
 #include <amontons/finite_strain_model.h>
+#include <amontons/geometry/rigid_rims.h>
 #include <amontons/geometry/small_obstacles.h>
 #include <amontons/small_strain_model.h>
 #include <amontons/solver/kept_system.h>
@@ -12,6 +13,7 @@ namespace Amontons
   {
     make_geometry(scene, geometry);
     refine_below_small_obstacles(scene, geometry);
+    refine_rims_of_rigid_bodies(scene, geometry);
     discretization = std::make_unique<Discretization<dim>>(scene, geometry, degree);
     discretization->distribute_dofs();
     first_is_slave = choose_slaves(*discretization);

@@ -134,9 +134,7 @@ namespace Amontons
   {
     const auto  &error  = ending.evaluation.error;
     const double target = control.stop.is_there() ? 0. : ending.refinement.target_error; // not the end of it
-    if (target > 0 && error.energy_norm == 0 && error.pressure_norm == 0)
-      note("the target error has no meaning: nothing is loaded, and the answer is 0");
-    else if (target > 0 && error.quantity && ending.history.quantity.vanishes())
+    if (target > 0 && error.quantity && ending.history.quantity.vanishes())
       note("the target error has no meaning: there is no " + ending.refinement.target_quantity +
            ", or it is 0 on all meshes");
     else if (target > 0 && !(error.of_target() <= target))

@@ -40,6 +40,26 @@ namespace Amontons
           tree;
     };
 
+    // At rest, of what the rows of the interface see of the other body; 0 where that has no surface.
+    template <int dim>
+    std::vector<Point<dim>>
+    opposite_places(const ContactInterface<dim> &interface)
+    {
+      std::map<types::global_dof_index, Point<dim>> X;
+      if (interface.master_surface)
+        for (const auto &node : interface.master_surface->nodes)
+          X[node.dofs[0]] = node.X;
+      std::vector<Point<dim>> places;
+      for (const auto &row : interface.coupling.rows)
+        {
+          places.emplace_back();
+          for (const auto &[dofs, weight] : row.master)
+            if (interface.master_surface)
+              places.back() += weight * X.at(dofs[0]);
+        }
+      return places;
+    }
+
     // How far it lies off the curve. Quadratic arcs cross it in their middle: w^4 / (32 R^3) with half the
     // length w and kinks of (w / R)^3 / 2.
     template <int dim>
@@ -98,11 +118,8 @@ namespace Amontons
                                                                : std::vector<Facet<dim>>());
     if ((of_slave.empty() && of_master.empty()) || interface.pair->tied)
       return error;
-    std::map<types::global_dof_index, Point<dim>> X_master;
-    if (interface.master_surface)
-      for (const auto &node : interface.master_surface->nodes)
-        X_master[node.dofs[0]] = node.X;
-    const auto open = [&](const Facet<dim> *facet) { // not closed by `Adjust`
+    const auto opposites = opposite_places(interface);
+    const auto open      = [&](const Facet<dim> *facet) { // not closed by `Adjust`
       return facet != nullptr && gap_of(*facet) > interface.pair->adjust ? facet : nullptr;
     };
     double square = 0, pressure = 0, area = 0;
@@ -113,12 +130,9 @@ namespace Amontons
           continue;
         pressure += row.area * p * p;
         area += row.area;
-        Point<dim> opposite;
-        for (const auto &[dofs, weight] : row.master)
-          if (interface.master_surface)
-            opposite += weight * X_master.at(dofs[0]);
-        const Facet<dim> *const        slave  = open(of_slave.at(interface.slave->nodes[row.node].X)),
-                                *const master = open(of_master.at(opposite));
+        const Point<dim>              &opposite = opposites[&row - interface.coupling.rows.data()];
+        const Facet<dim> *const        slave    = open(of_slave.at(interface.slave->nodes[row.node].X)),
+                                *const master   = open(of_master.at(opposite));
         square += row.area *
                   kinks_squared(slave,
                                 master,

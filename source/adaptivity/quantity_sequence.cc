@@ -8,14 +8,16 @@ namespace Amontons
 {
   namespace
   {
+    constexpr double smallest_rho = 0.4, largest_rho = 0.8;
+
     double
     rest_of(const double change_before, const double change)
     {
-      constexpr double smallest = 0.4, largest = 0.8;
       if (change == 0 && change_before == 0)
         return 0;
-      const double rho = change_before > 0 ? std::clamp(change / change_before, smallest, largest) : largest;
-      return std::max(change, smallest * change_before) * rho / (1 - rho);
+      const double rho =
+          change_before > 0 ? std::clamp(change / change_before, smallest_rho, largest_rho) : largest_rho;
+      return std::max(change, smallest_rho * change_before) * rho / (1 - rho);
     }
   } // namespace
 
@@ -52,6 +54,21 @@ namespace Amontons
   {
     const bool is_earlier = !before.empty() && mesh + 1 < meshes.size();
     return meshes[mesh].values[i] + (is_earlier ? meshes.back().values[i] - before[i] : 0.);
+  }
+
+  // The changes from mesh to mesh shrink and keep their sign, or there is but one.
+  bool
+  QuantitySequence::settles(const unsigned int from, const unsigned int to, const unsigned int i) const
+  {
+    double before = 0;
+    for (unsigned int k = from; k < to; ++k)
+      {
+        const double change = value(k + 1, i) - value(k, i);
+        if (change * before < 0 || (before != 0 && std::abs(change) > std::abs(before)))
+          return false;
+        before = change;
+      }
+    return true;
   }
 
   // The last mesh of at most half as many DoFs as the k-th one; the number of meshes if there is none.
@@ -94,17 +111,17 @@ namespace Amontons
   }
 
   double
-  QuantitySequence::error() const
+  QuantitySequence::error(const bool is_smooth) const
   {
     const unsigned int n = meshes.size();
     if (n < 2)
       return std::numeric_limits<double>::infinity();
-    const double before = error_on(n - 2);
-    return std::max(error_on(n - 1), std::isfinite(before) ? before / 4 : 0.);
+    const double before = error_on(n - 2, is_smooth);
+    return std::max(error_on(n - 1, is_smooth), std::isfinite(before) ? before / 4 : 0.);
   }
 
   double
-  QuantitySequence::error_on(const unsigned int last) const
+  QuantitySequence::error_on(const unsigned int last, const bool is_smooth) const
   {
     const unsigned int n = meshes.size(), half = half_of(last), quarter = half < n ? half_of(half) : n;
     if (half == n)
@@ -124,7 +141,9 @@ namespace Amontons
           return result;
         };
         const double left =
-            quarter == n ? change(half, last) : rest_of(change(quarter, half), change(half, last));
+            quarter < n ? rest_of(change(quarter, half), change(half, last))
+                        : change(half, last) *
+                              (!is_smooth || settles(half, last, i) ? 1 : largest_rho / (1 - largest_rho));
         worst = std::max(
             worst, left / std::max({std::abs(value(last, i)), least_of_largest * largest, least_value}));
       }

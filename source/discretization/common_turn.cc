@@ -63,10 +63,33 @@ namespace Amontons
     }
 
     constexpr double rounding = 1e-10; // of the size of the scene
-  }                                    // namespace
 
-  // Kabsch: with H = sum (x - mean x)(y - mean y)^T = U S V^T the rotation that fits best is V U^T, its last
-  // column turned round where that is a reflection.
+    // Kabsch: with H = sum (x - mean x)(y - mean y)^T = U S V^T the rotation that fits best is V U^T, its
+    // last column turned round where that is a reflection. Nothing for points on a line, or one.
+    template <int dim>
+    std::optional<Tensor<2, dim>>
+    best_rotation(const Tensor<2, dim> &moments)
+    {
+      LAPACKFullMatrix<double> H(dim, dim);
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int b = 0; b < dim; ++b)
+          H(a, b) = moments[a][b];
+      H.compute_svd();
+      if (!(H.singular_value(dim - 2) > rounding * H.singular_value(0))) // points on a line, or one
+        return {};
+      const auto rotation = [&](const double last) {
+        Tensor<2, dim> R;
+        for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int b = 0; b < dim; ++b)
+            for (unsigned int k = 0; k < dim; ++k)
+              R[a][b] += (k + 1 < dim ? 1 : last) * H.get_svd_vt()(k, a) * H.get_svd_u()(b, k);
+        return R;
+      };
+      const auto proper = rotation(1);
+      return determinant(proper) > 0 ? proper : rotation(-1);
+    }
+  } // namespace
+
   template <int dim>
   std::optional<RigidMotion<dim>>
   common_turn(const Discretization<dim> &discretization,
@@ -90,25 +113,11 @@ namespace Amontons
     Tensor<2, dim> moments;
     for (const auto &[from, to] : journeys)
       moments += outer_product(from - motion.from, to - motion.to);
-    moments = Utilities::MPI::sum(moments, comm);
-    LAPACKFullMatrix<double> H(dim, dim);
-    for (unsigned int a = 0; a < dim; ++a)
-      for (unsigned int b = 0; b < dim; ++b)
-        H(a, b) = moments[a][b];
-    H.compute_svd();
-    if (!(H.singular_value(dim - 2) > rounding * H.singular_value(0))) // points on a line, or one
+    moments             = Utilities::MPI::sum(moments, comm);
+    const auto rotation = best_rotation(moments);
+    if (!rotation)
       return {};
-    const auto rotation = [&](const double last) {
-      Tensor<2, dim> R;
-      for (unsigned int a = 0; a < dim; ++a)
-        for (unsigned int b = 0; b < dim; ++b)
-          for (unsigned int k = 0; k < dim; ++k)
-            R[a][b] += (k + 1 < dim ? 1 : last) * H.get_svd_vt()(k, a) * H.get_svd_u()(b, k);
-      return R;
-    };
-    motion.rotation = rotation(1);
-    if (determinant(motion.rotation) < 0)
-      motion.rotation = rotation(-1);
+    motion.rotation = *rotation;
 
     double off = 0, size = 0;
     for (const auto &[from, to] : journeys)

@@ -24,11 +24,12 @@ namespace Amontons
     /// Of the worst value, relative to itself (or `least`, or least_of_largest of the largest value). Between
     /// three meshes, each of twice as many DoFs as the one before or more, the changes D fall by rho, so that
     /// D rho/(1 - rho) is left. rho is believed between 0.4 and 0.8, and a change that happens to be small
-    /// counts as no smaller than 0.4 of the one before. Of two such meshes: their change. (A change is the
-    /// largest from any mesh between.) At least a quarter of the error on the mesh before: one mesh more does
-    /// not take away more. Infinite as long as there are no two meshes.
+    /// counts as no smaller than 0.4 of the one before. Of two such meshes: their change, but as if rho were
+    /// 0.8 where the numbers of meshes between swing or change by more and more. (A change is the largest
+    /// from any mesh between.) At least a quarter of the error on the mesh before: one mesh more does not
+    /// take away more. Infinite as long as there are no two meshes.
     double
-    error() const;
+    error(const bool is_smooth = false) const;
 
     bool
     is_empty() const
@@ -56,9 +57,11 @@ namespace Amontons
       std::vector<double> values;
     };
     double
-    error_on(const unsigned int last) const;
+    error_on(const unsigned int last, const bool is_smooth) const;
     unsigned int
     half_of(const unsigned int k) const;
+    bool
+    settles(const unsigned int from, const unsigned int to, const unsigned int i) const;
     double
     value(const unsigned int mesh, const unsigned int i) const;
     // The changes by a repeat become part of the numbers.

@@ -202,8 +202,10 @@ namespace Amontons
         report.restart();
         for (auto &body : scene.bodies)
           ++body.refinements;
-        is_finer = true;
+        is_finer                  = true;
+        const auto most_cut_backs = steps->history.most_cut_backs;
         start_on_first_mesh(finite_strain);
+        steps->history.most_cut_backs = most_cut_backs;
         if (steps->run())
           return true;
         for (auto &body : scene.bodies)

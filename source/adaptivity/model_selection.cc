@@ -107,8 +107,9 @@ namespace Amontons
       }
     last.reset();
     (!farthest || place.motion >= farthest->motion ? farthest : last) = std::move(place);
-    const double now                                                  = (last ? *last : *farthest).motion;
-    has_come_back = now < 0.5 * std::max(farthest->motion, measured_motion);
+
+    const double now = (last ? *last : *farthest).motion;
+    has_come_back    = now < 0.5 * std::max(farthest->motion, measured_motion);
   }
 
   // Copies of the interfaces where u takes them, coupled where nodes are closed or near.

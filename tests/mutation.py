@@ -218,7 +218,7 @@ CHANGES = [
     ("gaps that jump beside hanging nodes", "contact/declared_gap.cc", "of.subdivision);", "FullMatrix<double>());", "scenes/punch_by_gap$"),
     ("edges of a gap are seen", "adaptivity/gap_error.cc", "if (declared.is_within_unknowns(f, unseen.least, unseen.most))", "if (false)", "scenes/punch_by_gap"),
     ("numbers against the largest pair", "adaptivity/quantity_sequence.cc", "least_of_largest * largest, ", "largest, ", "^adaptivity/mesh_difference$"),
-    ("small contacts are believed", "adaptivity/unseen_contact.cc", "return n_touching < 2 || n_resolved == n_touching;", "return true;", "scenes/target_of_three_contacts"),
+    ("small contacts are believed", "adaptivity/unseen_contact.cc", "result.push_back(!is_single && presses[i]", "result.push_back(false && presses[i]", "scenes/target_of_three_contacts"),
     ("joints count as contact", "adaptivity/error_estimate.cc", "interfaces[i].pair->tied && of_others > 0 ? 0.", "interfaces[i].pair->tied && of_others > 0 ? 1.", "scenes/target_beside_a_joint"),
     ("first solution of a set", "solver/newton.cc", "lines[n - 2].n_changes == 0 &&", "true &&", "scenes/half_ring_below_lid$"),
     ("overlaps along a normal that misses", "contact/shared_nodes.cc", "std::max(row.gap, row.mean_gap);", "row.gap;", "scenes/ring_in_groove$"),

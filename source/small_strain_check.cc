@@ -197,7 +197,7 @@ namespace Amontons
   // A bound, not an error: what exceeds it is worth a look whatever the scene says of its kinematics.
   template <int dim>
   double
-  SmallStrainCheck<dim>::most_stiffening() const
+  SmallStrainCheck<dim>::allowed_stiffening() const
   {
     return std::min(allowed_part(), too_much);
   }
@@ -228,7 +228,7 @@ namespace Amontons
     const NeglectedTerms &terms = here.largest();
     // What may come to matter on finer ones: strain hardly grows, the bound of the stiffening does.
     const bool may_matter  = terms.strain > 0.8 * bound(),
-               may_stiffen = terms.stiffening > most_stiffening() / 4;
+               may_stiffen = terms.stiffening > allowed_stiffening() / 4;
     if (!may_matter && !may_stiffen)
       return;
     before = Findings{terms, {}, {}};
@@ -264,14 +264,14 @@ namespace Amontons
     shear =
         shear_kinematics(model.discretization(), model.interfaces, state.contact, neglected.largest().turn);
     const bool is_telling = converged && !neglected.came_back();
-    if (is_telling && terms.stiffening <= most_stiffening())
+    if (is_telling && terms.stiffening <= allowed_stiffening())
       stiffening = terms.stiffening;
     else if (is_telling)
-      stiffening = is_as_before() && before->stiffening && *before->stiffening <= most_stiffening() / 2
+      stiffening = is_as_before() && before->stiffening && *before->stiffening <= allowed_stiffening() / 2
                        ? *before->stiffening
                        : stiffening_at(model, state, timer, control);
     tried =
-        is_telling && rotations_are_held && (neglected_part() > bound() || stiffening > most_stiffening());
+        is_telling && rotations_are_held && (neglected_part() > bound() || stiffening > allowed_stiffening());
     if (tried)
       change = is_as_before() && before->change && before->change->largest <= allowed_change() / 2
                    ? before->change
@@ -300,7 +300,7 @@ namespace Amontons
       return solver.stress_stiffening(*mechanics, model.interfaces, model.supports, state, most_strain)
           .value_or(0);
     };
-    const double found = with_strains_to(most_stiffening() / 6);
+    const double found = with_strains_to(allowed_stiffening() / 6);
     return found > too_much ? std::max(found, with_strains_to(too_much / 6)) : found;
   }
 

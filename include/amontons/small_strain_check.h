@@ -144,7 +144,7 @@ namespace Amontons
     double
     bound() const;
     double
-    most_stiffening() const;
+    allowed_stiffening() const;
     // On a mesh before; what was looked for.
     struct Findings
     {

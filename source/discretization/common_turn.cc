@@ -1,41 +1,13 @@
 #include <amontons/discretization/common_turn.h>
+#include <amontons/discretization/dof_places.h>
 
 #include <deal.II/base/mpi.templates.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 namespace Amontons
 {
   namespace
   {
-    // Calls action(dofs of the node by component, X) for every node of all cells that this rank knows; what
-    // cells share comes several times.
-    template <int dim, typename Action>
-    void
-    for_each_node(const Discretization<dim> &discretization, const Action &action)
-    {
-      const auto                              &fe   = discretization.fe;
-      const auto                              &base = fe.base_element(0);
-      std::vector<types::global_dof_index>     dofs(fe.n_dofs_per_cell());
-      std::array<types::global_dof_index, dim> node;
-      FEValues<dim>                            values(discretization.mapping,
-                           fe,
-                           Quadrature<dim>(base.get_unit_support_points()),
-                           update_quadrature_points);
-      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-        if (!cell->is_artificial())
-          {
-            cell->get_dof_indices(dofs);
-            values.reinit(cell);
-            for (unsigned int i = 0; i < base.n_dofs_per_cell(); ++i)
-              {
-                for (unsigned int c = 0; c < dim; ++c)
-                  node[c] = dofs[fe.component_to_system_index(c, i)];
-                action(node, values.quadrature_point(i));
-              }
-          }
-    }
-
     // Places before and after.
     template <int dim>
     using Journey = std::pair<Point<dim>, Point<dim>>;
@@ -47,7 +19,7 @@ namespace Amontons
                    const LA::Vector          &displacement)
     {
       std::vector<Journey<dim>> journeys;
-      for_each_node(discretization, [&](const auto &node, const Point<dim> &X) {
+      for_each_node(discretization, [&](const auto &, const auto &node, const Point<dim> &X) {
         Journey<dim> journey{X, X};
         for (unsigned int c = 0; c < dim; ++c)
           {
@@ -142,7 +114,7 @@ namespace Amontons
   {
     auto   owned = discretization.make_owned_vector();
     double size  = 0;
-    for_each_node(discretization, [&](const auto &node, const Point<dim> &X) {
+    for_each_node(discretization, [&](const auto &, const auto &node, const Point<dim> &X) {
       Point<dim> x = X;
       for (unsigned int c = 0; c < dim; ++c)
         x[c] += displacement(node[c]);
@@ -169,8 +141,6 @@ namespace Amontons
     return result;
   }
 
-  template struct RigidMotion<2>;
-  template struct RigidMotion<3>;
   template std::optional<RigidMotion<2>>
   common_turn(const Discretization<2> &, const Constraints &, const LA::Vector &);
   template std::optional<RigidMotion<3>>

@@ -46,16 +46,21 @@ namespace Amontons
     std::vector<double> result(slave.faces.size(), 0.);
     if (interface.pair->tied)
       return result;
-    const auto        presses = [&](const unsigned int i) { return fields.pressure[i] > 0; };
+    // What has nothing opposite is not open: at an edge of the other side no pressure falls to zero.
+    const auto presses = [&](const unsigned int i) { return fields.pressure[i] > 0; };
+    const auto is_open = [&](const unsigned int i) { return !presses(i) && !std::isnan(fields.gap[i]); };
     std::vector<bool> of_edge(slave.nodes.size(), false);
     for (const auto &face : slave.faces)
       if (std::any_of(face.nodes.begin(), face.nodes.end(), presses) &&
-          !std::all_of(face.nodes.begin(), face.nodes.end(), presses))
+          std::any_of(face.nodes.begin(), face.nodes.end(), is_open))
         for (const unsigned int i : face.nodes)
           of_edge[i] = true;
     if (std::none_of(of_edge.begin(), of_edge.end(), [](const bool is) { return is; }))
       return result;
-    const auto square = signed_pressure_square(interface, fields);
+    auto square = signed_pressure_square(interface, fields);
+    for (unsigned int i = 0; i < square.size(); ++i)
+      if (std::isnan(fields.gap[i]))
+        square[i] = fields.pressure[i] * fields.pressure[i];
     for (unsigned int f = 0; f < result.size(); ++f)
       {
         const auto &nodes = slave.faces[f].nodes;

@@ -321,10 +321,13 @@ namespace Amontons
         const bool is_nominal = !areas.empty() && (interface.pair->tied || kind == ProblemType::plane_stress);
         if (is_nominal)
           areas[f].reinit(cell);
-        const auto   loads     = face_loads == nullptr ? Conditions() : face_loads->on(cell, f);
+        const auto   points = parts.points.on(face);
+        const double area   = std::accumulate(
+            points.begin(), points.end(), 0., [](auto sum, const auto &p) { return sum + p.weight; });
+        const auto   loads     = face_loads == nullptr ? Conditions() : face_loads->on(cell, f, area);
         const double no_stress = stress_of_rounding(cell);
         double       square = 0, pressure_part = 0, shear_part = 0;
-        for (const auto &[xi, weight, interpolation] : parts.points.on(face))
+        for (const auto &[xi, weight, interpolation] : points)
           {
             const Tensor<1, dim> n      = slave.face_normal(face, xi);
             const auto           N      = lagrange_values<dim - 1>(slave.degree, xi);

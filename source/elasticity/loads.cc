@@ -266,19 +266,12 @@ namespace Amontons
   template <int dim>
   std::vector<const ConditionData *>
   FaceLoads<dim>::on(const typename DoFHandler<dim>::active_cell_iterator &cell,
-                     const unsigned int                                    face) const
+                     const unsigned int                                    face,
+                     const double                                          area) const
   {
-    const auto   shape    = cell->face(face);
-    const double straight = dim == 2 ? shape->vertex(1).distance(shape->vertex(0))
-                                     : cross_product_3d(as_3d(shape->vertex(3)) - as_3d(shape->vertex(0)),
-                                                        as_3d(shape->vertex(2)) - as_3d(shape->vertex(1)))
-                                               .norm() /
-                                           2;
-    const auto   covered  = covered_areas.find({cell->active_cell_index(), face});
-    const bool   is_exposed =
-        covered == covered_areas.end() ||
-        covered->second < straight * measure<dim>(discretization.scene.kind, shape->center()) / 2;
-    const auto acts = [&](const ConditionData &condition) {
+    const auto covered    = covered_areas.find({cell->active_cell_index(), face});
+    const bool is_exposed = covered == covered_areas.end() || covered->second < area / 2;
+    const auto acts       = [&](const ConditionData &condition) {
       return condition.type == ConditionData::Type::traction ||
              (condition.type == ConditionData::Type::pressure && is_exposed);
     };

@@ -34,8 +34,8 @@ namespace Amontons
                  const std::vector<CoveredPoint<dim>> &covered,
                  const LA::Vector                     *u = nullptr);
 
-  // What `pressure` (where a face is not covered for the most part) and `traction` put on faces, which may be
-  // in contact as well. Total forces are left out.
+  // What `pressure` (where nothing touches) and `traction` put on faces, which may be in contact as well.
+  // Total forces are left out.
   template <int dim>
   class FaceLoads
   {
@@ -44,9 +44,11 @@ namespace Amontons
               const double                          t,
               const std::vector<CoveredPoint<dim>> &covered);
 
-    // Of an owned face.
+    // Of an owned face, on a part of it with this area (measure() included), which all that touches lies in.
     std::vector<const ConditionData *>
-    on(const typename DoFHandler<dim>::active_cell_iterator &cell, const unsigned int face) const;
+    on(const typename DoFHandler<dim>::active_cell_iterator &cell,
+       const unsigned int                                    face,
+       const double                                          area) const;
 
     // Per area, at the reference point X with the normal n (finite strain: `traction` as if areas were those
     // of reference).

@@ -234,6 +234,12 @@ namespace Amontons
         for (unsigned int n = 0; n < was_open[i].size(); ++n)
           was_open[i][n] = was_open[i][n] || history.state.contact[i][n].state == ContactStatus::open;
       }
+    history.state.earlier   = LA::Vector();
+    history.state.earlier_t = history.state.committed_t;
+    if (!program.at_corner() && history.state.committed.size() == history.state.displacement.size())
+      history.state.earlier = history.state.committed;
+    else if (!program.at_corner())
+      history.state.earlier.reinit(history.state.displacement);
     history.state.committed         = history.state.displacement;
     history.state.committed_t       = history.state.t;
     history.state.committed_contact = history.state.contact;

@@ -338,6 +338,7 @@ namespace Amontons
     evaluation.recovery.reset();
     history.last_converged.contact.clear(); // of the nodes before, see go_back()
     history.state.was_open.clear();
+    history.state.committed_contact.clear();
     model->move_to(history.state);
     restore_contact();
     history.fallback      = history.state;
@@ -375,11 +376,12 @@ namespace Amontons
       }
     history.transfer_residual = std::max(history.transfer_residual, result.start_residual);
     history.work.rebase(answer());
-    state.committed        = state.displacement;
-    state.committed_t      = state.t;
-    history.last_converged = state;
-    state.traction         = traction_at_end;
-    state.peaks            = peaks_at_end;
+    state.committed         = state.displacement;
+    state.committed_t       = state.t;
+    state.committed_contact = state.contact;
+    history.last_converged  = state;
+    state.traction          = traction_at_end;
+    state.peaks             = peaks_at_end;
     set_time(t);
     restore_contact();
     return true;

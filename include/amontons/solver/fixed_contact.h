@@ -11,7 +11,8 @@ namespace Amontons
   class FixedContact : public ContactKinematics<dim>
   {
   public:
-    /// start: slip is counted from its `committed` displacement (empty: from none).
+    /// start: slip is counted from its `committed` displacement (empty: from none), or from where a node that
+    /// was open there touches.
     FixedContact(const Discretization<dim>                &discretization,
                  const std::vector<ContactInterface<dim>> &interfaces,
                  const SolutionState<dim>                 &start,
@@ -88,9 +89,27 @@ namespace Amontons
         for (unsigned int k = 0; k < all.size(); ++k)
           if (all[k].frictional)
             result[k] = all[k].jump(start.committed);
+      if (start.earlier.size() == discretization.dof_handler.n_dofs() && !start.committed_contact.empty())
+        move_to_first_touch(start, result);
       return result;
     }
 
-    const std::vector<Tensor<1, dim>> origins; // jumps that the increment started from
+    // Open nodes go on as in the increment before until their gap is closed, or the increment ends:
+    // doc/introduction.md, *Nodes that close on the way*.
+    void
+    move_to_first_touch(const SolutionState<dim> &start, std::vector<Tensor<1, dim>> &jumps) const
+    {
+      const double longer = (start.t - start.committed_t) / (start.committed_t - start.earlier_t);
+      for (unsigned int k = 0; k < all.size(); ++k)
+        if (const auto &node = start.committed_contact[all[k].interface][all[k].node];
+            all[k].frictional && node.has_multiplier && node.state == ContactStatus::open)
+          {
+            const double left = gap(k, start.committed), closed = gap(k, start.earlier) - left;
+            if (left > 0 && closed > 0)
+              jumps[k] += std::min(left / closed, longer) * (jumps[k] - all[k].jump(start.earlier));
+          }
+    }
+
+    const std::vector<Tensor<1, dim>> origins; // jumps from which slip counts
   };
 } // namespace Amontons

@@ -11,10 +11,13 @@ namespace Amontons
   {
     double     t = 0;
     LA::Vector displacement; // readable at relevant DoFs; obeys hanging nodes and supports
-    /// The displacement that the increment started from, all the history there is: slip is the change of the
-    /// tangential jump since then. Empty: none.
-    LA::Vector                      committed;
-    double                          committed_t = 0;   // its time
+    /// The displacement that the increment started from, nearly all the history there is: slip is the change
+    /// of the tangential jump since then. Empty: none.
+    LA::Vector committed;
+    double     committed_t = 0; // its time
+    /// And what that one started from, if loads went on as they did in it. Empty: they did not.
+    LA::Vector                      earlier;
+    double                          earlier_t = 0;
     std::vector<NodalContacts<dim>> committed_contact; // at that time; empty: none
     /// By pair and slave node: it was open at the end of an increment before, on this mesh. Empty: none was.
     std::vector<std::vector<bool>> was_open;

@@ -108,7 +108,8 @@ namespace Amontons
       add_error_of_increments();
     success = success && !is_stopped();
     if (success && parameters.refinement.target_error > 0 && !scene.full_model)
-      for (const auto &plane : mirror_planes(steps->answer(), parameters.refinement.target_error / 10))
+      for (const auto &plane : mirror_planes(
+               steps->answer(), parameters.refinement.target_error / 10, steps->history.record.breakpoints))
         report.note("model: the scene is its own mirror image at " + plane +
                     ": half of it, with 'Type = symmetry' on the cut, has the same answer");
     Checks checks;

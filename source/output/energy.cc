@@ -162,6 +162,25 @@ namespace Amontons
     return result;
   }
 
+  namespace
+  {
+    // The bound at the start of the increment may jump there: its limit from the right; `before`, if the
+    // pressure there is not known.
+    template <int dim>
+    double
+    bound_after_start(const Answer<dim> &answer,
+                      const unsigned int pair,
+                      const unsigned int node,
+                      const double       before)
+    {
+      const SolutionState<dim> &state = answer.state;
+      if (state.committed_contact.empty())
+        return before;
+      const double t = state.committed_t + 1e-9 * (state.t - state.committed_t);
+      return bound_at(answer.interfaces[pair], node, t, state.committed_contact[pair][node].pressure);
+    }
+  } // namespace
+
   // doc/introduction.md, (26): a node slips against its bound phi, which changes on the way. (The
   // traction itself has another direction at the start, where the node stuck.) Of one that has opened the
   // bound falls to 0.
@@ -185,9 +204,10 @@ namespace Amontons
                   work += std::max(0., known->second.force * node.slip / 2);
                 continue;
               }
-            const double start = known != friction.end() ? known->second.bound
-                                 : bears                 ? bound
-                                                         : bound_at(interface, row.node, answer.state.t, 0);
+            const double start = known != friction.end()
+                                     ? bound_after_start(answer, i, row.node, known->second.bound)
+                                 : bears ? bound
+                                         : bound_at(interface, row.node, answer.state.t, 0);
             work += row.area * (start + bound) / (2 * bound) * (node.shear * node.slip);
           }
     return work;

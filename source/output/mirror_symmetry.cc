@@ -160,13 +160,23 @@ namespace Amontons
 
   template <int dim>
   std::vector<std::string>
-  mirror_planes(const Answer<dim> &answer, const double tolerance)
+  mirror_planes(const Answer<dim>                      &answer,
+                const double                            tolerance,
+                const std::vector<LoadRecord::Landing> &breakpoints)
   {
     constexpr unsigned int many     = 2000; // each is compared with each
     const auto             vertices = coarse_vertices(answer);
-    const auto             forces   = resulting_forces(answer);
+    auto                   forces   = resulting_forces(answer);
     if (vertices.size() > many || forces.empty())
       return {};
+    for (const auto &landing : breakpoints)
+      for (const auto &pair : landing.pairs)
+        if (const auto force = pair.normal_force + pair.tangential_force; force.norm() > 0)
+          {
+            forces.emplace_back();
+            for (unsigned int d = 0; d < dim; ++d)
+              forces.back()[d] = force[d];
+          }
     std::vector<Point<dim>> places;
     for (const auto &vertex : vertices)
       places.push_back(vertex.place);
@@ -192,7 +202,7 @@ namespace Amontons
   }
 
   template std::vector<std::string>
-  mirror_planes(const Answer<2> &, const double);
+  mirror_planes(const Answer<2> &, const double, const std::vector<LoadRecord::Landing> &);
   template std::vector<std::string>
-  mirror_planes(const Answer<3> &, const double);
+  mirror_planes(const Answer<3> &, const double, const std::vector<LoadRecord::Landing> &);
 } // namespace Amontons

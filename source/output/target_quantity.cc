@@ -8,15 +8,21 @@ namespace Amontons
   {
     // Of what a pair carries, the part along the symmetry planes (and the axis) that cut it: across, the
     // images cancel it, and as it shrinks where the other part grows, both together may hardly change
-    // between meshes. All of it, if that is all that there is (fits of quarter rings).
+    // between meshes. All of it, if that is all that there is (fits of quarter rings). Forces of nodes that
+    // cancel each other but for rounding make none.
     template <int dim>
     double
     total_force(const Answer<dim> &answer, const SurfaceFields<dim> &fields)
     {
-      constexpr double            noteworthy = 0.1;
-      const Tensor<1, dim>        whole      = fields.normal_force + fields.tangential_force;
-      Tensor<1, dim>              along      = whole;
-      std::vector<Tensor<1, dim>> across     = fields.symmetry_planes;
+      constexpr double     noteworthy = 0.1;
+      const Tensor<1, dim> whole      = fields.normal_force + fields.tangential_force;
+      double               of_nodes   = 0;
+      for (const auto &force : fields.force)
+        of_nodes += force.norm();
+      if (whole.norm() <= 1e-9 * of_nodes)
+        return 0;
+      Tensor<1, dim>              along  = whole;
+      std::vector<Tensor<1, dim>> across = fields.symmetry_planes;
       if (answer.discretization.scene.kind == ProblemType::axisymmetric)
         across.push_back(Point<dim>::unit_vector(0));
       for (const auto &normal : across)
@@ -33,11 +39,15 @@ namespace Amontons
       return {stored_energy(answer)};
     if (name == "dissipation")
       return {work.dissipation};
+    const auto is_tied = [&](const unsigned int pair) { return answer.interfaces[pair].pair->tied; };
+    bool       touches = false; // without what is tied, whose traction may be infinite at its ends
+    for (unsigned int pair = 0; pair < answer.fields.size(); ++pair)
+      touches = touches || (!is_tied(pair) && answer.fields[pair].peak_pressure > 0);
     std::vector<double> values;
     for (unsigned int pair = 0; pair < answer.fields.size(); ++pair)
       {
         const auto &fields = answer.fields[pair];
-        values.push_back(name == "peak pressure"  ? fields.peak_pressure
+        values.push_back(name == "peak pressure"  ? (touches && is_tied(pair) ? 0 : fields.peak_pressure)
                          : name == "contact size" ? fields.contact_size
                          : name == "stick size"   ? fields.stick_size
                          : name == "approach"     ? compute_approach(answer, pair).value_or(0)

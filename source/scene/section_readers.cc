@@ -48,8 +48,8 @@ namespace Amontons
       }
     if (obstacle.type == Type::cylinder && section.dim() == 3)
       obstacle.axis = section.direction("Axis");
-    else if (obstacle.type != Type::cylinder)
-      section.refuse({"Axis"}, context);
+    else
+      section.refuse({"Axis"}, obstacle.type == Type::cylinder ? "in 2D, where it is a circle" : context);
     if (round || obstacle.type == Type::paraboloid)
       {
         section.require({"Radius"}, context);

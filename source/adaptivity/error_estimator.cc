@@ -1,11 +1,11 @@
 #include <amontons/base/points.h>
-#include <amontons/adaptivity/face_points.h>
-#include <amontons/adaptivity/data_error.h>
 #include <amontons/adaptivity/edge_error.h>
 #include <amontons/adaptivity/error_estimator.h>
 #include <amontons/adaptivity/facet_error.h>
 #include <amontons/adaptivity/gap_error.h>
+#include <amontons/adaptivity/master_traction.h>
 #include <amontons/adaptivity/nominal_area.h>
+#include <amontons/adaptivity/pair_parts.h>
 #include <amontons/adaptivity/pollution_error.h>
 #include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/contact/common_normal.h>
@@ -104,13 +104,17 @@ namespace Amontons
         const double       modulus = combined_modulus(discretization.scene, interface);
         const auto         near    = faces_near_contact(interface, fields);
         peaks.emplace_back();
-        const PairParts parts{FacePoints<dim>(interface, QGauss<1>(discretization.fe.degree + 2), kind),
-                              near,
-                              edge_errors(interface, fields, kind, on_face),
-                              gap_errors(interface, fields, modulus, kind, near),
-                              friction_errors(interface, fields, kind),
-                              weight_of_pair,
-                              doubt * doubt - 1};
+        const FacePoints<dim> points(
+            interface, QGauss<1>(discretization.fe.degree + 2), discretization.scene);
+        const PairParts<dim> parts{
+            points,
+            near,
+            edge_errors(interface, fields, discretization.scene, on_face),
+            gap_errors(interface, fields, modulus, kind, near),
+            friction_errors(interface, fields, kind),
+            tractions_of_master(discretization, recovery, interface, points, face_loads),
+            weight_of_pair,
+            doubt * doubt - 1};
         facets_of.push_back(facet_error(interface, fields, modulus));
         facets_of.back().pressure *= weight_of_pair;
         const auto          is_unseen = is_unresolved ? faces_that_press(interface, fields)
@@ -123,13 +127,7 @@ namespace Amontons
                           [&](const unsigned int i) { return has_row[i]; }))
             std::tie(face_squares[f], face_squares[n + f], face_squares[2 * n + f]) =
                 add_slave_face(interface, fields, parts, f);
-        for (unsigned int f = 0; f < n; ++f)
-          if (is_unseen[f] && slave.faces[f].rank == my_rank())
-            {
-              face_squares[3 * n + f] = 1;
-              unseen[slave.owned[slave.faces[f].owned_index].first->active_cell_index()] += 1;
-              ++n_unseen;
-            }
+        add_unseen(slave, is_unseen, face_squares);
         Utilities::MPI::sum(make_array_view(std::as_const(face_squares)),
                             discretization.geometry.communicator,
                             make_array_view(face_squares));
@@ -154,18 +152,6 @@ namespace Amontons
         for (unsigned int c = 0; c < error.by_cell.size(); ++c)
           pollution_squares[c] += weight_of_pair * error.by_cell[c];
       }
-
-      // By slave face: whether it is near the contact, the errors of edge_errors(), gap_errors() and
-      // friction_errors(); pair_weights(); and what the doubts of RefinedPairs make.
-      struct PairParts
-      {
-        FacePoints<dim>            points;
-        std::vector<bool>          near;
-        std::vector<double>        edge, gap;
-        std::vector<FrictionError> friction;
-        double                     weight;
-        double                     hidden; // squared errors that are not seen, of those that are
-      };
 
       double
       stress_of_rounding(const Cell &cell) const
@@ -308,7 +294,7 @@ namespace Amontons
       std::tuple<double, double, double>
       add_slave_face(const ContactInterface<dim> &interface,
                      const SurfaceFields<dim>    &fields,
-                     const PairParts             &parts,
+                     const PairParts<dim>        &parts,
                      const unsigned int           face)
       {
         const ContactSurface<dim> &slave = *interface.slave;
@@ -327,7 +313,7 @@ namespace Amontons
         const auto   loads     = face_loads == nullptr ? Conditions() : face_loads->on(cell, f, area);
         const double no_stress = stress_of_rounding(cell);
         double       square = 0, pressure_part = 0, shear_part = 0;
-        for (const auto &[xi, weight, interpolation] : points)
+        for (const auto &[xi, weight, interpolation, overlap] : points)
           {
             const Tensor<1, dim> n      = slave.face_normal(face, xi);
             const auto           N      = lagrange_values<dim - 1>(slave.degree, xi);
@@ -339,7 +325,6 @@ namespace Amontons
                 p += N[i] * fields.pressure[slave.faces[face].nodes[i]];
                 shear += N[i] * fields.traction[slave.faces[face].nodes[i]];
               }
-
             const Tensor<1, dim> load = load_at(loads, cell, f, xi, n);
             Tensor<1, dim>       t = -load, t_star = -load;
             for (unsigned int q = 0; q < interpolation.size(); ++q)
@@ -350,12 +335,14 @@ namespace Amontons
                 t += interpolation[q] * times_vector<dim>(sigma[q], area);
                 t_star += interpolation[q] * times_vector<dim>(smooth[q], area);
               }
+            if (const auto of_master = parts.of_master.find(overlap);
+                of_master != parts.of_master.end() && !is_nominal)
+              t_star = of_master->second;
             const double mismatch = p + common * t;
             square += weight * mismatch * mismatch;
             if (!interface.pair->tied)
               square += weight * (t - (common * t) * common - shear).norm_square();
-
-            if (!parts.near[face])
+            if (!parts.near[face] || (parts.points.knows_master() && !parts.points.covers(face)))
               continue;
             no_pressure_square += parts.weight * weight * no_stress * no_stress;
             const double p_star = -(common * t_star);
@@ -389,6 +376,20 @@ namespace Amontons
         contact_squares[cell->active_cell_index()] += all;
         shear_squares[cell->active_cell_index()] += all_shear;
         return {square, all, all_shear};
+      }
+
+      void
+      add_unseen(const ContactSurface<dim> &slave,
+                 const std::vector<bool>   &is_unseen,
+                 std::vector<double>       &face_squares)
+      {
+        for (unsigned int f = 0; f < is_unseen.size(); ++f)
+          if (is_unseen[f] && slave.faces[f].rank == my_rank())
+            {
+              face_squares[3 * is_unseen.size() + f] = 1;
+              unseen[slave.owned[slave.faces[f].owned_index].first->active_cell_index()] += 1;
+              ++n_unseen;
+            }
       }
 
       // Each slave face's eta_F^2 is shared out by area between the master faces opposite.

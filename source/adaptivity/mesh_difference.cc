@@ -1,7 +1,7 @@
+#include <amontons/adaptivity/face_points.h>
 #include <amontons/adaptivity/mesh_difference.h>
 #include <amontons/contact/common_normal.h>
 #include <amontons/contact/face_basis.h>
-#include <amontons/elasticity/kinematics.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -19,24 +19,23 @@ namespace Amontons
     void
     add_face(const ContactSurface<dim>         &slave,
              const unsigned int                 face,
-             const Quadrature<dim - 1>         &gauss,
+             const FacePoints<dim>             &points,
              const std::vector<Tensor<1, dim>> &now,
              const std::vector<Tensor<1, dim>> &before,
              const std::vector<Tensor<1, dim>> &normals,
-             const ProblemType                  kind,
              const PairData                    &pair,
              const double                       weight_of_pair,
              Squares                           &squares)
     {
-      for (unsigned int q = 0; q < gauss.size(); ++q)
+      if (points.knows_master() && !points.covers(face)) // what is there is a continuation
+        return;
+      for (const auto &point : points.knows_master() ? points.on(face) : points.on_whole(face))
         {
-          const auto    &xi = gauss.point(q);
-          double         jacobian;
-          Tensor<1, dim> n = slave.face_normal(face, xi, &jacobian), value, difference;
-          const double   weight =
-              weight_of_pair * gauss.weight(q) * jacobian * measure<dim>(kind, slave.position(face, xi));
-          const auto N = lagrange_values<dim - 1>(slave.degree, xi);
-          n            = turned_normal(slave, face, N, n, normals);
+          const auto    &xi     = point.xi;
+          const double   weight = weight_of_pair * point.weight;
+          Tensor<1, dim> n      = slave.face_normal(face, xi), value, difference;
+          const auto     N      = lagrange_values<dim - 1>(slave.degree, xi);
+          n                     = turned_normal(slave, face, N, n, normals);
           for (unsigned int i = 0; i < N.size(); ++i)
             {
               const unsigned int node = slave.faces[face].nodes[i];
@@ -148,23 +147,23 @@ namespace Amontons
     if (error.pressure_norm > 0 && before.traction.size() == discretization.dof_handler.n_dofs() &&
         before.place.t == place.t && before.place.increment_length == place.increment_length)
       {
-        const LA::Vector      now = surface_tractions(discretization, interfaces, fields);
-        Squares               squares;
-        const QGauss<dim - 1> gauss(discretization.fe.degree + 1);
-        const auto            weights = pair_weights(interfaces, fields);
+        const LA::Vector now = surface_tractions(discretization, interfaces, fields);
+        Squares          squares;
+        const auto       weights = pair_weights(interfaces, fields);
         for (unsigned int i = 0; i < interfaces.size(); ++i)
           {
             const auto &interface = interfaces[i];
             const auto  values    = values_on(*interface.slave, now),
                        old        = values_on(*interface.slave, before.traction);
+            const FacePoints<dim> points(
+                interface, QGauss<1>(discretization.fe.degree + 1), discretization.scene);
             for (unsigned int f = 0; f < interface.slave->faces.size(); ++f)
               add_face(*interface.slave,
                        f,
-                       gauss,
+                       points,
                        values,
                        old,
                        fields[i].normal,
-                       discretization.scene.kind,
                        *interface.pair,
                        weights[i],
                        squares);

@@ -28,8 +28,8 @@ check_error(const double end, const double h)
       fields.state.push_back(fields.pressure.back() > 0 ? ContactStatus::slip : ContactStatus::open);
     }
   const QIterated<1> quadrature(QGauss<1>(4), 100);
-  const auto errors = edge_errors(problem.interfaces[0], fields, ProblemType::plane_strain, quadrature);
-  const int  last   = static_cast<int>(end / 2 / h); // the face where the pressure ends
+  const auto         errors = edge_errors(problem.interfaces[0], fields, scene, quadrature);
+  const int          last   = static_cast<int>(end / 2 / h); // the face where the pressure ends
   for (unsigned int f = 0; f < errors.size(); ++f)
     {
       const double x     = slave.faces[f].centre[0] - h / 2;
@@ -47,7 +47,7 @@ check_error(const double end, const double h)
   for (unsigned int i = 0; i < fields.gap.size(); ++i)
     if (!(fields.pressure[i] > 0))
       fields.gap[i] = std::numeric_limits<double>::quiet_NaN();
-  for (const double error : edge_errors(problem.interfaces[0], fields, ProblemType::plane_strain, quadrature))
+  for (const double error : edge_errors(problem.interfaces[0], fields, scene, quadrature))
     check::is_true(error == 0, "no error at the edge of the other side");
 }
 
@@ -72,7 +72,7 @@ check_in_space(const double slope)
     }
   const QIterated<1> on_line(QGauss<1>(4), 100);
   const auto         p = [&](const double x) { return std::sqrt(std::max(0., 0.97 - 2 * x)); };
-  const auto errors = edge_errors(problem.interfaces[0], fields, scene.kind, QIterated<2>(QGauss<1>(4), 100));
+  const auto errors    = edge_errors(problem.interfaces[0], fields, scene, QIterated<2>(QGauss<1>(4), 100));
   double     sum = 0, exact = 0;
   for (const double error : errors)
     sum += error;

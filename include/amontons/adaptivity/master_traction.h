@@ -1,0 +1,24 @@
+/// What the stress of the master says of the traction on faces of the slave at its edge.
+#pragma once
+
+#include <amontons/adaptivity/face_points.h>
+#include <amontons/elasticity/loads.h>
+#include <amontons/elasticity/stress_recovery.h>
+
+#include <map>
+
+namespace Amontons
+{
+  /// At the points of the overlap, by their place in the coupling, of slave faces at an edge of the master:
+  /// the traction on the slave, -(sigma* m - load on the master), with the recovered stress sigma* of the
+  /// master and its outward normal m. At the edge the stress of the slave jumps, inside of its body, which
+  /// its own sigma* cannot; the master ends there. Nothing unless face_points.knows_master(). face_loads:
+  /// null where none is to be taken off. Collective; all ranks get all.
+  template <int dim>
+  std::map<unsigned int, Tensor<1, dim>>
+  tractions_of_master(const Discretization<dim>   &discretization,
+                      const StressRecovery<dim>   &recovery,
+                      const ContactInterface<dim> &interface,
+                      const FacePoints<dim>       &face_points,
+                      const FaceLoads<dim>        *face_loads);
+} // namespace Amontons

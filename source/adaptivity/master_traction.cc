@@ -18,8 +18,11 @@ namespace Amontons
       recovery.cell_of(cell)->get_dof_indices(dofs);
       Voigt<dim> sigma{};
       for (unsigned int i = 0; i < dofs.size(); ++i)
-        for (unsigned int k = 0; k < n_voigt<dim>; ++k)
-          sigma[k] += fe.shape_value(i, unit_point) * recovery.stress()[k](dofs[i]);
+        {
+          const double N = fe.shape_value(i, unit_point);
+          for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+            sigma[k] += N * recovery.stress()[k](dofs[i]);
+        }
       return sigma;
     }
   } // namespace

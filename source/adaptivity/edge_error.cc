@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/edge_error.h>
+#include <amontons/adaptivity/face_points.h>
 #include <amontons/contact/contact_edge.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/elasticity/kinematics.h>
@@ -100,7 +101,7 @@ namespace Amontons
     std::vector<double> result(slave.faces.size(), 0.);
     if (interface.pair->tied)
       return result;
-    const bool deforms = interface.master_surface && !scene.bodies[interface.master_surface->body].rigid;
+    const bool deforms = master_deforms(interface, scene);
     const auto at_end  = nodes_at_end(interface, fields, deforms);
     if (std::none_of(at_end.begin(), at_end.end(), [](const bool is) { return is; }))
       return result;

@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/error_estimator.h>
+#include <amontons/adaptivity/face_points.h>
 #include <amontons/elasticity/linear_elastic.h>
 
 namespace Amontons
@@ -51,7 +52,7 @@ namespace Amontons
   combined_modulus(const Scene &scene, const ContactInterface<dim> &interface)
   {
     double compliance = 1 / contact_modulus(scene.bodies[interface.slave->body].material);
-    if (interface.master_surface && !scene.bodies[interface.master_surface->body].rigid)
+    if (master_deforms(interface, scene))
       compliance += 1 / contact_modulus(scene.bodies[interface.master_surface->body].material);
     return 1 / compliance;
   }

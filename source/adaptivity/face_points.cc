@@ -13,8 +13,7 @@ namespace Amontons
       : interface(interface), quadrature(along_lines),
         polynomials(Polynomials::generate_complete_Lagrange_basis(along_lines.get_points())),
         kind(scene.kind), of_overlap(interface.slave->faces.size()), covered(of_overlap.size(), false),
-        master_is_known(dim == 3 && interface.master_surface &&
-                        !scene.bodies[interface.master_surface->body].rigid)
+        master_is_known(dim == 3 && master_deforms(interface, scene))
   {
     const auto &coupling = interface.coupling;
     for (const auto &point : coupling.points)

@@ -8,6 +8,14 @@
 
 namespace Amontons
 {
+  /// Not an obstacle, nor a rigid body.
+  template <int dim>
+  bool
+  master_deforms(const ContactInterface<dim> &interface, const Scene &scene)
+  {
+    return interface.master_surface && !scene.bodies[interface.master_surface->body].rigid;
+  }
+
   /// A point of a face, with its area (axisymmetric: of the full turn) and what values at the points of a
   /// quadrature have to be multiplied by for the value of their interpolation here; its place in the points
   /// of the overlap, invalid if it is none of them.

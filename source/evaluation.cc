@@ -120,7 +120,7 @@ namespace Amontons
     if (name == "peak pressure" && std::isfinite(result) && error.cusp == 0 && !values.keeps_on_changing())
       result = std::max(std::min(result, 3 * error.contact), error.peak);
     if (name == "peak pressure")
-      result = std::max(result, error.cusp);
+      result = std::max(result, error.cusp_grows ? 1. : error.cusp);
     // What all meshes miss alike shows in no difference. (Nodes carry the bounds, by areas that are not those
     // of the interpolation.)
     result = std::max({result, error.data, 3 * error.friction_data});

@@ -180,8 +180,7 @@ namespace Amontons
       }
     // Where error.data is 1 what touches is unseen.
     if (evaluation.touches() ? evaluation.resolves_contact() && is_resolved : error.data < 1)
-      history.meshes.add(
-          n_dofs, error.of_target(), error.quantity ? 4 : 2, evaluation.has_limit(name, history.quantity));
+      history.meshes.add(n_dofs, error.of_target(), error.quantity ? 4 : 2, evaluation.has_limit(name));
   }
 
   template <int dim>

@@ -70,14 +70,26 @@ namespace Amontons
   RunReport<dim>::missed_target(const Discretization<dim> &discretization, const Ending &ending) const
   {
     const auto        &error      = ending.evaluation.error;
+    const std::string &name       = ending.refinement.target_quantity;
     const bool         touches    = ending.evaluation.touches();
-    const auto         indicators = touches ? error.indicators_for(0) : error.cell_indicators;
+    const auto         indicators = !touches                                      ? error.cell_indicators
+                                    : name == "peak pressure" && error.cusp_grows ? error.cusp_indicators
+                                                                                  : error.indicators_for(0);
     std::ostringstream place;
     place.precision(2);
     if (indicators.size() == discretization.geometry.triangulation.n_active_cells())
       place << place_of_largest(discretization, indicators);
+    const std::string reason =
+        !touches ? ". Nothing touches, and the error is that of the stress, which corners and the ends of "
+                   "supports make infinite"
+        : name.find(" pressure") == std::string::npos
+            ? ""
+            : ". Where a sharp edge presses, the pressure is infinite, and its mean square does not "
+              "converge, "
+              "nor does the peak at a tip; forces, contact sizes and the pressure away from there do: round "
+              "it, or ask for those ('Target quantity')";
     return ending.history.meshes.why_missed(
-        ending.refinement.target_error, ending.refinement.max_dofs, touches, place.str());
+        ending.refinement.target_error, ending.refinement.max_dofs, place.str(), reason);
   }
 
   template <int dim>

@@ -60,8 +60,8 @@ namespace Amontons
   std::string
   MeshSequence::why_missed(const double       target,
                            const double       max_dofs,
-                           const bool         touches,
-                           const std::string &place) const
+                           const std::string &place,
+                           const std::string &reason) const
   {
     std::ostringstream text;
     text.precision(2);
@@ -69,13 +69,7 @@ namespace Amontons
       {
         text << "warning: the target error is out of reach: the estimated error "
              << (!stands_still() && order() > 0.005 ? "hardly falls" : "does not fall")
-             << " with the DoFs, most of it is near (" << place << "). "
-             << (touches
-                     ? "Where a sharp edge presses, the pressure is infinite, and its mean square does not "
-                       "converge, nor does the peak at a tip; forces, contact sizes and the pressure away "
-                       "from there do: round it, or ask for those ('Target quantity')"
-                     : "Nothing touches, and the error is that of the stress, which corners and the ends of "
-                       "supports make infinite");
+             << " with the DoFs, most of it is near (" << place << ")" << reason;
         return text.str();
       }
     text << "the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'";

@@ -38,13 +38,12 @@ namespace Amontons
     bool
     is_hopeless(const double target, const double max_dofs) const;
 
-    /// For the user. place: of most of the error; touches: anything does (else the error is that of the
-    /// stress).
+    /// For the user. place: of most of the error; reason: a sentence that goes on from there, or nothing.
     std::string
     why_missed(const double       target,
                const double       max_dofs,
-               const bool         touches,
-               const std::string &place) const;
+               const std::string &place,
+               const std::string &reason) const;
 
   private:
     struct Mesh

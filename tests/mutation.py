@@ -234,7 +234,7 @@ CHANGES = [
     ("peaks that rise for ever", "adaptivity/peak_error.cc", "fall(1) * of_power(0) < of_power(1) * fall(0)", "false", "scenes/kink_of_gap_at_0.7$"),
     ("peaks that are cusps", "adaptivity/peak_error.cc", "part * near / peak", "0 * near / peak", "scenes/cusp"),
     ("coarse cells around a contact", "adaptivity/pollution_error.cc", "constants[degree - 1] * modulus", "0 * modulus", "scenes/hertz_on_cantilever"),
-    ("loads beside the contact", "elasticity/loads.cc", "covered->second < area / 2", "covered->second < 2 * area", "scenes/(patch_3d_q1_second_punch|block_on_larger_slave|fluid_pressure.*)$"),
+    ("loads beside the contact", "elasticity/loads.cc", "covered->second < area / 2", "covered->second < 2 * area", "scenes/(patch_q2_second_punch|patch_3d_q1_first_punch)$"),
     ("an edge that is none", "adaptivity/edge_error.cc", "deforms ? fields.state[i] == ContactStatus::open && ", "deforms ? !presses(i) || ", "adaptivity/edge_error"),
     ("bound after a jump", "output/energy.cc", "state.committed_t + 1e-9 *", "state.committed_t - 1e-9 *", "scenes/coefficient_that_jumps"),
     ("where a node touches", "../include/amontons/solver/fixed_contact.h", "std::min(left / closed, longer)", "0", "scenes/loaded_at_an_angle"),

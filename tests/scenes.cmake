@@ -1056,6 +1056,11 @@ foreach(quantity "total force" "contact size" "peak pressure" "approach")
                        "pairs.0.contact_size ~ 0.19273 0.02" "pairs.1.contact_size ~ 0.030793 0.02" "pairs.2.contact_size ~ 0.011078 0.02"
                        "pairs.2.peak_pressure ~ 121.82 0.02" "pairs.2.approach ~ 2e-5 0.02")
 endforeach()
+# A size that one node makes is none: against it that of finer meshes counted as unknown, up to 131,000 unknowns (0.12693 by four meshes from 12,000 to 131,000 unknowns).
+add_scene_test(NAME target_of_size_on_one_node SCENE verification/growing_stick_3d.prm SET "Increments=1" "Body block/Lower corner=-1,-1,-1" "Body block/Upper corner=1,1,0" "Body block/Cells=3,3,2" "Body block/Young modulus=1000"
+               "Obstacle ball/Centre=0.17,0.17,10" "Obstacle ball/Radius=10" "Obstacle ball/Displacement=0|0|free" "Obstacle ball/Force=0|0|-0.3" "Boundary condition symmetry/Boundaries=block/bottom" "Contact interface/Friction coefficient=0"
+               "Refinement/Cycles=-1" "Refinement/Target error=0.03" "Refinement/Target quantity=contact size"
+               CHECK "status is converged" "error_estimate.quantity <= 0.03" "error_estimate.quantity >= 5e-5" "pairs.0.contact_size ~ 0.12693 2e-3" "dofs <= 40000")
 # Hertz; the traction of the tied joint is infinite.
 foreach(quantity "contact pressure" "contact size" "approach")
   string(REPLACE " " "_" name ${quantity})

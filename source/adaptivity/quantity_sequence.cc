@@ -141,9 +141,12 @@ namespace Amontons
           return result;
         };
         const double left =
-            quarter < n ? rest_of(change(quarter, half), change(half, last))
-                        : change(half, last) *
-                              (!is_smooth || settles(half, last, i) ? 1 : largest_rho / (1 - largest_rho));
+            quarter < n
+                ? rest_of(change(quarter, half), change(half, last))
+                : std::max(change(half, last) *
+                               (!is_smooth || settles(half, last, i) ? 1 : largest_rho / (1 - largest_rho)),
+                           change(half > 0 ? half - 1 : 0, half) * smallest_rho * smallest_rho /
+                               (1 - smallest_rho));
         worst = std::max(
             worst, left / std::max({std::abs(value(last, i)), least_of_largest * largest, least_value}));
       }

@@ -232,6 +232,19 @@ namespace Amontons
         is_unresolved.begin(), is_unresolved.end(), [](const bool unresolved) { return unresolved; });
   }
 
+  template <int dim>
+  bool
+  sizes_are_seen(const std::vector<ContactInterface<dim>> &interfaces,
+                 const std::vector<SurfaceFields<dim>>    &fields)
+  {
+    const auto presses = pairs_that_press(interfaces, fields);
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      if (presses[i] && fields[i].contact_size < smallest_closed_face(interfaces[i], fields[i]) / 2 &&
+          !contact_is_resolved(interfaces[i], fields[i], std::numeric_limits<double>::infinity()))
+        return false;
+    return true;
+  }
+
   template <>
   bool
   sizes_are_resolved(const std::vector<ContactInterface<2>> &interfaces,
@@ -293,6 +306,10 @@ namespace Amontons
   smallest_closed_face(const ContactInterface<2> &, const SurfaceFields<2> &);
   template double
   smallest_closed_face(const ContactInterface<3> &, const SurfaceFields<3> &);
+  template bool
+  sizes_are_seen(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &);
+  template bool
+  sizes_are_seen(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &);
   template bool
   small_contacts_are_resolved(const std::vector<ContactInterface<2>> &,
                               const std::vector<SurfaceFields<2>> &);

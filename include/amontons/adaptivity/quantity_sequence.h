@@ -26,8 +26,9 @@ namespace Amontons
     /// D rho/(1 - rho) is left. rho is believed between 0.4 and 0.8, and a change that happens to be small
     /// counts as no smaller than 0.4 of the one before. Of two such meshes: their change, but as if rho were
     /// 0.8 where numbers that change smoothly (is_smooth: forces, not sizes of sets of nodes) swing on the
-    /// meshes between, or change by more and more. (A change is the largest from any mesh between.) At least
-    /// a quarter of the error on the mesh before: one mesh more does not take away more. Infinite as long as
+    /// meshes between, or change by more and more. (A change is the largest from any mesh between.) Where
+    /// the first of the two has changed them more, that change counts as one of three meshes does. At least a
+    /// quarter of the error on the mesh before: one mesh more does not take away more. Infinite as long as
     /// there are no two meshes.
     double
     error(const bool is_smooth = false) const;

@@ -75,6 +75,13 @@ namespace Amontons
   small_contacts_are_resolved(const std::vector<ContactInterface<dim>> &interfaces,
                               const std::vector<SurfaceFields<dim>>    &fields);
 
+  // Whether none of those that press is measured to be smaller than half of a face: where one node carries
+  // nearly all, there is no size. Sharp edges and points: as above.
+  template <int dim>
+  bool
+  sizes_are_seen(const std::vector<ContactInterface<dim>> &interfaces,
+                 const std::vector<SurfaceFields<dim>>    &fields);
+
   // Whether contacts have as many closed nodes as their size to this relative error takes, which goes like
   // the square of the faces' part of it: two coarse meshes may agree by chance. Sharp edges: as above. In
   // space, where nodes are many, always.

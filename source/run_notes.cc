@@ -85,9 +85,8 @@ namespace Amontons
         : name.find(" pressure") == std::string::npos
             ? ""
             : ". Where a sharp edge presses, the pressure is infinite, and its mean square does not "
-              "converge, "
-              "nor does the peak at a tip; forces, contact sizes and the pressure away from there do: round "
-              "it, or ask for those ('Target quantity')";
+              "converge, nor does the peak at a tip; forces, contact sizes and the pressure away from there "
+              "do: round it, or ask for those ('Target quantity')";
     return ending.history.meshes.why_missed(
         ending.refinement.target_error, ending.refinement.max_dofs, place.str(), reason);
   }

@@ -124,14 +124,9 @@ namespace Amontons
   {
     const unsigned int me = Utilities::MPI::this_mpi_process(discretization.geometry.communicator);
     estimate.cusp_indicators.reinit(discretization.geometry.triangulation.n_active_cells());
-    const auto presses = [&](const unsigned int i) {
-      return !interfaces[i].pair->tied && std::any_of(fields[i].pressure.begin(),
-                                                      fields[i].pressure.end(),
-                                                      [](const double p) { return p > 0; });
-    };
     bool any_presses = false; // where it does, tied pairs do not count
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      any_presses = any_presses || presses(i);
+      any_presses = any_presses || (!interfaces[i].pair->tied && fields[i].peak_pressure > 0);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         const auto &interface = interfaces[i];

@@ -33,7 +33,7 @@ start_server(const int listening, const char *program)
   const pid_t child = fork();
   if (child == 0)
     {
-      if (setsid() < 0 || fork() != 0)
+      if (setpgid(0, 0) != 0 || fork() != 0)
         _exit(0);
       std::string library(4096, '\0');
       library.resize(std::max<ssize_t>(readlink("/proc/self/exe", library.data(), library.size()), 0));

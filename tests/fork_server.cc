@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <dlfcn.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/signalfd.h>
 #include <sys/wait.h>
@@ -48,6 +49,13 @@ answer(const int connection)
   fork_server::Request request;
   if (!fork_server::receive(connection, request))
     return;
+  // On the processors to which mpirun has bound whoever asks.
+  ucred     asking = {};
+  socklen_t size   = sizeof(asking);
+  cpu_set_t processors;
+  if (getsockopt(connection, SOL_SOCKET, SO_PEERCRED, &asking, &size) == 0 &&
+      sched_getaffinity(asking.pid, sizeof(processors), &processors) == 0)
+    sched_setaffinity(0, sizeof(processors), &processors);
   sigset_t ends, before;
   sigemptyset(&ends);
   sigaddset(&ends, SIGCHLD);

@@ -17,13 +17,14 @@ def surroundings(folder=None):
 
 def run(command, ranks=1, **options):
     """subprocess.run of the program and its arguments, on so many ranks."""
+    # A build has a server that saves the 0.4 s of linking 200 libraries: see fork_server.cc. The runs of a study would get the surroundings that the server began with.
+    client = pathlib.Path(command[0]).parent / "tests" / "fork_client"
+    if client.exists() and "study" not in command:
+        command = [client] + command
     if int(ranks) > 1:
         return subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks)] + command, env=surroundings(), **options)
-    # A build has a server that saves the 0.4 s of linking 200 libraries: see fork_server.cc. The runs of a study get the surroundings that the server began with.
-    client = pathlib.Path(command[0]).parent / "tests" / "fork_client"
-    served = client.exists() and "study" not in command
     with tempfile.TemporaryDirectory(prefix="amontons-") as folder:
-        return subprocess.run(([client] if served else []) + command, env=surroundings(folder), **options)
+        return subprocess.run(command, env=surroundings(folder), **options)
 
 
 def timed(command, limit, log):

@@ -17,10 +17,10 @@ namespace Amontons
   /// of what it falls from there to the next ones. It is one if from there to those twice as far it falls
   /// less than 2^(3/2) times as much. At the tip of a wedge (n = 1) the pressure rises as log 1/r, at a sharp
   /// edge as r^(-1/2): the node of the peak, whose pressure is that of the mesh, does not show it, but those
-  /// around it do.
+  /// around it do. Where the scene @p has_axis, more is missing there: see missing_on_the_axis().
   template <int dim>
   PeakError
-  peak_error(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
+  peak_error(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields, bool has_axis);
 
   /// Of all pairs, as `cusp` and, at the cells of both sides, as `cusp_indicators`.
   template <int dim>

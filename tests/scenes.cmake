@@ -1762,6 +1762,9 @@ foreach(degree 1 2)
                  "Body block/Lower corner=0,-40" "Body block/Upper corner=40,0" "Refinement/Initial refinements=0" "Refinement/Cycles=20" "Refinement/Target error=0.03" "Refinement/Target quantity=peak pressure" "Reference/Solution="
                  CHECK "status is converged" "pairs.0.peak_pressure ~ 754.378 0.03" "error_estimate.quantity <= 0.03" "dofs <= 12000")
 endforeach()
+# Parts of faces counted where a round body is steep (0.3): the pressure swung from node to node (320 at the highest, 45 % estimated). 117.9 by a target of 0.1 %.
+add_scene_test(NAME steep_disks SCENE verification/two_equal_disks.prm SET "Boundary condition press/Value=0|-0.1"
+               CHECK "status is converged" "pairs.0.peak_pressure ~ 117.9 0.01" "error_estimate.contact <= 0.01" "dofs <= 12000")
 # Coarse cells around it moved the surface: 56.04 with 0.5 % estimated.
 add_scene_test(NAME hertz_on_cantilever SCENE verification/hertz_on_cantilever.prm CHECK "status is converged" "pairs.0.peak_pressure ~ 52.93 0.01" "error_estimate.contact <= 0.01"
                "dofs <= 25000")

@@ -101,14 +101,14 @@ namespace Amontons
     // count for as much as the near one. What lies farther from a face, by more than half its size, than what
     // is opposite of it or of the faces beside it cannot close with it: the strain would be too large. (Of
     // the sizes that of the largest: beside a large face a small one sees gaps that a slope has made on the
-    // way along the large one.) Moved surfaces may be as steep as that, and what counts must not change
-    // abruptly: there only what is separate from everything near is left out.
+    // way along the large one.) What hangs together with what is near counts as well: round bodies are as
+    // steep as that where they touch over a sixth of their radius, and a part of a face would have gaps and
+    // weights of its own. Of obstacles that is not known.
     template <int dim>
     std::vector<OverlapPoint<dim>>
     without_steps(const ContactSurface<dim>     &slave,
                   const ContactSurface<dim>     *master,
-                  std::vector<OverlapPoint<dim>> points,
-                  const bool                     moved)
+                  std::vector<OverlapPoint<dim>> points)
     {
       std::vector<double> closest(slave.nodes.size(), std::numeric_limits<double>::max()),
           largest(slave.nodes.size(), 0.);
@@ -130,7 +130,7 @@ namespace Amontons
             }
           piece.kept = piece.gap <= beside + 0.5 * size;
         }
-      if (moved && master != nullptr)
+      if (master != nullptr)
         keep_connected(*master, pieces);
       std::size_t n = 0;
       for (const auto &piece : pieces)
@@ -188,7 +188,7 @@ namespace Amontons
     for (const auto &of_face : compute_in_turn(communicator, slave.faces.size(), find))
       points.insert(points.end(), of_face.begin(), of_face.end());
     if (!pair.initial_gap)
-      points = without_steps(slave, master.surface, std::move(points), moved);
+      points = without_steps(slave, master.surface, std::move(points));
     for (auto &p : points)
       p.weight *= area_factor(axisymmetric, p.x_slave);
     return points;

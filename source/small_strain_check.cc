@@ -70,6 +70,14 @@ namespace Amontons
     return std::max(0., (allowed / *by_shear - shear->directions) / shear->amplification);
   }
 
+  // Where sharp edges press they are not, on any mesh, and what finite strain makes of them tells nothing.
+  template <int dim>
+  bool
+  SmallStrainCheck<dim>::pressures_are_known() const
+  {
+    return error_of_mesh < 0.25;
+  }
+
   // (Facets of coarse meshes make gaps uneven, too; what that comes to is an error of the mesh.)
   template <int dim>
   double
@@ -77,7 +85,8 @@ namespace Amontons
   {
     const auto  &quantity = parameters.refinement.target_quantity;
     const double pressure = neglected.largest().pressure;
-    return pressure > error_of_mesh && (quantity == "contact pressure" || quantity == "peak pressure")
+    return pressures_are_known() && pressure > error_of_mesh &&
+                   (quantity == "contact pressure" || quantity == "peak pressure")
                ? pressure
                : 0;
   }
@@ -145,7 +154,7 @@ namespace Amontons
     if (!change)
       return neglected.largest().largest() > too_much || stiffening > 1;
     return change->without_pressures > too_much ||
-           (change->largest > 0.5 && neglected.largest().contact > too_much);
+           (pressures_are_known() && change->largest > 0.5 && neglected.largest().contact > too_much);
   }
 
   template <int dim>

@@ -111,6 +111,8 @@ namespace Amontons
     allowed_part() const;
     // How much stress changes the stiffness.
     // What is left out as far as the target quantity looks at it.
+    bool
+    pressures_are_known() const;
     double
     error_by_uneven_gaps() const;
     double

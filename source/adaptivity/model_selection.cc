@@ -224,7 +224,8 @@ namespace Amontons
 
   // Gaps g that should be 0 take the pressure E*/2 H(g') to close them on a half plane, H Hilbert's
   // transform, which changes no norm: |p| = E*/2 |g'|. Slopes are those of the faces at a node in the mean
-  // square.
+  // square. A node misses no more than what it has: at a sharp edge or the tip of a crack slopes grow with
+  // the mesh.
   template <int dim>
   double
   NeglectedTermsOfHistory<dim>::pressure_of_uneven_gaps(const Place               &place,
@@ -257,8 +258,10 @@ namespace Amontons
         for (const Node &node : place.nodes[i])
           if (const auto at = squares.find(node.node); node.closed && at != squares.end())
             {
-              neglected += node.area * at->second.first / at->second.second * std::pow(modulus / 2, 2);
-              all += node.area * node.pressure * node.pressure;
+              const double square = node.pressure * node.pressure;
+              neglected += node.area *
+                           std::min(at->second.first / at->second.second * std::pow(modulus / 2, 2), square);
+              all += node.area * square;
             }
       }
     return all > 0 ? std::sqrt(neglected / all) : 0;

@@ -17,9 +17,10 @@ def surroundings(folder=None):
 
 def run(command, ranks=1, **options):
     """subprocess.run of the program and its arguments, on so many ranks."""
-    # A build has a server that saves the 0.4 s of linking 200 libraries: see fork_server.cc. The runs of a study would get the surroundings that the server began with.
+    # A build has a server that saves the 0.4 s of linking 200 libraries: see fork_server.cc. The runs of a study would get the surroundings that the server began
+    # with, and limits and signals that are set here are not passed on.
     client = pathlib.Path(command[0]).parent / "tests" / "fork_client"
-    if client.exists() and "study" not in command:
+    if client.exists() and "study" not in command and "preexec_fn" not in options:
         command = [client] + command
     if int(ranks) > 1:
         return subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks)] + command, env=surroundings(), **options)

@@ -18,6 +18,8 @@ namespace Amontons
                                             TimerOutput              &timer)
       : Model<dim>(other.mesh, true, state.t, timer)
   {
+    for (unsigned int i = 0; i < interfaces.size(); ++i)
+      interfaces[i].first_gap = other.interfaces[i].first_gap;
     couple_refined();
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       interfaces[i].search_distance = other.interfaces[i].search_distance;
@@ -92,9 +94,13 @@ namespace Amontons
     if (std::any_of(conditions.begin(), conditions.end(), [](const ConditionData &condition) {
           return condition.type == ConditionData::Type::pressure;
         }))
-      couple_at_rest();
-    else
-      lying.assign(interfaces.size(), {});
+      {
+        couple_at_rest();
+        return;
+      }
+    if (std::any_of(interfaces.begin(), interfaces.end(), [](const auto &i) { return !i.first_gap; }))
+      Model<dim>::couple_at_rest();
+    lying.assign(interfaces.size(), {});
   }
 
   // Bodies that lay on each other slide along each other: one of the two faces still is one that did. Its gap

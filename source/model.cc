@@ -43,8 +43,13 @@ namespace Amontons
   Model<dim>::find_surfaces()
   {
     changed.clear();
+    std::vector<std::optional<double>> first_gaps;
+    for (const auto &interface : interfaces)
+      first_gaps.push_back(interface.first_gap);
     interfaces  = make_interfaces(discretization(), mesh->first_is_slave);
     kept_system = std::make_shared<KeptSystem<dim>>();
+    for (unsigned int i = 0; i < first_gaps.size(); ++i)
+      interfaces[i].first_gap = first_gaps[i];
     for (auto &interface : interfaces)
       {
         interface.t          = t;

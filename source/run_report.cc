@@ -182,7 +182,7 @@ namespace Amontons
     summary.meshes.push_back(mesh);
     summary.cost.one_linear_solve_seconds = solve.newton.one_linear_solve_seconds;
     summary.cost.finest_mesh_seconds      = solve.seconds;
-    add_notes(solve.newton, answer.interfaces);
+    add_notes(solve.newton, answer);
     summary.message = solve.newton.failure ? Diagnosis::sentence(*solve.newton.failure) : "";
     summary.failure = solve.newton.failure ? Diagnosis::kind(*solve.newton.failure) : "";
   }
@@ -216,9 +216,27 @@ namespace Amontons
       announce(text);
   }
 
+  namespace
+  {
+    // Whether nodes are closed in faces where others carry no multiplier.
+    template <int dim>
+    bool
+    closes_beside_held_nodes(const ContactInterface<dim> &interface, const NodalContacts<dim> &contact)
+    {
+      const auto &faces = interface.slave->faces;
+      return std::any_of(faces.begin(), faces.end(), [&](const auto &face) {
+        const auto any = [&](const auto &is) {
+          return std::any_of(face.unknowns.begin(), face.unknowns.end(), is);
+        };
+        return any([&](const unsigned int i) { return !interface.carries[i]; }) &&
+               any([&](const unsigned int i) { return contact[i].state != ContactStatus::open; });
+      });
+    }
+  } // namespace
+
   template <int dim>
   void
-  RunReport<dim>::add_notes(const NewtonReport &newton, const std::vector<ContactInterface<dim>> &interfaces)
+  RunReport<dim>::add_notes(const NewtonReport &newton, const Answer<dim> &answer)
   {
     auto      &notes = summary.notes;
     const auto add   = [&](const std::string &text) {
@@ -232,9 +250,10 @@ namespace Amontons
       add("the states of friction repeated themselves; its bounds were held for a while (Tresca)");
     if (newton.pivoted)
       add("states of contact that the iteration did not find were found by pivoting (Lemke's method)");
-    for (const auto &interface : interfaces)
+    for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       {
-        const auto &slave = *interface.slave;
+        const auto &interface = answer.interfaces[i];
+        const auto &slave     = *interface.slave;
         if (slave.sharpest_edge > 60)
           {
             std::ostringstream text;
@@ -244,7 +263,8 @@ namespace Amontons
                     "pair for each side is exact";
             add(text.str());
           }
-        if (interface.n_without_multiplier > 0)
+        if (interface.n_without_multiplier > 0 &&
+            closes_beside_held_nodes(interface, answer.state.contact[i]))
           add("pair '" + interface.pair->name +
               "': slave nodes that supports or other pairs hold carry no multiplier; their neighbours take "
               "their share");

@@ -176,7 +176,7 @@ namespace Amontons
     void
     announce_checkpoint();
     void
-    add_notes(const NewtonReport &newton, const std::vector<ContactInterface<dim>> &interfaces);
+    add_notes(const NewtonReport &newton, const Answer<dim> &answer);
     void
     add_answer(const Answer<dim> &answer, const Ending &ending);
     void

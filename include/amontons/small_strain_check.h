@@ -109,14 +109,14 @@ namespace Amontons
     // too. Mesh and model share what is allowed: all that the mesh leaves, and a quarter anyway.
     double
     allowed_part() const;
-    // How much stress changes the stiffness.
-    // What is left out as far as the target quantity looks at it.
     bool
     pressures_are_known() const;
+    // What is left out as far as the target quantity looks at it.
     double
     error_by_uneven_gaps() const;
     double
     neglected_part() const;
+    // How much stress changes the stiffness.
     double
     stiffening_at(Model<dim>               &model,
                   const SolutionState<dim> &state,

@@ -179,6 +179,18 @@ namespace Amontons
     return moves;
   }
 
+  namespace
+  {
+    template <int dim>
+    void
+    note_first_gap(const std::vector<OverlapPoint<dim>> &points, ContactInterface<dim> &interface)
+    {
+      interface.first_gap = std::numeric_limits<double>::infinity();
+      for (const auto &p : points)
+        interface.first_gap = std::min(*interface.first_gap, p.gap);
+    }
+  } // namespace
+
   template <int dim>
   void
   integrate_couplings(const Discretization<dim>          &discretization,
@@ -192,6 +204,8 @@ namespace Amontons
       {
         carries.push_back(find_carrying_nodes(*interface.slave, supports, interface.pair->tied));
         auto points = find_partners(discretization, interface, moved);
+        if (!moved)
+          note_first_gap(points, interface);
         for (auto &point : points)
           {
             point.ray = point.normal;
@@ -224,6 +238,8 @@ namespace Amontons
           continue;
         auto points = std::move(interface.coupling.points);
         declare_gaps(*interface.pair, *interface.slave, t, false, points);
+        if (stays)
+          note_first_gap(points, interface);
         integrate(discretization, std::move(points), interface.carries, stays, false, interface);
       }
   }

@@ -115,7 +115,7 @@ namespace Amontons
     Tensor<1, dim>            e         = fields.normal_force;
     for (const auto &normal : fields.symmetry_planes)
       e -= (e * normal) * normal;
-    if (e.norm() == 0 || interface.coupling.points.empty())
+    if (e.norm() == 0 || !interface.first_gap || std::isinf(*interface.first_gap))
       return {};
     e /= e.norm();
 
@@ -125,10 +125,12 @@ namespace Amontons
                     : motion_of_carrier(answer, answer.discretization.geometry.carrier(data.obstacle), e);
     if (!first || !second)
       return {};
-    double gap = std::numeric_limits<double>::max();
-    for (const auto &p : interface.coupling.points)
-      gap = std::min(gap, p.gap);
-    return std::abs(*second - *first) - gap;
+    // What holds both bodies does not move; other loads or an interference press them together.
+    constexpr double rounding = 1e-12;
+    const double     motion   = std::abs(*second - *first);
+    if (motion <= rounding * answer.state.displacement.linfty_norm() && *interface.first_gap >= 0)
+      return {};
+    return motion - *interface.first_gap;
   }
 
   template std::optional<double>

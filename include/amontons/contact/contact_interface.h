@@ -5,6 +5,7 @@
 #include <amontons/contact/nodal_contact.h>
 
 #include <memory>
+#include <optional>
 
 namespace Amontons
 {
@@ -17,6 +18,9 @@ namespace Amontons
     MasterSide<dim>                      master;
     Coupling<dim> coupling; // small sliding: integrated once per mesh, in the reference configuration
     double        t = 0;    // at which declared gaps are taken
+    // The smallest gap before anything has moved (small strain: as it is declared for t). Infinite: nothing
+    // is opposite. Meshes of one history tell each other.
+    std::optional<double> first_gap;
     std::vector<bool>
         carries; // by slave node: whether it may have a row: no support and no other pair has it
     std::vector<bool> carried;                  // slave nodes with a row

@@ -99,7 +99,11 @@ namespace Amontons
         return;
       }
     if (std::any_of(interfaces.begin(), interfaces.end(), [](const auto &i) { return !i.first_gap; }))
-      Model<dim>::couple_at_rest();
+      {
+        Model<dim>::couple_at_rest();
+        for (auto &interface : interfaces)
+          interface.search_distance = 0; // chosen where the surfaces are
+      }
     lying.assign(interfaces.size(), {});
   }
 

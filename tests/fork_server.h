@@ -45,8 +45,25 @@ read_all(const int file, void *data, const std::size_t size)
   return size == 0 || recv(file, data, size, MSG_WAITALL) == static_cast<ssize_t>(size);
 }
 
-/// Length of the text, numbers of arguments and of variables; the texts one after the other, each ended by a
-/// zero.
+/// What is sent first: length of the text, numbers of arguments and of variables, beside the streams.
+struct Head
+{
+  std::array<std::uint64_t, 3> sizes                                  = {};
+  alignas(cmsghdr) char control[CMSG_SPACE(sizeof(Request::streams))] = {};
+  iovec  part                                                         = {sizes.data(), sizeof(sizes)};
+  msghdr message                                                      = {};
+
+  Head()
+  {
+    message.msg_iov        = &part;
+    message.msg_iovlen     = 1;
+    message.msg_control    = control;
+    message.msg_controllen = sizeof(control);
+  }
+  Head(const Head &) = delete;
+};
+
+/// A Head, then the texts one after the other, each ended by a zero.
 inline bool
 send_request(const int connection, const Request &request)
 {
@@ -54,20 +71,14 @@ send_request(const int connection, const Request &request)
   for (const auto *list : {&request.arguments, &request.environment})
     for (const std::string &entry : *list)
       text += entry + '\0';
-  std::array<std::uint64_t, 3> sizes = {text.size(), request.arguments.size(), request.environment.size()};
-  alignas(cmsghdr) char        control[CMSG_SPACE(sizeof(request.streams))] = {};
-  iovec                        part                                         = {sizes.data(), sizeof(sizes)};
-  msghdr                       message                                      = {};
-  message.msg_iov                                                           = &part;
-  message.msg_iovlen                                                        = 1;
-  message.msg_control                                                       = control;
-  message.msg_controllen                                                    = sizeof(control);
-  cmsghdr *header                                                           = CMSG_FIRSTHDR(&message);
-  header->cmsg_level                                                        = SOL_SOCKET;
-  header->cmsg_type                                                         = SCM_RIGHTS;
-  header->cmsg_len = CMSG_LEN(sizeof(request.streams));
-  std::memcpy(CMSG_DATA(header), request.streams.data(), sizeof(request.streams));
-  return sendmsg(connection, &message, MSG_NOSIGNAL) == static_cast<ssize_t>(sizeof(sizes)) &&
+  Head head;
+  head.sizes         = {text.size(), request.arguments.size(), request.environment.size()};
+  cmsghdr *rights    = CMSG_FIRSTHDR(&head.message);
+  rights->cmsg_level = SOL_SOCKET;
+  rights->cmsg_type  = SCM_RIGHTS;
+  rights->cmsg_len   = CMSG_LEN(sizeof(request.streams));
+  std::memcpy(CMSG_DATA(rights), request.streams.data(), sizeof(request.streams));
+  return sendmsg(connection, &head.message, MSG_NOSIGNAL) == static_cast<ssize_t>(sizeof(head.sizes)) &&
          write_all(connection, text.data(), text.size());
 }
 
@@ -75,19 +86,12 @@ send_request(const int connection, const Request &request)
 inline bool
 receive(const int connection, Request &request)
 {
-  std::array<std::uint64_t, 3> sizes                                        = {};
-  alignas(cmsghdr) char        control[CMSG_SPACE(sizeof(request.streams))] = {};
-  iovec                        part                                         = {sizes.data(), sizeof(sizes)};
-  msghdr                       message                                      = {};
-  message.msg_iov                                                           = &part;
-  message.msg_iovlen                                                        = 1;
-  message.msg_control                                                       = control;
-  message.msg_controllen                                                    = sizeof(control);
-  if (recvmsg(connection, &message, MSG_WAITALL) != static_cast<ssize_t>(sizeof(sizes)) ||
-      CMSG_FIRSTHDR(&message) == nullptr)
+  Head head;
+  if (recvmsg(connection, &head.message, MSG_WAITALL) != static_cast<ssize_t>(sizeof(head.sizes)) ||
+      CMSG_FIRSTHDR(&head.message) == nullptr)
     return false;
-  std::memcpy(request.streams.data(), CMSG_DATA(CMSG_FIRSTHDR(&message)), sizeof(request.streams));
-  std::string text(sizes[0], '\0');
+  std::memcpy(request.streams.data(), CMSG_DATA(CMSG_FIRSTHDR(&head.message)), sizeof(request.streams));
+  std::string text(head.sizes[0], '\0');
   if (!read_all(connection, text.data(), text.size()))
     return false;
   std::size_t place = 0;
@@ -97,9 +101,9 @@ receive(const int connection, Request &request)
     return entry;
   };
   request.folder = next();
-  for (std::size_t n = 0; n < sizes[1]; ++n)
+  for (std::size_t n = 0; n < head.sizes[1]; ++n)
     request.arguments.push_back(next());
-  for (std::size_t n = 0; n < sizes[2]; ++n)
+  for (std::size_t n = 0; n < head.sizes[2]; ++n)
     request.environment.push_back(next());
   return true;
 }

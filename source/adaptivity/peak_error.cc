@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/peak_error.h>
+#include <amontons/contact/covered_shares.h>
 #include <amontons/contact/surface_fields.h>
 
 #include <algorithm>
@@ -80,10 +81,7 @@ namespace Amontons
              (dim == 3 || largest[0].value - inner > round * (largest[1].value - largest[0].value)) &&
              has_no_limit(largest);
     }
-  } // namespace
 
-  namespace
-  {
     // The node on the axis stands for the disk around it, and its pressure falls short of p_0 - c r^m by
     // k c H^m, where H is the length of a face. With the drops from there to the next corners, q = d_2/d_1 =
     // (2^m - k)/(1 - k), and what is missing is k/(1 - k) d_1. Measured in degree 2: k = 0.83, 0.6, 0.43,
@@ -140,13 +138,13 @@ namespace Amontons
       if (const auto &nodes = slave.faces[f].nodes; std::find(nodes.begin(), nodes.end(), top) != nodes.end())
         {
           result.faces.push_back(f);
-          length = std::max(length, slave.nodes[nodes.front()].x.distance(slave.nodes[nodes.back()].x));
+          length = std::max({length, distance(nodes.front()), distance(nodes.back())});
           for (const unsigned int i : nodes)
             if (i != top)
               h = std::min(h, distance(i));
         }
     result.grows = rises_for_ever(slave, fields, top, h);
-    if (has_axis && std::abs(slave.nodes[top].X[0]) < 1e-10 * length)
+    if (has_axis && is_on_axis(slave, top))
       {
         const double missing = missing_on_the_axis(slave, fields, top, length);
         result.error         = missing > noteworthy * peak ? missing / peak : 0;

@@ -39,7 +39,7 @@ GROUPS = [
     ("Benchmarks, and scenes of other programs", "nafems_roller nafems_roller_friction nafems_punch nafems_punch_friction verification/peers_cylinder verification/peers_shear "
      "verification/peers_sphere verification/peers_sphere_3d"),
     ("Patch tests and stacks", "patch_test patch_test_3d three_blocks three_blocks_3d verification/patch_pressure verification/patch_confined verification/patch_hanging_nodes "
-     "verification/patch_punch verification/two_punches verification/guided_block verification/stepped_punch verification/three_contacts verification/overtaken verification/pressed_by_two verification/split_slave verification/cross_point verification/declared_gap verification/punch_by_gap verification/patch_3d_pressure "
+     "verification/patch_punch verification/two_punches verification/guided_block verification/stepped_punch verification/three_contacts verification/overtaken verification/pressed_by_two verification/split_slave verification/split_slave_3d verification/cross_point verification/declared_gap verification/punch_by_gap verification/patch_3d_pressure "
      "verification/patch_3d_punch verification/patch_3d_hanging_nodes"),
     ("Tied bodies", "verification/tied_patch verification/tied_patch_3d verification/tied_beam verification/beam_in_one_piece verification/tied_column verification/tied_bracket"),
     ("Unusual input", "verification/no_contact verification/just_touching verification/tension verification/stiff_punch verification/gap_closes_on_incompressible verification/piston verification/narrow_load verification/thin_wire verification/edge_beyond_nodes verification/wavy_gap verification/two_loads verification/beam_on_stop verification/corner_on_plane verification/edge_on_plate_3d "

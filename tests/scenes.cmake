@@ -1302,6 +1302,24 @@ foreach(cells "4, 3" "5, 3" "7, 3" "9, 3")
                  CHECK "status is converged" "reactions.0.force.1 ~ -0.2333333333333333 1e-10" "reactions.1.force.1 ~ -0.2333333333333333 1e-10"
                        "pairs.1.peak_pressure ~ 0.2333333333333333 1e-9" "pairs.2.peak_pressure ~ 0.2333333333333333 1e-9")
 endforeach()
+add_scene_test(NAME split_slave_3d SCENE verification/split_slave_3d.prm
+               CHECK "status is converged" "pairs.1.peak_pressure ~ 0.2333333333333333 1e-9" "pairs.2.peak_pressure ~ 0.2333333333333333 1e-9"
+                     "pairs.1.normal_force.2 ~ -0.1633333333333333 1e-10")
+# Next to nothing of a face below one of both: it lost every node to the other one, and was refused.
+foreach(left 0.05 0.1)
+  add_scene_test(NAME split_slave_at_${left} SCENE verification/split_slave.prm SET "Body base/Cells=1,1" "Body left/Upper corner=${left},1"
+                     "Body right/Lower corner=${left},0"
+                 CHECK "status is converged" "pairs.1.peak_pressure ~ 0.2333333333333333 1e-9" "pairs.2.peak_pressure ~ 0.2333333333333333 1e-9")
+  add_scene_test(NAME split_slave_3d_at_${left} SCENE verification/split_slave_3d.prm SET "Body base/Cells=3,2,1" "Body left/Upper corner=${left},1,1"
+                     "Body right/Lower corner=${left},0,0"
+                 CHECK "status is converged" "pairs.1.peak_pressure ~ 0.2333333333333333 1e-9" "pairs.2.peak_pressure ~ 0.2333333333333333 1e-9")
+endforeach()
+foreach(which "left foot" "right foot")
+  string(MAKE_C_IDENTIFIER "split_slave_tied_${which}" name)
+  add_scene_test(NAME ${name} SCENE verification/split_slave.prm SET "Body base/Cells=1,1" "Body left/Upper corner=0.05,1" "Body right/Lower corner=0.05,0"
+                     "Contact ${which}/Tied=true" "Kinematics=finite strain"
+                 CHECK "status is converged" "reactions.0.force.1 ~ -0.01166667 1e-3")
+endforeach()
 foreach(degree 1 2)
   add_scene_test(NAME split_slave_finite_q${degree} SCENE verification/split_slave.prm SET "Kinematics=finite strain" "Discretization/Degree=${degree}"
                  CHECK "status is converged" "reactions.0.force.1 ~ -0.23333 1e-3" "reactions.1.force.1 ~ -0.23333 1e-3")

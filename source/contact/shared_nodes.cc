@@ -91,6 +91,14 @@ namespace Amontons
       return a.normal * b.normal > 0.99;
     }
 
+    // Neither of the two lies behind the other one.
+    template <int dim>
+    bool
+    are_beside(const Claim<dim> &a, const Claim<dim> &b, const double size)
+    {
+      return a.preferred == b.preferred && std::abs(a.gap - b.gap) <= 0.1 * size && same_normal(a, b);
+    }
+
     // Tied pairs go first, as they leave contact no freedom, then clearly closer ones (iterates must not take
     // a node from one to the other). Of masters side by side the one that covers more of the node: so each
     // part of a face keeps a node. Of masters one behind the other, which cover as much, the closer one, as
@@ -137,6 +145,52 @@ namespace Amontons
         }
       return claims;
     }
+
+    // A claim lost to a pair beside, and the quotient of both areas.
+    struct LostClaim
+    {
+      unsigned int interface, node, winner, node_of_winner;
+      double       part;
+    };
+
+    // A pair that covers little of a slave face beside another one would lose every node, and what it covers
+    // would press on nothing: of each face it takes the nodes of which it covers most, as long as the other
+    // one keeps some. Returns the pairs that gave. (With half of the best part in common, a strip along an
+    // edge in space takes the edge.)
+    template <int dim>
+    std::set<unsigned int>
+    return_nodes(const std::vector<ContactInterface<dim>> &interfaces,
+                 const std::vector<LostClaim>             &lost,
+                 std::vector<std::vector<bool>>           &carries)
+    {
+      const auto n_kept = [&](const unsigned int i) {
+        const auto &rows = interfaces[i].coupling.rows;
+        return std::count_if(rows.begin(), rows.end(), [&](const auto &row) { return carries[i][row.node]; });
+      };
+      std::map<unsigned int, std::map<unsigned int, LostClaim>> losers;
+      for (const auto &claim : lost)
+        if (n_kept(claim.interface) == 0)
+          losers[claim.interface].emplace(claim.node, claim);
+      std::set<unsigned int> givers;
+      for (const auto &[i, claims] : losers)
+        for (const auto &face : interfaces[i].slave->faces)
+          {
+            double best = 0;
+            for (const unsigned int node : face.nodes)
+              if (const auto claim = claims.find(node); claim != claims.end())
+                best = std::max(best, claim->second.part);
+            for (const unsigned int node : face.nodes)
+              if (const auto claim = claims.find(node); claim != claims.end() &&
+                                                        claim->second.part > 0.5 * best &&
+                                                        n_kept(claim->second.winner) > 1)
+                {
+                  carries[i][node]                                            = true;
+                  carries[claim->second.winner][claim->second.node_of_winner] = false;
+                  givers.insert(claim->second.winner);
+                }
+          }
+      return givers;
+    }
   } // namespace
 
   template <int dim>
@@ -155,6 +209,7 @@ namespace Amontons
         parts[i] = covered_parts(interfaces[i], discretization.scene.kind == ProblemType::axisymmetric);
       return &parts[i];
     };
+    std::vector<LostClaim> lost;
     for (const auto &[dof, rivals] : claims_of(interfaces))
       {
         (void)dof;
@@ -165,9 +220,15 @@ namespace Amontons
               if (!carries[a.interface][a.node] || !carries[b.interface][b.node] ||
                   !(same_normal(a, b) || a.may_hold_all() || b.may_hold_all()))
                 continue;
-              const auto &loser = goes_before(a, b, interfaces[a.interface].slave->mean_size, moved) ? b : a;
+              const double size                    = interfaces[a.interface].slave->mean_size;
+              const bool   first                   = goes_before(a, b, size, moved);
+              const auto  &winner                  = first ? a : b;
+              const auto  &loser                   = first ? b : a;
               carries[loser.interface][loser.node] = false;
               again[loser.interface]               = true;
+              if (are_beside(a, b, size))
+                lost.push_back(
+                    {loser.interface, loser.node, winner.interface, winner.node, loser.area / winner.area});
               const auto &one = *interfaces[a.interface].slave, &other = *interfaces[b.interface].slave;
               if (!same_normal(a, b) || loser.pair->tied || a.node != b.node ||
                   one.faces.size() != other.faces.size())
@@ -179,6 +240,8 @@ namespace Amontons
                            part_that_both_cover(one, a.node, *parts_of(a.interface), *parts_of(b.interface)));
             }
       }
+    for (const unsigned int winner : return_nodes(interfaces, lost, carries))
+      again[winner] = true;
     return again;
   }
 

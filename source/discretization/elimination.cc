@@ -59,4 +59,52 @@ namespace Amontons
         constraints.add_entry(pivot, dof, -weight / coefficient);
     constraints.set_inhomogeneity(pivot, equation.value / coefficient);
   }
+
+  void
+  resolve_chains(const std::vector<types::global_dof_index> &order, Constraints &constraints)
+  {
+    std::map<types::global_dof_index, LinearEquation> resolved; // u_dof = sum coefficient u + value
+    for (auto dof = order.rbegin(); dof != order.rend(); ++dof)
+      {
+        const auto &entries = *constraints.get_constraint_entries(*dof);
+        if (std::none_of(entries.begin(), entries.end(), [&](const auto &e) {
+              return constraints.is_constrained(e.first);
+            }))
+          continue;
+        LinearEquation line{{}, constraints.get_inhomogeneity(*dof)};
+        for (const auto &[other, weight] : entries)
+          if (const auto *later = constraints.get_constraint_entries(other); later == nullptr)
+            line.coefficients[other] += weight;
+          else
+            {
+              const auto known = resolved.find(other);
+              if (known == resolved.end())
+                for (const auto &[free, part] : *later)
+                  line.coefficients[free] += weight * part;
+              else
+                for (const auto &[free, part] : known->second.coefficients)
+                  line.coefficients[free] += weight * part;
+              line.value += weight * (known == resolved.end() ? constraints.get_inhomogeneity(other)
+                                                              : known->second.value);
+            }
+        resolved.emplace(*dof, std::move(line));
+      }
+    if (resolved.empty())
+      return;
+    Constraints result(constraints.get_local_lines());
+    for (const auto &line : constraints.get_lines())
+      {
+        result.add_line(line.index);
+        const auto known = resolved.find(line.index);
+        if (known == resolved.end())
+          result.add_entries(line.index, line.entries);
+        else
+          for (const auto &[free, part] : known->second.coefficients)
+            if (part != 0)
+              result.add_entry(line.index, free, part);
+        result.set_inhomogeneity(line.index,
+                                 known == resolved.end() ? line.inhomogeneity : known->second.value);
+      }
+    constraints = std::move(result);
+  }
 } // namespace Amontons

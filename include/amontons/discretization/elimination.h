@@ -30,4 +30,10 @@ namespace Amontons
   // Adds the line u_pivot = (value - sum of the others) / coefficient_pivot.
   void
   eliminate(const LinearEquation &equation, const types::global_dof_index pivot, Constraints &constraints);
+
+  // Lines refer to DoFs that were eliminated after them, these to others: each is replaced by what it comes
+  // to. AffineConstraints::close() replaces entry by entry without collecting equal ones, which takes a time
+  // exponential in the length of the chain. order: the DoFs in the order of their elimination.
+  void
+  resolve_chains(const std::vector<types::global_dof_index> &order, Constraints &constraints);
 } // namespace Amontons

@@ -227,7 +227,8 @@ namespace Amontons
   // Where surfaces move far a facet may be longer than the way from one state to the next one: the iteration
   // then finds none, or one behind the other surface. (Of a strip that a pin bends aside: with 20 cells along
   // it at no increment, with 10 and 40 at all.) Finer meshes whose cost is unlike that of the first one are
-  // not worth a try that may fail as well.
+  // not worth a try that may fail as well; nor is it worth one where several meshes have passed, and a finer
+  // one turns a cell inside out: so do sharp edges.
   template <int dim>
   bool
   ContactProblem<dim>::may_be_too_coarse() const
@@ -237,6 +238,7 @@ namespace Amontons
     const auto  kinds   = {
            Kind::inverted_cell, Kind::passed_through, Kind::motion_lost, Kind::no_states, Kind::still_moving};
     return !is_finer && steps->model->finite_strain() && failure &&
+           (failure->kind != Kind::inverted_cell || mesh->n_refinements < 4) &&
            std::find(kinds.begin(), kinds.end(), failure->kind) != kinds.end() &&
            std::pow(2, dim) * n_first_dofs <= std::min(20000., double(parameters.refinement.max_dofs));
   }
@@ -335,8 +337,9 @@ namespace Amontons
     return steps->run();
   }
 
-  // From the answer of small strain, at once, where the scene asks for nothing on the way. Should a finer
-  // mesh fail, the increments may find its answer.
+  // From the answer of small strain, at once, where the scene asks for nothing on the way. What meshes have
+  // shown with small strain holds: by how much kinematics change a number depends little on the mesh. Should
+  // a finer mesh fail, the increments may find its answer.
   template <int dim>
   bool
   ContactProblem<dim>::go_on_with_finite_strain()
@@ -346,7 +349,12 @@ namespace Amontons
         !scene.corner_times.empty())
       return false;
     report.restart();
+    auto       quantity = steps->history.quantity;
+    const auto refined  = steps->evaluation.refined;
+    quantity.repeat();
     start(true, nearby);
+    steps->history.quantity   = std::move(quantity);
+    steps->evaluation.refined = refined;
     return steps->run();
   }
 

@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/load_record.h>
+#include <amontons/adaptivity/smallest_cells.h>
 #include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/load_stepping.h>
 #include <amontons/output/target_quantity.h>
@@ -182,6 +183,12 @@ namespace Amontons
     // Where error.data is 1 what touches is unseen.
     if (evaluation.touches() ? evaluation.resolves_contact() && is_resolved : error.data < 1)
       history.meshes.add(n_dofs, error.of_target(), error.quantity ? 4 : 2, evaluation.has_limit(name));
+    const bool is_peak = error.quantity && name == "peak pressure" && error.cusp_grows;
+    if (is_peak || (!error.quantity && error.contact > 0))
+      history.meshes.add_lasting(
+          error_of_smallest_cells(model->discretization(),
+                                  is_peak ? error.cusp_indicators : error.indicators_for(0)),
+          parameters.refinement.target_error);
   }
 
   template <int dim>

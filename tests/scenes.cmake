@@ -1759,6 +1759,11 @@ add_scene_test(NAME disk_on_plane_finite SCENE verification/disk_squeezed.prm SE
 # Held off their middles the blocks came apart as they grew wider.
 add_scene_test(NAME stack_without_friction SCENE verification/stack_without_friction.prm
                CHECK "status is converged" "pairs.:.normal_force.1 ~ 1 1e-8" "pairs.:.centre.0 ~ 0.5 1e-6" "newton.:.iterations <= 6")
+# What small strain has shown of its meshes counts after the change to finite strain: refined to 9,092 unknowns. 0.0247858 and 0.00495893 on those.
+add_scene_test(NAME two_indenters_change_late SCENE verification/two_indenters.prm
+               SET "Kinematics=auto" "Obstacle heavy/Displacement=0|free" "Obstacle heavy/Force=0|-20" "Obstacle light/Force=0|-2" "Refinement/Target quantity=approach"
+                   "Refinement/Target error=0.01"
+               CHECK "status is converged" "error_estimate.quantity <= 0.01" "dofs <= 5000" "pairs.0.approach ~ 0.0247858 2e-3" "pairs.1.approach ~ 0.00495893 2e-3")
 # One estimate for both: the light one was not resolved (0.146).
 add_scene_test(NAME two_indenters SCENE verification/two_indenters.prm CHECK "status is converged" "error_estimate.contact <= 0.1" "pairs.0.peak_pressure ~ 23.37 5e-3"
                "pairs.1.peak_pressure ~ 1.0254 0.03" "dofs <= 5000")
@@ -1784,10 +1789,14 @@ endforeach()
 add_scene_test(NAME sharp_punch_of_small_strain SCENE verification/wavy_gap.prm SET "Kinematics=auto" "Body block/Lower corner=0,-40" "Body block/Upper corner=40,0" "Body block/Cells=6,6" "Body block/Young modulus=1000"
                "Obstacle plate/Force=0|-5" "Obstacle plate/Half width=1" "Contact face/Initial gap=0" "Refinement/Maximum DoFs=5000"
                CHECK "status is converged" "pairs.0.contact_size ~ 1.41421 2e-3" "error_estimate.kinematics <= 0.01" "linear_solves <= 40")
-# A crack that closes: slopes grow without bound at its tip (19 of the pressure were said to be left out).
+# Cells at the edge came to the smallest that there are, after which all others were refined (98,288 unknowns, 7.7e9 said to be needed).
+add_scene_test(NAME sharp_punch_of_smallest_cells SCENE verification/wavy_gap.prm SET "Body block/Lower corner=0,-40" "Body block/Upper corner=40,0" "Body block/Cells=6,6" "Body block/Young modulus=1000"
+               "Obstacle plate/Force=0|-5" "Obstacle plate/Half width=1" "Contact face/Initial gap=0" "Refinement/Target error=0.02"
+               CHECK "status is converged" "pairs.0.contact_size ~ 1.41421 2e-3" "dofs <= 12000" "notes.-2 has the target error is out of reach" "notes.-2 has as small as they can be" "notes.-2 has (1 -")
+# A crack that closes: slopes grow without bound at its tip (19 of the pressure were said to be left out), and the pressure beside it, as 1/sqrt(r).
 add_scene_test(NAME closed_crack SCENE verification/wavy_gap.prm SET "Body block/Lower corner=0,-20" "Body block/Upper corner=20,0" "Body block/Cells=10,10" "Body block/Young modulus=1000"
                "Obstacle plate/Force=0|-24.17582418" "Contact face/Initial gap=0.002*sqrt(max(0,1-x^2))" "Refinement/Target error=0.05"
-               CHECK "status is converged" "error_estimate.contact <= 0.05" "error_estimate.kinematics <= 0.3")
+               CHECK "status is converged" "dofs <= 6000" "error_estimate.kinematics <= 0.3" "notes.-2 has the target error is out of reach")
 # A round peak between steep flanks was taken for one without limit once finite strain was used: refined for more than 150 s. 86.36 by a target of 0.2 %.
 add_scene_test(NAME rounded_edge SCENE verification/wavy_gap.prm SET "Kinematics=auto" "Body block/Lower corner=0,-40" "Body block/Upper corner=40,0" "Body block/Cells=6,6" "Body block/Young modulus=1000"
                "Obstacle plate/Force=0|-10.3449842073" "Contact face/Initial gap=x < 0.99 ? 0 : (x - 0.99)^2/0.1" "Refinement/Target error=0.02" "Refinement/Target quantity=peak pressure"

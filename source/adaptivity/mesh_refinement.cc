@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/mesh_refinement.h>
+#include <amontons/adaptivity/smallest_cells.h>
 #include <amontons/solver/load_program.h>
 
 #include <deal.II/distributed/solution_transfer.h>
@@ -90,14 +91,12 @@ namespace Amontons
 
   namespace
   {
-    // p4est ends at 29 levels, in space at 18; cells of this size hardly differ from points.
     template <typename Cell, int dim>
     bool
     may_be_refined(const Discretization<dim> &discretization, const Cell &cell)
     {
-      constexpr int most_levels = dim == 2 ? 22 : 17;
       return cell->is_locally_owned() && discretization.is_deformable(cell->material_id()) &&
-             cell->level() < most_levels;
+             cell->level() < most_levels<dim>;
     }
 
     // Squared indicators of the cells that may be refined, of this rank; questions about all ranks.

@@ -54,7 +54,8 @@ namespace Amontons
   bool
   MeshSequence::is_hopeless(const double target, const double max_dofs) const
   {
-    return (stands_still() || (!always_falls && order() < 0.1)) && dofs_for(target) > 10 * max_dofs;
+    return has_ended ||
+           ((stands_still() || (!always_falls && order() < 0.1)) && dofs_for(target) > 10 * max_dofs);
   }
 
   std::string
@@ -68,8 +69,10 @@ namespace Amontons
     if (is_hopeless(target, max_dofs))
       {
         text << "warning: the target error is out of reach: the estimated error "
-             << (!stands_still() && order() > 0.005 ? "hardly falls" : "does not fall")
-             << " with the DoFs, most of it is near (" << place << ")" << reason;
+             << (has_ended                            ? "stays, with cells as small as they can be"
+                 : !stands_still() && order() > 0.005 ? "hardly falls with the DoFs"
+                                                      : "does not fall with the DoFs")
+             << ", most of it is near (" << place << ")" << reason;
         return text.str();
       }
     text << "the target error was not reached: allow more 'Cycles' or 'Maximum DoFs'";

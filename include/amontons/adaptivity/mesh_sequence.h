@@ -27,14 +27,22 @@ namespace Amontons
     bool
     stands_still() const;
 
+    /// Of cells that cannot be refined, on the last mesh: they end the sequence where that is more than the
+    /// target, and not less than on the mesh before.
+    void
+    add_lasting(const double error, const double target)
+    {
+      has_ended = has_ended || (error > target && error > 0.95 * lasting && lasting > target);
+      lasting   = error;
+    }
+
     /// At this order; infinite where the error does not fall, NaN where the order is not known.
     double
     dofs_for(const double target) const;
 
-    /// The quantity does not converge: the error stands still, or, where there may be no limit, its order is
-    /// below 0.1, where smooth
-    /// contact has 1/2 (3D) and more, and contact at an edge with a pressure that is square integrable 1/4 on
-    /// uniform and more on graded meshes.
+    /// The meshes have ended, or the quantity does not converge: the error stands still, or, where there may
+    /// be no limit, its order is below 0.1, where smooth contact has 1/2 (3D) and more, and contact at an
+    /// edge with a pressure that is square integrable 1/4 on uniform and more on graded meshes.
     bool
     is_hopeless(const double target, const double max_dofs) const;
 
@@ -53,5 +61,7 @@ namespace Amontons
     std::vector<Mesh> meshes;
     double            least_growth = 2;
     bool              always_falls = false;
+    bool              has_ended    = false;
+    double            lasting      = 0;
   };
 } // namespace Amontons

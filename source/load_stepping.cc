@@ -206,8 +206,12 @@ namespace Amontons
     if (refinement == Refinement::between_replays && may_refine())
       remember_path();
     if (small_strain != nullptr)
-      small_strain->neglected.add(
-          model->discretization(), *evaluation.recovery, history.state, model->interfaces, report.energy());
+      small_strain->neglected.add(model->discretization(),
+                                  *evaluation.recovery,
+                                  model->elasticity,
+                                  history.state,
+                                  model->interfaces,
+                                  report.energy());
     report.commit(answer(), history.work, evaluation);
     if (program.finished())
       return;

@@ -43,7 +43,7 @@ namespace Amontons
   Model<dim>::find_surfaces()
   {
     changed.clear();
-    std::vector<std::optional<double>> first_gaps;
+    std::vector<std::optional<typename ContactInterface<dim>::FirstGap>> first_gaps;
     for (const auto &interface : interfaces)
       first_gaps.push_back(interface.first_gap);
     interfaces  = make_interfaces(discretization(), mesh->first_is_slave);

@@ -16,18 +16,6 @@ namespace Amontons
   namespace
   {
     template <int dim>
-    bool
-    holds_all_rotations(const Discretization<dim> &discretization)
-    {
-      if (discretization.scene.kind != ProblemType::axisymmetric)
-        for (const auto &carrier : discretization.geometry.carriers)
-          for (unsigned int k = dim == 2 ? 2 : 0; k < 3; ++k)
-            if (!carrier.motion.rotation[k])
-              return false;
-      return true;
-    }
-
-    template <int dim>
     GivesUp
     gives_up_on(const Model<dim> &model, RunControl &control)
     {
@@ -233,7 +221,7 @@ namespace Amontons
     NeglectedTermsOfHistory<dim> here(neglected);
     shear =
         shear_kinematics(model.discretization(), model.interfaces, state.contact, neglected.largest().turn);
-    here.add(model.discretization(), recovery, state, model.interfaces, energy);
+    here.add(model.discretization(), recovery, model.elasticity, state, model.interfaces, energy);
     const NeglectedTerms &terms = here.largest();
     // What may come to matter on finer ones: strain hardly grows, the bound of the stiffening does.
     const bool may_matter  = terms.strain > 0.8 * bound(),

@@ -1764,6 +1764,13 @@ add_scene_test(NAME two_indenters_change_late SCENE verification/two_indenters.p
                SET "Kinematics=auto" "Obstacle heavy/Displacement=0|free" "Obstacle heavy/Force=0|-20" "Obstacle light/Force=0|-2" "Refinement/Target quantity=approach"
                    "Refinement/Target error=0.01"
                CHECK "status is converged" "error_estimate.quantity <= 0.01" "dofs <= 5000" "pairs.0.approach ~ 0.0247858 2e-3" "pairs.1.approach ~ 0.00495893 2e-3")
+# The other plane of symmetry was taken to cut the contact: its size was 7e-5 and nothing approached.
+add_scene_test(NAME pin_in_quarter_hole SCENE verification/pin_in_quarter_hole.prm CHECK "status is converged" "pairs.0.contact_size ~ 0.94697 0.01" "pairs.0.approach ~ 0.06217 2e-3")
+add_scene_test(NAME pin_in_quarter_hole_approach SCENE verification/pin_in_quarter_hole.prm SET "Refinement/Target quantity=approach" "Obstacle pin/Force=0|0.04"
+               CHECK "status is converged" "error_estimate.quantity <= 0.01" "pairs.0.contact_size ~ 0.9451 0.01")
+# Surfaces that pass each other: the gap of the start, in another direction, was taken off the motion (-0.29).
+add_scene_test(NAME approach_of_passing_disks SCENE verification/two_equal_disks.prm SET "Kinematics=finite strain" "Body upper/Centre=-1.2,0.95" "Boundary condition press/Value=1.2*t|0" "Refinement/Target error=0.1"
+               CHECK "status is converged" "pairs.0.approach is null" "pairs.0.normal_force.1 ~ 15.73 0.01")
 # One estimate for both: the light one was not resolved (0.146).
 add_scene_test(NAME two_indenters SCENE verification/two_indenters.prm CHECK "status is converged" "error_estimate.contact <= 0.1" "pairs.0.peak_pressure ~ 23.37 5e-3"
                "pairs.1.peak_pressure ~ 1.0254 0.03" "dofs <= 5000")

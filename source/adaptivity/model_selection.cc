@@ -2,6 +2,10 @@
 #include <amontons/adaptivity/model_selection.h>
 #include <amontons/adaptivity/slenderness.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/fe_values.h>
+
 namespace Amontons
 {
   namespace
@@ -50,6 +54,62 @@ namespace Amontons
     // small strain is that wrong, it shows elsewhere.
     constexpr double near = 0.1;
 
+    // The infinitesimal rotation of each body, its mean. Collective.
+    template <int dim>
+    std::vector<Tensor<2, dim>>
+    mean_turns(const Discretization<dim> &discretization, const LA::Vector &u)
+    {
+      const unsigned int          n_bodies = discretization.scene.bodies.size();
+      std::vector<double>         sums(n_bodies * (dim * dim + 1), 0.); // volume, gradients
+      FEValues<dim>               values(discretization.mapping,
+                           discretization.fe,
+                           QGauss<dim>(discretization.fe.degree + 1),
+                           update_gradients | update_JxW_values);
+      std::vector<Tensor<2, dim>> gradients(values.n_quadrature_points);
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
+          {
+            values.reinit(cell);
+            values[FEValuesExtractors::Vector(0)].get_function_gradients(u, gradients);
+            double *const sum = &sums[cell->material_id() * (dim * dim + 1)];
+            for (const unsigned int q : values.quadrature_point_indices())
+              {
+                sum[0] += values.JxW(q);
+                for (unsigned int i = 0; i < dim * dim; ++i)
+                  sum[1 + i] += gradients[q][i / dim][i % dim] * values.JxW(q);
+              }
+          }
+      Utilities::MPI::sum(sums, discretization.geometry.communicator, sums);
+      std::vector<Tensor<2, dim>> turns(n_bodies);
+      for (unsigned int b = 0; b < n_bodies; ++b)
+        if (const double *const sum = &sums[b * (dim * dim + 1)]; sum[0] > 0)
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j < dim; ++j)
+              turns[b][i][j] = (sum[1 + i * dim + j] - sum[1 + j * dim + i]) / (2 * sum[0]);
+      return turns;
+    }
+
+    template <int dim>
+    double
+    energy_beside(const std::vector<Tensor<2, dim>> &turns,
+                  const Discretization<dim>         &discretization,
+                  const ElasticityOperator<dim>     &elasticity,
+                  const LA::Vector                  &u)
+    {
+      FEValues<dim> values(discretization.mapping,
+                           discretization.fe,
+                           QGauss<dim>(discretization.fe.degree + 1),
+                           update_values | update_gradients | update_quadrature_points | update_JxW_values);
+      double        energy = 0;
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
+          {
+            values.reinit(cell);
+            energy += elasticity.energy_of_quadratic_strain(values, cell, u, turns[cell->material_id()]);
+          }
+      return Utilities::MPI::sum(energy, discretization.geometry.communicator);
+    }
+
     // Of the surfaces of all pairs; of obstacles, the corners of their carriers.
     template <int dim>
     double
@@ -79,16 +139,44 @@ namespace Amontons
   } // namespace
 
   template <int dim>
+  bool
+  holds_all_rotations(const Discretization<dim> &discretization)
+  {
+    if (discretization.scene.kind != ProblemType::axisymmetric)
+      for (const auto &carrier : discretization.geometry.carriers)
+        for (unsigned int k = dim == 2 ? 2 : 0; k < 3; ++k)
+          if (!carrier.motion.rotation[k])
+            return false;
+    return true;
+  }
+
+  template <int dim>
   void
   NeglectedTermsOfHistory<dim>::add(const Discretization<dim>                &discretization,
                                     const StressRecovery<dim>                &recovery,
+                                    const ElasticityOperator<dim>            &elasticity,
                                     const SolutionState<dim>                 &state,
                                     const std::vector<ContactInterface<dim>> &interfaces,
                                     const double                              energy)
   {
     largest_energy = std::max(largest_energy, 2 * std::abs(energy)); // that of rounding has any sign
     if (const double quadratic = recovery.energy_of_quadratic_strain(); largest_energy > 0)
-      terms.strain = std::max(terms.strain, std::sqrt(quadratic / largest_energy));
+      {
+        double strain = std::sqrt(quadratic / largest_energy);
+        if (!holds_all_rotations(discretization))
+          {
+            const auto turns   = mean_turns(discretization, state.displacement);
+            double     largest = 0;
+            for (const auto &turn : turns)
+              largest = std::max(largest, turn.norm() / std::sqrt(2.));
+            strain = std::min(
+                strain,
+                std::max(largest,
+                         std::sqrt(energy_beside(turns, discretization, elasticity, state.displacement) /
+                                   largest_energy)));
+          }
+        terms.strain = std::max(terms.strain, strain);
+      }
     terms.stiffening = std::max(terms.stiffening, most_stiffening(discretization, recovery));
     Place place;
     place.displacement = state.displacement;
@@ -333,6 +421,10 @@ namespace Amontons
         }
   }
 
+  template bool
+  holds_all_rotations(const Discretization<2> &);
+  template bool
+  holds_all_rotations(const Discretization<3> &);
   template class NeglectedTermsOfHistory<2>;
   template class NeglectedTermsOfHistory<3>;
 } // namespace Amontons

@@ -25,11 +25,13 @@ namespace Amontons
   LinearSolverParameters::declare(ParameterHandler &prm)
   {
     prm.enter_subsection("Linear solver");
-    prm.add_parameter("Type",
-                      type,
-                      "direct (a sparse factorisation), cg (conjugate gradients with algebraic multigrid) or "
-                      "automatic: direct for plane problems up to 150000 unknowns and 3D ones up to 5000.",
-                      Patterns::Selection("automatic|direct|cg"));
+    prm.add_parameter(
+        "Type",
+        type,
+        "direct (a sparse factorisation), cg (conjugate gradients with algebraic multigrid) or "
+        "automatic: direct for plane problems up to 150000 unknowns and 3D ones up to 5000 (30000 where a "
+        "Poisson ratio is 0.49 or more).",
+        Patterns::Selection("automatic|direct|cg"));
     prm.add_parameter(
         "Direct package",
         direct_package,
@@ -232,8 +234,10 @@ namespace Amontons
   LinearSolver::LinearSolver(const LinearSolverParameters &parameters,
                              const int                     dim,
                              const bool                    symmetric,
-                             const GivesUp                &gives_up)
-      : parameters(parameters), dim(dim), symmetric(symmetric), gives_up(gives_up)
+                             const GivesUp                &gives_up,
+                             const bool                    nearly_incompressible)
+      : parameters(parameters), dim(dim), symmetric(symmetric), nearly_incompressible(nearly_incompressible),
+        gives_up(gives_up)
   {
   }
 
@@ -290,7 +294,7 @@ namespace Amontons
   LinearSolver::is_direct(const types::global_dof_index n_dofs) const
   {
     if (parameters.type == "automatic")
-      return n_dofs <= (dim == 2 ? 150000u : 5000u);
+      return n_dofs <= (dim == 2 ? 150000u : nearly_incompressible ? 30000u : 5000u);
     return parameters.type == "direct";
   }
 
@@ -460,7 +464,7 @@ namespace Amontons
               run_krylov(control, matrix, x, rhs, *amg);
             report.iterations += control.last_step();
             report.success  = true;
-            multigrid_fails = fresh && !symmetric && control.last_step() > 150 && matrix.m() <= 30000;
+            multigrid_fails = fresh && control.last_step() > 150 && matrix.m() <= 30000;
             if (fresh)
               steps_per_decade = control.last_step() / decades;
             else if (all_values_are_new) // a new hierarchy costs about 15 steps

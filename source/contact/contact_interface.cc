@@ -185,9 +185,15 @@ namespace Amontons
     void
     note_first_gap(const std::vector<OverlapPoint<dim>> &points, ContactInterface<dim> &interface)
     {
-      interface.first_gap = std::numeric_limits<double>::infinity();
+      auto &first = interface.first_gap.emplace();
       for (const auto &p : points)
-        interface.first_gap = std::min(*interface.first_gap, p.gap);
+        first.size = std::min(first.size, p.gap);
+      for (const auto &p : points)
+        if (p.gap <= first.size + 0.1 * std::abs(first.size) &&
+            std::none_of(first.normals.begin(), first.normals.end(), [&](const auto &normal) {
+              return normal * p.normal > 0.99;
+            }))
+          first.normals.push_back(p.normal);
     }
   } // namespace
 

@@ -36,12 +36,14 @@ namespace Amontons
       spread = force > 0 ? std::sqrt(spread / force) : 0;
 
       // A plane cuts the contact if it is as near as an end of half a contact is (1.6 spreads for half of a
-      // Hertz pressure).
+      // Hertz pressure), and something presses there (not so where a pin that fits its hole presses to one
+      // side).
       const bool       axisymmetric = discretization.scene.kind == ProblemType::axisymmetric;
       auto            &planes       = fields.symmetry_planes;
       const Point<dim> force_centre = centre;
       for (unsigned int i = 0; i < interface.slave->nodes.size(); ++i)
-        if (fields.area[i] > 0 && interface.slave->nodes[i].x.distance(force_centre) < 2.5 * spread)
+        if (fields.area[i] > 0 && (interface.pair->tied || fields.multiplier[i] > 0) &&
+            interface.slave->nodes[i].x.distance(force_centre) < 2.5 * spread)
           for (const auto &normal : interface.slave->nodes[i].symmetry_planes)
             if (!axisymmetric && std::none_of(planes.begin(), planes.end(), [&](const auto &m) {
                   return std::abs(m * normal) > 1 - 1e-6;

@@ -387,7 +387,8 @@ namespace Amontons
   ElasticityOperator<dim>::energy_of_quadratic_strain(
       const FEValues<dim>                                  &values,
       const typename DoFHandler<dim>::active_cell_iterator &cell,
-      const LA::Vector                                     &u) const
+      const LA::Vector                                     &u,
+      const Tensor<2, dim>                                 &turn) const
   {
     const auto                          &fe   = discretization.fe;
     const ProblemType                    kind = discretization.scene.kind;
@@ -400,7 +401,7 @@ namespace Amontons
     double energy = 0;
     for (const unsigned int q : values.quadrature_point_indices())
       {
-        Tensor<2, dim> H;
+        Tensor<2, dim> H      = -turn;
         double         radial = 0;
         for (unsigned int j = 0; j < fe.base_element(0).n_dofs_per_cell(); ++j)
           {

@@ -77,6 +77,21 @@ namespace Amontons
       return sums[0] / sums[1];
     }
 
+    // The surfaces have moved along each other, or touch elsewhere than where they were closest: the first
+    // gap lay along another direction than the force, and says nothing of how far they are pressed together.
+    template <int dim>
+    bool
+    touches_elsewhere(const typename ContactInterface<dim>::FirstGap &gap,
+                      const Tensor<1, dim>                           &e,
+                      const double                                    motion)
+    {
+      constexpr double along = 0.95, noteworthy = 0.01;
+      return gap.size > noteworthy * motion &&
+             std::none_of(gap.normals.begin(), gap.normals.end(), [&](const auto &normal) {
+               return std::abs(normal * e) > along;
+             });
+    }
+
     template <int dim>
     double
     motion_of_carrier(const Answer<dim> &answer, const unsigned int carrier, const Tensor<1, dim> &e)
@@ -115,7 +130,7 @@ namespace Amontons
     Tensor<1, dim>            e         = fields.normal_force;
     for (const auto &normal : fields.symmetry_planes)
       e -= (e * normal) * normal;
-    if (e.norm() == 0 || !interface.first_gap || std::isinf(*interface.first_gap))
+    if (e.norm() == 0 || !interface.first_gap || std::isinf(interface.first_gap->size))
       return {};
     e /= e.norm();
 
@@ -128,9 +143,11 @@ namespace Amontons
     // What holds both bodies does not move; other loads or an interference press them together.
     constexpr double rounding = 1e-12;
     const double     motion   = std::abs(*second - *first);
-    if (motion <= rounding * answer.state.displacement.linfty_norm() && *interface.first_gap >= 0)
+    if (motion <= rounding * answer.state.displacement.linfty_norm() && interface.first_gap->size >= 0)
       return {};
-    return motion - *interface.first_gap;
+    if (touches_elsewhere<dim>(*interface.first_gap, e, motion))
+      return {};
+    return motion - interface.first_gap->size;
   }
 
   template std::optional<double>

@@ -68,6 +68,14 @@ namespace Amontons
             result.add(dof);
       return result.seed;
     }
+
+    bool
+    is_nearly_incompressible(const Scene &scene)
+    {
+      return std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto &body) {
+        return !body.rigid && body.material.poisson >= 0.49;
+      });
+    }
   } // namespace
 
   template <int dim>
@@ -87,8 +95,11 @@ namespace Amontons
     forget_states();
     system = std::make_unique<EliminatedSystem>(
         discretization.locally_owned, discretization.relevant, communicator);
-    solver = std::make_unique<LinearSolver>(
-        problem.solver_parameters, dim, !problem.contact.any_friction(), problem.gives_up);
+    solver = std::make_unique<LinearSolver>(problem.solver_parameters,
+                                            dim,
+                                            !problem.contact.any_friction(),
+                                            problem.gives_up,
+                                            is_nearly_incompressible(discretization.scene));
     if (!solver->is_direct(discretization.dof_handler.n_dofs()))
       solver->set_near_null_space(rigid_body_modes(discretization));
 

@@ -12,7 +12,8 @@ namespace Amontons
   struct NeglectedTerms
   {
     // |1/2 H^T H| / |sym H|, H = grad u, in the energy norm of small strain: the quadratic part of Green's
-    // strain, which a rotation alone has, too.
+    // strain, which a rotation alone has, too. Where finite strain cannot be tried, as rotations are free: no
+    // more than that of H less the mean rotation of each body, or that rotation, by which its arms change.
     double strain = 0;
     // The largest of: the work of the contact forces on the gaps that their nodes have where the surfaces
     // really are (they should be 0), against twice the stored energy (doc/introduction.md, (28)); the part of
@@ -38,6 +39,11 @@ namespace Amontons
     }
   };
 
+  // Finite strain knows rotations that are given or held.
+  template <int dim>
+  bool
+  holds_all_rotations(const Discretization<dim> &discretization);
+
   // Collects them over the increments of a load program with small strain. Energies and works count against
   // the largest energy so far. The gaps are measured where the surfaces have moved farthest, and in the end:
   // coupling surfaces anew costs too much for each increment.
@@ -49,6 +55,7 @@ namespace Amontons
     void
     add(const Discretization<dim>                &discretization,
         const StressRecovery<dim>                &recovery,
+        const ElasticityOperator<dim>            &elasticity,
         const SolutionState<dim>                 &state,
         const std::vector<ContactInterface<dim>> &interfaces,
         const double                              energy);

@@ -50,11 +50,13 @@ namespace Amontons
   {
   public:
     // symmetric: that all matrices are. gives_up: asked before each solve and in every eighth Krylov
-    // step; once true, all further solves fail at once.
+    // step; once true, all further solves fail at once. nearly_incompressible: some material is, of which
+    // multigrid takes many steps.
     LinearSolver(const LinearSolverParameters &parameters,
                  const int                     dim,
                  const bool                    symmetric,
-                 const GivesUp                &gives_up = {});
+                 const GivesUp                &gives_up              = {},
+                 const bool                    nearly_incompressible = false);
     ~LinearSolver();
 
     // Rigid-body modes (values at all owned DoFs, by mode), or empty: translations are not enough for
@@ -116,7 +118,7 @@ namespace Amontons
 
     const LinearSolverParameters                      &parameters;
     const int                                          dim;
-    const bool                                         symmetric;
+    const bool                                         symmetric, nearly_incompressible;
     GivesUp                                            gives_up;
     bool                                               given_up = false;
     std::vector<std::vector<double>>                   modes;

@@ -18,9 +18,14 @@ namespace Amontons
     MasterSide<dim>                      master;
     Coupling<dim> coupling; // small sliding: integrated once per mesh, in the reference configuration
     double        t = 0;    // at which declared gaps are taken
-    // The smallest gap before anything has moved (small strain: as it is declared for t). Infinite: nothing
-    // is opposite. Meshes of one history tell each other.
-    std::optional<double> first_gap;
+    // The smallest gap before anything has moved (small strain: as it is declared for t), and the normal
+    // along it. Infinite: nothing is opposite. Meshes of one history tell each other.
+    struct FirstGap
+    {
+      double                      size = std::numeric_limits<double>::infinity();
+      std::vector<Tensor<1, dim>> normals;
+    };
+    std::optional<FirstGap> first_gap;
     std::vector<bool>
         carries; // by slave node: whether it may have a row: no support and no other pair has it
     std::vector<bool> carried;                  // slave nodes with a row

@@ -137,12 +137,14 @@ namespace Amontons
              const LA::Vector                                     &u) const;
 
     // What small strain leaves out: int 2 mu e:e + lambda (tr e)^2 over the cell, of the quadratic part e =
-    // 1/2 H^T H of Green's strain, H = grad u (`values` as above). A change of volume counts with 2 mu at
-    // most: a displacement could undo it at that price.
+    // 1/2 H^T H of Green's strain, H = grad u less `turn`, a rotation that the body makes as a whole
+    // (`values` as above). A change of volume counts with 2 mu at most: a displacement could undo it at that
+    // price.
     double
     energy_of_quadratic_strain(const FEValues<dim>                                  &values,
                                const typename DoFHandler<dim>::active_cell_iterator &cell,
-                               const LA::Vector                                     &u) const;
+                               const LA::Vector                                     &u,
+                               const Tensor<2, dim> &turn = Tensor<2, dim>()) const;
 
     static UpdateFlags
     needed_flags();

@@ -353,8 +353,11 @@ namespace Amontons
     const auto refined  = steps->evaluation.refined;
     quantity.repeat();
     start(true, nearby);
-    steps->history.quantity   = std::move(quantity);
-    steps->evaluation.refined = refined;
+    if (small_strain.keeps_meshes())
+      {
+        steps->history.quantity   = std::move(quantity);
+        steps->evaluation.refined = refined;
+      }
     return steps->run();
   }
 

@@ -74,6 +74,12 @@ namespace Amontons
     {
       return change.has_value();
     }
+    /// Meshes that were made for small strain serve finite strain as well: the contact lies where it lay.
+    bool
+    keeps_meshes() const
+    {
+      return error_by_uneven_gaps() == 0;
+    }
     /// What the iteration from the answer of small strain came to, where that is near (no more than too_much)
     /// and the path there does not matter; else null. Of the mesh that was looked at.
     const SolutionState<dim> *

@@ -408,7 +408,7 @@ namespace Amontons
               const auto &cell = master.owned[master.faces[point.master_face].owned_index].first;
               if (!discretization.is_deformable(cell->material_id()))
                 continue;
-              const double share = point.weight / areas[point.slave_face];
+              const double share = point.weight / areas[point.slave_face] * part_of_master(interface, point);
               squares[cell->active_cell_index()] += share * face_squares[point.slave_face];
               contact_squares[cell->active_cell_index()] += share * face_squares[n + point.slave_face];
               shear_squares[cell->active_cell_index()] += share * face_squares[2 * n + point.slave_face];

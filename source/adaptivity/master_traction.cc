@@ -78,6 +78,19 @@ namespace Amontons
     return result;
   }
 
+  template <int dim>
+  double
+  part_of_master(const ContactInterface<dim> &interface, const OverlapPoint<dim> &point)
+  {
+    const double finer = interface.master_surface->faces[point.master_face].size /
+                         interface.slave->faces[point.slave_face].size;
+    return std::pow(std::min(1., finer), 4);
+  }
+
+  template double
+  part_of_master(const ContactInterface<2> &, const OverlapPoint<2> &);
+  template double
+  part_of_master(const ContactInterface<3> &, const OverlapPoint<3> &);
   template std::map<unsigned int, Tensor<1, 2>>
   tractions_of_master(const Discretization<2> &,
                       const StressRecovery<2> &,

@@ -89,25 +89,31 @@ namespace Amontons
       return turns;
     }
 
+    // The quadratic strain without what bodies turn as a whole, or that turn. energy: what its square counts
+    // against.
     template <int dim>
     double
-    energy_beside(const std::vector<Tensor<2, dim>> &turns,
-                  const Discretization<dim>         &discretization,
-                  const ElasticityOperator<dim>     &elasticity,
-                  const LA::Vector                  &u)
+    strain_beside_turns(const Discretization<dim>     &discretization,
+                        const ElasticityOperator<dim> &elasticity,
+                        const LA::Vector              &u,
+                        const double                   energy)
     {
+      const auto    turns = mean_turns(discretization, u);
       FEValues<dim> values(discretization.mapping,
                            discretization.fe,
                            QGauss<dim>(discretization.fe.degree + 1),
                            update_values | update_gradients | update_quadrature_points | update_JxW_values);
-      double        energy = 0;
+      double        quadratic = 0, largest = 0;
+      for (const auto &turn : turns)
+        largest = std::max(largest, turn.norm() / std::sqrt(2.));
       for (const auto &cell : discretization.dof_handler.active_cell_iterators())
         if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
           {
             values.reinit(cell);
-            energy += elasticity.energy_of_quadratic_strain(values, cell, u, turns[cell->material_id()]);
+            quadratic += elasticity.energy_of_quadratic_strain(values, cell, u, turns[cell->material_id()]);
           }
-      return Utilities::MPI::sum(energy, discretization.geometry.communicator);
+      quadratic = Utilities::MPI::sum(quadratic, discretization.geometry.communicator);
+      return std::max(largest, std::sqrt(quadratic / energy));
     }
 
     // Of the surfaces of all pairs; of obstacles, the corners of their carriers.
@@ -164,17 +170,8 @@ namespace Amontons
       {
         double strain = std::sqrt(quadratic / largest_energy);
         if (!holds_all_rotations(discretization))
-          {
-            const auto turns   = mean_turns(discretization, state.displacement);
-            double     largest = 0;
-            for (const auto &turn : turns)
-              largest = std::max(largest, turn.norm() / std::sqrt(2.));
-            strain = std::min(
-                strain,
-                std::max(largest,
-                         std::sqrt(energy_beside(turns, discretization, elasticity, state.displacement) /
-                                   largest_energy)));
-          }
+          strain = std::min(
+              strain, strain_beside_turns(discretization, elasticity, state.displacement, largest_energy));
         terms.strain = std::max(terms.strain, strain);
       }
     terms.stiffening = std::max(terms.stiffening, most_stiffening(discretization, recovery));

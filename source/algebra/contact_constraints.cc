@@ -58,7 +58,6 @@ namespace Amontons
             test_constraints.add_entries(line.index, line.entries);
           }
       }
-    std::vector<types::global_dof_index> order;
     for (unsigned int i = 0; i < equations.size(); ++i)
       {
         auto          &e = contact_equations[i];
@@ -79,20 +78,15 @@ namespace Amontons
         pivot_dofs[i] = pivot_of(e, symmetric ? trial : product(trial, test), trial_constraints, supports);
         if (pivot_dofs[i])
           {
-            order.push_back(*pivot_dofs[i]);
             eliminate(trial, *pivot_dofs[i], trial_constraints);
             test.value = 0;
             if (!symmetric)
               eliminate(test, *pivot_dofs[i], test_constraints);
           }
       }
-    resolve_chains(order, trial_constraints);
-    trial_constraints.close();
+    close_chains(pivot_dofs, trial_constraints);
     if (!symmetric)
-      {
-        resolve_chains(order, test_constraints);
-        test_constraints.close();
-      }
+      close_chains(pivot_dofs, test_constraints);
   }
 
   std::vector<double>

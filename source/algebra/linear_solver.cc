@@ -464,7 +464,8 @@ namespace Amontons
               run_krylov(control, matrix, x, rhs, *amg);
             report.iterations += control.last_step();
             report.success  = true;
-            multigrid_fails = fresh && control.last_step() > 150 && matrix.m() <= 30000;
+            multigrid_fails = fresh && (!symmetric || parameters.type == "automatic") &&
+                              control.last_step() > 150 && matrix.m() <= 30000;
             if (fresh)
               steps_per_decade = control.last_step() / decades;
             else if (all_values_are_new) // a new hierarchy costs about 15 steps

@@ -146,6 +146,39 @@ namespace Amontons
       return claims;
     }
 
+    template <int dim>
+    class CoveredParts
+    {
+    public:
+      CoveredParts(const std::vector<ContactInterface<dim>> &interfaces, const bool axisymmetric)
+          : interfaces(interfaces), axisymmetric(axisymmetric), parts(interfaces.size())
+      {
+      }
+
+      // Of the faces at the node of both claims; 0 unless both masters lie one behind the other.
+      double
+      of_both(const Claim<dim> &a, const Claim<dim> &b)
+      {
+        const auto &one = *interfaces[a.interface].slave, &other = *interfaces[b.interface].slave;
+        return same_normal(a, b) && a.node == b.node && one.faces.size() == other.faces.size()
+                   ? part_that_both_cover(one, a.node, of(a.interface), of(b.interface))
+                   : 0;
+      }
+
+    private:
+      const std::vector<double> &
+      of(const unsigned int interface)
+      {
+        if (parts[interface].empty())
+          parts[interface] = covered_parts(interfaces[interface], axisymmetric);
+        return parts[interface];
+      }
+
+      const std::vector<ContactInterface<dim>> &interfaces;
+      const bool                                axisymmetric;
+      std::vector<std::vector<double>>          parts; // by interface and face, where asked for
+    };
+
     // A claim lost to a pair beside, and the quotient of both areas.
     struct LostClaim
     {
@@ -202,13 +235,8 @@ namespace Amontons
   {
     for (auto &interface : interfaces)
       interface.behind.clear();
-    std::vector<bool>                again(interfaces.size(), false);
-    std::vector<std::vector<double>> parts(interfaces.size()); // where asked for
-    const auto                       parts_of = [&](const unsigned int i) {
-      if (parts[i].empty())
-        parts[i] = covered_parts(interfaces[i], discretization.scene.kind == ProblemType::axisymmetric);
-      return &parts[i];
-    };
+    std::vector<bool>      again(interfaces.size(), false);
+    CoveredParts<dim>      parts(interfaces, discretization.scene.kind == ProblemType::axisymmetric);
     std::vector<LostClaim> lost;
     for (const auto &[dof, rivals] : claims_of(interfaces))
       {
@@ -226,18 +254,15 @@ namespace Amontons
               const auto  &loser                   = first ? b : a;
               carries[loser.interface][loser.node] = false;
               again[loser.interface]               = true;
-              if (are_beside(a, b, size))
+              if (const double both = parts.of_both(a, b); both == 0 && are_beside(a, b, size))
                 lost.push_back(
                     {loser.interface, loser.node, winner.interface, winner.node, loser.area / winner.area});
-              const auto &one = *interfaces[a.interface].slave, &other = *interfaces[b.interface].slave;
-              if (!same_normal(a, b) || loser.pair->tied || a.node != b.node ||
-                  one.faces.size() != other.faces.size())
-                continue;
-              auto &behind = interfaces[loser.interface].behind;
-              behind.resize(one.nodes.size(), 0.);
-              behind[loser.node] =
-                  std::max(behind[loser.node],
-                           part_that_both_cover(one, a.node, *parts_of(a.interface), *parts_of(b.interface)));
+              else if (both > 0 && !loser.pair->tied)
+                {
+                  auto &behind = interfaces[loser.interface].behind;
+                  behind.resize(interfaces[loser.interface].slave->nodes.size(), 0.);
+                  behind[loser.node] = std::max(behind[loser.node], both);
+                }
             }
       }
     for (const unsigned int winner : return_nodes(interfaces, lost, carries))

@@ -60,51 +60,65 @@ namespace Amontons
     constraints.set_inhomogeneity(pivot, equation.value / coefficient);
   }
 
-  void
-  resolve_chains(const std::vector<types::global_dof_index> &order, Constraints &constraints)
+  namespace
   {
-    std::map<types::global_dof_index, LinearEquation> resolved; // u_dof = sum coefficient u + value
-    for (auto dof = order.rbegin(); dof != order.rend(); ++dof)
-      {
-        const auto &entries = *constraints.get_constraint_entries(*dof);
-        if (std::none_of(entries.begin(), entries.end(), [&](const auto &e) {
-              return constraints.is_constrained(e.first);
-            }))
-          continue;
-        LinearEquation line{{}, constraints.get_inhomogeneity(*dof)};
-        for (const auto &[other, weight] : entries)
-          if (const auto *later = constraints.get_constraint_entries(other); later == nullptr)
-            line.coefficients[other] += weight;
-          else
-            {
-              const auto known = resolved.find(other);
-              if (known == resolved.end())
-                for (const auto &[free, part] : *later)
-                  line.coefficients[free] += weight * part;
-              else
-                for (const auto &[free, part] : known->second.coefficients)
-                  line.coefficients[free] += weight * part;
-              line.value += weight * (known == resolved.end() ? constraints.get_inhomogeneity(other)
-                                                              : known->second.value);
-            }
-        resolved.emplace(*dof, std::move(line));
-      }
-    if (resolved.empty())
-      return;
-    Constraints result(constraints.get_local_lines());
-    for (const auto &line : constraints.get_lines())
-      {
-        result.add_line(line.index);
-        const auto known = resolved.find(line.index);
-        if (known == resolved.end())
-          result.add_entries(line.index, line.entries);
+    using Lines = std::map<types::global_dof_index, LinearEquation>; // u_dof = sum coefficient u + value
+
+    // known: of DoFs that were eliminated later.
+    LinearEquation
+    replaced_line(const types::global_dof_index dof, const Constraints &constraints, const Lines &known)
+    {
+      LinearEquation line{{}, constraints.get_inhomogeneity(dof)};
+      for (const auto &[other, weight] : *constraints.get_constraint_entries(dof))
+        if (const auto at = known.find(other); at != known.end())
+          {
+            for (const auto &[free, part] : at->second.coefficients)
+              line.coefficients[free] += weight * part;
+            line.value += weight * at->second.value;
+          }
+        else if (const auto *const later = constraints.get_constraint_entries(other))
+          {
+            for (const auto &[free, part] : *later)
+              line.coefficients[free] += weight * part;
+            line.value += weight * constraints.get_inhomogeneity(other);
+          }
         else
-          for (const auto &[free, part] : known->second.coefficients)
-            if (part != 0)
-              result.add_entry(line.index, free, part);
-        result.set_inhomogeneity(line.index,
-                                 known == resolved.end() ? line.inhomogeneity : known->second.value);
+          line.coefficients[other] += weight;
+      return line;
+    }
+  } // namespace
+
+  void
+  close_chains(const std::vector<std::optional<types::global_dof_index>> &order, Constraints &constraints)
+  {
+    Lines replaced;
+    for (auto dof = order.rbegin(); dof != order.rend(); ++dof)
+      if (*dof)
+        {
+          const auto &entries = *constraints.get_constraint_entries(**dof);
+          if (std::any_of(entries.begin(), entries.end(), [&](const auto &entry) {
+                return constraints.is_constrained(entry.first);
+              }))
+            replaced.emplace(**dof, replaced_line(**dof, constraints, replaced));
+        }
+    if (!replaced.empty())
+      {
+        Constraints result(constraints.get_local_lines());
+        for (const auto &line : constraints.get_lines())
+          {
+            const auto at = replaced.find(line.index);
+            result.add_line(line.index);
+            result.set_inhomogeneity(line.index,
+                                     at == replaced.end() ? line.inhomogeneity : at->second.value);
+            if (at == replaced.end())
+              result.add_entries(line.index, line.entries);
+            else
+              for (const auto &[free, part] : at->second.coefficients)
+                if (part != 0)
+                  result.add_entry(line.index, free, part);
+          }
+        constraints = std::move(result);
       }
-    constraints = std::move(result);
+    constraints.close();
   }
 } // namespace Amontons

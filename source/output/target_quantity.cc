@@ -78,10 +78,14 @@ namespace Amontons
   double
   noteworthy_value(const std::string &name, const Answer<dim> &answer, const WorkDone<dim> &work)
   {
-    constexpr double part_of_displacement = 1e-3;
-    return name == "dissipation" ? noteworthy_dissipation * work.largest_work
-           : name == "approach"  ? part_of_displacement * answer.state.displacement.linfty_norm()
-                                 : 0;
+    constexpr double part_of_displacement = 1e-3, part_of_contact = 0.05;
+    double           contact_size = 0;
+    for (const auto &of_pair : answer.fields)
+      contact_size = std::max(contact_size, of_pair.contact_size);
+    return name == "dissipation"  ? noteworthy_dissipation * work.largest_work
+           : name == "approach"   ? part_of_displacement * answer.state.displacement.linfty_norm()
+           : name == "stick size" ? part_of_contact * contact_size
+                                  : 0;
   }
 
   template double

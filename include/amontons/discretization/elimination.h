@@ -31,9 +31,10 @@ namespace Amontons
   void
   eliminate(const LinearEquation &equation, const types::global_dof_index pivot, Constraints &constraints);
 
-  // Lines refer to DoFs that were eliminated after them, these to others: each is replaced by what it comes
-  // to. AffineConstraints::close() replaces entry by entry without collecting equal ones, which takes a time
-  // exponential in the length of the chain. order: the DoFs in the order of their elimination.
+  // Closes the constraints. Lines refer to DoFs that were eliminated after them, these to others: each is
+  // replaced by what it comes to first. AffineConstraints::close() replaces entry by entry without collecting
+  // equal ones, which takes a time exponential in the length of the chain. order: the DoFs in the order of
+  // their elimination.
   void
-  resolve_chains(const std::vector<types::global_dof_index> &order, Constraints &constraints);
+  close_chains(const std::vector<std::optional<types::global_dof_index>> &order, Constraints &constraints);
 } // namespace Amontons

@@ -25,7 +25,8 @@ namespace Amontons
   sensitivity_to_shear(const std::string &name);
 
   /// What smaller values count against: of the dissipation a part of the work, of the approach (0 but for
-  /// facets where both sides are held) a part of the largest displacement, else nothing. Collective.
+  /// facets where both sides are held) a part of the largest displacement, of the stick size one of the
+  /// largest contact size, else nothing. Collective.
   template <int dim>
   double
   noteworthy_value(const std::string &name, const Answer<dim> &answer, const WorkDone<dim> &work);

@@ -22,8 +22,8 @@ namespace Amontons
                       const FacePoints<dim>       &face_points,
                       const FaceLoads<dim>        *face_loads);
 
-  /// Of the squared error of a slave face, what its master opposite of the point is refined for: a master
-  /// that is finer already does less about it (displacements are of second order).
+  /// Of the squared error of a slave face, what its master opposite of the point is refined for: one
+  /// finer than half of it does less about it (displacements are of second order).
   template <int dim>
   double
   part_of_master(const ContactInterface<dim> &interface, const OverlapPoint<dim> &point);

@@ -297,6 +297,39 @@ check_friction()
     }
 }
 
+// Each eliminated DoF depends on the next three, 80 times: entry by entry these were 3^80 terms.
+void
+check_long_chain()
+{
+  const unsigned int           n_eliminated = 80, n_dofs = n_eliminated + 3;
+  const std::vector<double>    weights = {0.5, 0.3, -0.4};
+  std::vector<ContactEquation> equations;
+  for (unsigned int i = 0; i < n_eliminated; ++i)
+    {
+      Coefficients coefficients = {{i, 1.}};
+      for (unsigned int k = 0; k < 3; ++k)
+        coefficients[i + 1 + k] = -weights[k];
+      equations.push_back(make(coefficients, 0.1, {i}));
+    }
+  Constraints none(complete_index_set(n_dofs));
+  none.close();
+  const ContactConstraints contact(none, equations);
+
+  std::vector<double> u(n_dofs, 0.), expected(n_dofs, 0.);
+  for (unsigned int k = 0; k < 3; ++k)
+    u[n_eliminated + k] = expected[n_eliminated + k] = random_number();
+  for (unsigned int i = n_eliminated; i-- > 0;)
+    {
+      expected[i] = 0.1;
+      for (unsigned int k = 0; k < 3; ++k)
+        expected[i] += weights[k] * expected[i + 1 + k];
+      u[i] = contact.trial().get_inhomogeneity(i);
+      for (const auto &[free, weight] : *contact.trial().get_constraint_entries(i))
+        u[i] += weight * u[free];
+      check::is_close(u[i], expected[i], 1e-12, "long chain", 1);
+    }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -304,6 +337,7 @@ main(int argc, char **argv)
   check_cases();
   check_others();
   check_friction();
+  check_long_chain();
   return check::result();
 }
 } // namespace test_contact_constraints

@@ -338,8 +338,8 @@ namespace Amontons
   }
 
   // From the answer of small strain, at once, where the scene asks for nothing on the way. What meshes have
-  // shown with small strain holds: by how much kinematics change a number depends little on the mesh. Should
-  // a finer mesh fail, the increments may find its answer.
+  // shown with small strain holds where the contact stays: by how much kinematics change a number depends
+  // little on the mesh. Should a finer mesh fail, the increments may find its answer.
   template <int dim>
   bool
   ContactProblem<dim>::go_on_with_finite_strain()

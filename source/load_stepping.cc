@@ -186,6 +186,7 @@ namespace Amontons
     const bool is_peak = error.quantity && name == "peak pressure" && error.cusp_grows;
     if (is_peak || (!error.quantity && error.contact > 0))
       history.meshes.add_lasting(
+          n_dofs,
           error_of_smallest_cells(model->discretization(),
                                   is_peak ? error.cusp_indicators : error.indicators_for(0)),
           parameters.refinement.target_error);

@@ -17,6 +17,18 @@ namespace Amontons
       meshes.push_back({n_dofs, error});
   }
 
+  void
+  MeshSequence::add_lasting(const double n_dofs, const double error, const double target)
+  {
+    if (!lasting.empty() && lasting.back().n_dofs == n_dofs)
+      lasting.pop_back();
+    lasting.push_back({n_dofs, error});
+    if (lasting.size() > 2)
+      lasting.erase(lasting.begin());
+    has_ended = lasting.size() == 2 && lasting[0].error > target && lasting[1].error > target &&
+                lasting[1].error > 0.95 * lasting[0].error;
+  }
+
   double
   MeshSequence::order() const
   {

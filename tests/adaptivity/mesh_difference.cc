@@ -166,6 +166,18 @@ main(int, char **)
       of_number.add(1000 * std::pow(1.2, i), 0.04, 4);
     }
   check::is_true(of_field.is_hopeless(0.01, 1e5) && !of_number.is_hopeless(0.01, 1e5), "hopeless");
+
+  // What cells that cannot be refined keep: on two meshes, not in two increments on one.
+  MeshSequence at_points;
+  at_points.add_lasting(1000, 0.5, 0.1);
+  at_points.add_lasting(1000, 0.5, 0.1);
+  check::is_true(!at_points.is_hopeless(0.1, 1e5), "increments on one mesh");
+  at_points.add_lasting(2000, 0.3, 0.1);
+  check::is_true(!at_points.is_hopeless(0.1, 1e5), "an error that falls");
+  at_points.add_lasting(3000, 0.3, 0.1);
+  check::is_true(at_points.is_hopeless(0.1, 1e5), "an error that stays");
+  at_points.add_lasting(4000, 0.05, 0.1);
+  check::is_true(!at_points.is_hopeless(0.1, 1e5), "a target that is reached");
   return check::result();
 }
 } // namespace test_mesh_difference

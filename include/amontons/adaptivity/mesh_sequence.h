@@ -27,14 +27,10 @@ namespace Amontons
     bool
     stands_still() const;
 
-    /// Of cells that cannot be refined, on the last mesh: they end the sequence where that is more than the
-    /// target, and not less than on the mesh before.
+    /// error: of cells that cannot be refined, on the mesh of so many DoFs (the same number: instead of the
+    /// last one). The meshes end where that is more than the target, and not less than on the mesh before.
     void
-    add_lasting(const double error, const double target)
-    {
-      has_ended = has_ended || (error > target && error > 0.95 * lasting && lasting > target);
-      lasting   = error;
-    }
+    add_lasting(const double n_dofs, const double error, const double target);
 
     /// At this order; infinite where the error does not fall, NaN where the order is not known.
     double
@@ -62,6 +58,6 @@ namespace Amontons
     double            least_growth = 2;
     bool              always_falls = false;
     bool              has_ended    = false;
-    double            lasting      = 0;
+    std::vector<Mesh> lasting; // the last two, with the error of cells that cannot be refined
   };
 } // namespace Amontons

@@ -256,6 +256,21 @@ CHANGES = [
     ("view by rounding", "output/body_views.cc", "if (worth > most +", "if (most < 0 || worth > most +", "^output/body_picture$"),
     ("increments in the mesh's differences", "adaptivity/quantity_sequence.cc", "meshes.back().values[i] - before[i] : 0.", "0. : 0.", "^adaptivity/mesh_difference$"),
     ("shares of sent rows", "algebra/row_system.cc", ".emplace_back(dof, weight);", ".emplace_back(dof, 0.9 * weight);", "^scenes/ranks_"),
+    ("cusps on the axis", "adaptivity/peak_error.cc", "far / near - 1.35", "far / near - 0.35", "scenes/cusp_on_the_axis_q2$"),
+    ("steps of round bodies", "contact/overlap_search.cc", "points = without_steps(slave, master.surface, std::move(points));", ";", "scenes/steep_disks$"),
+    ("pressures that no mesh knows", "small_strain_check.cc", "return pressures_are_known() && pressure > error_of_mesh &&", "return pressure > 0 &&", "scenes/sharp_punch_of_small_strain$"),
+    ("the first gap", "contact/contact_interface.cc", "first.size = std::min(first.size, p.gap);", "first.size = std::min(first.size, 0 * p.gap);", "scenes/approach_across_a_gap_finite$"),
+    ("chains of constraints", "discretization/elimination.cc", "line.value += weight * at->second.value;", "line.value -= weight * at->second.value;", "^algebra/contact_constraints$"),
+    ("nodes of a pair beside", "contact/shared_nodes.cc", "claim->second.part > 0.5 * best &&", "claim->second.part > 2 * best &&", "scenes/split_slave_at_0.05$"),
+    ("pairs behind", "contact/shared_nodes.cc", "both == 0 && are_beside(a, b, size)", "are_beside(a, b, size)", "scenes/overtaken_0$"),
+    ("planes beside a contact", "contact/surface_fields.cc", "(interface.pair->tied || fields.multiplier[i] > 0) &&", "true &&", "scenes/pin_in_quarter_hole$"),
+    ("gaps in another direction", "output/approach.cc", "return std::abs(normal * e) > along;", "return std::abs(normal * e) < along;", "scenes/(approach_of_passing_disks|pin_in_quarter_hole)$"),
+    ("bodies that turn freely", "adaptivity/model_selection.cc", "/ (2 * sum[0]);", "/ (4 * sum[0]);", "scenes/small_strain_turned_freely$"),
+    ("masters finer than slaves", "adaptivity/master_traction.cc", "finer / half), 4)", "finer / half), 0)", "scenes/master_finer_than_slave$"),
+    ("cells as small as they can be", "adaptivity/mesh_sequence.cc", "lasting[1].error > 0.95 * lasting[0].error", "false", "scenes/sharp_punch_of_smallest_cells$"),
+    ("meshes of small strain", "contact_problem.cc", "if (small_strain.keeps_meshes())", "if (false)", "scenes/two_indenters_change_late$"),
+    ("contact that moves by kinematics", "contact_problem.cc", "if (small_strain.keeps_meshes())", "if (true)", "scenes/sliding_pad$"),
+    ("factors of nearly incompressible bodies", "algebra/linear_solver.cc", "nearly_incompressible ? 30000u : 5000u", "5000u", "^algebra/linear_solver$"),
 ]
 
 

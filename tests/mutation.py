@@ -266,7 +266,7 @@ CHANGES = [
     ("planes beside a contact", "contact/surface_fields.cc", "(interface.pair->tied || fields.multiplier[i] > 0) &&", "true &&", "scenes/pin_in_quarter_hole$"),
     ("gaps in another direction", "output/approach.cc", "return std::abs(normal * e) > along;", "return std::abs(normal * e) < along;", "scenes/(approach_of_passing_disks|pin_in_quarter_hole)$"),
     ("bodies that turn freely", "adaptivity/model_selection.cc", "/ (2 * sum[0]);", "/ (4 * sum[0]);", "scenes/small_strain_turned_freely$"),
-    ("masters finer than slaves", "adaptivity/master_traction.cc", "finer / half), 4)", "finer / half), 0)", "scenes/master_finer_than_slave$"),
+    ("masters finer than slaves", "adaptivity/master_traction.cc", "finer / much), 4)", "finer / much), 0)", "scenes/master_finer_than_slave$"),
     ("cells as small as they can be", "adaptivity/mesh_sequence.cc", "lasting[1].error > 0.95 * lasting[0].error", "false", "scenes/sharp_punch_of_smallest_cells$"),
     ("meshes of small strain", "contact_problem.cc", "if (small_strain.keeps_meshes())", "if (false)", "scenes/two_indenters_change_late$"),
     ("contact that moves by kinematics", "contact_problem.cc", "if (small_strain.keeps_meshes())", "if (true)", "scenes/sliding_pad$"),

@@ -82,10 +82,10 @@ namespace Amontons
   double
   part_of_master(const ContactInterface<dim> &interface, const OverlapPoint<dim> &point)
   {
-    constexpr double half  = 0.5; // a level apart both are refined by turns
+    constexpr double much  = 0.25; // less apart, both are refined by turns
     const double     finer = interface.master_surface->faces[point.master_face].size /
                          interface.slave->faces[point.slave_face].size;
-    return std::pow(std::min(1., finer / half), 4);
+    return std::pow(std::min(1., finer / much), 4);
   }
 
   template double

@@ -23,7 +23,7 @@ namespace Amontons
                       const FaceLoads<dim>        *face_loads);
 
   /// Of the squared error of a slave face, what its master opposite of the point is refined for: one
-  /// finer than half of it does less about it (displacements are of second order).
+  /// finer than a quarter of it does less about it (displacements are of second order).
   template <int dim>
   double
   part_of_master(const ContactInterface<dim> &interface, const OverlapPoint<dim> &point);

@@ -260,7 +260,7 @@ CHANGES = [
     ("steps of round bodies", "contact/overlap_search.cc", "points = without_steps(slave, master.surface, std::move(points));", ";", "scenes/steep_disks$"),
     ("pressures that no mesh knows", "small_strain_check.cc", "return pressures_are_known() && pressure > error_of_mesh &&", "return pressure > 0 &&", "scenes/sharp_punch_of_small_strain$"),
     ("the first gap", "contact/contact_interface.cc", "first.size = std::min(first.size, p.gap);", "first.size = std::min(first.size, 0 * p.gap);", "scenes/approach_across_a_gap_finite$"),
-    ("chains of constraints", "discretization/elimination.cc", "line.value += weight * at->second.value;", "line.value -= weight * at->second.value;", "^algebra/contact_constraints$"),
+    ("chains of constraints", "discretization/elimination.cc", "line.coefficients[other] -= weight;", "line.coefficients[other] += weight;", "^algebra/contact_constraints$"),
     ("nodes of a pair beside", "contact/shared_nodes.cc", "claim->second.part > 0.5 * best &&", "claim->second.part > 2 * best &&", "scenes/split_slave_at_0.05$"),
     ("pairs behind", "contact/shared_nodes.cc", "both == 0 && are_beside(a, b, size)", "are_beside(a, b, size)", "scenes/overtaken_0$"),
     ("planes beside a contact", "contact/surface_fields.cc", "(interface.pair->tied || fields.multiplier[i] > 0) &&", "true &&", "scenes/pin_in_quarter_hole$"),

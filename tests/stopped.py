@@ -20,7 +20,7 @@ import launch
 HERE = os.path.dirname(os.path.abspath(__file__))
 SCENE = os.path.join(HERE, "../parameters/half_plane_box_friction.prm")
 LONG = ["--set", "End time = 2", "--set", "Increments = 20", "--set", "Refinement/Cycles = 4", "--set", "Output/VTU = false"]
-# Multigrid takes thousands of steps for what is nearly incompressible: a minute and more on mesh 3, while coarser ones are factorised.
+# Multigrid takes thousands of steps for what is nearly incompressible: a minute and more on mesh 3. (Asked for: else all of these are factorised.)
 SLOW = [os.path.join(HERE, "../parameters/sphere_on_block_scaling.prm"), "--set", "Body block/Poisson ratio = 0.49999999", "--set", "Linear solver/Type = cg", "--set", "Linear solver/Maximum iterations = 1000000"]
 SLOW_AT_ONCE = ["--set", "Body block/Cells = 12, 12, 12"]
 SOON = 20  # seconds

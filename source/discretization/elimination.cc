@@ -60,63 +60,30 @@ namespace Amontons
     constraints.set_inhomogeneity(pivot, equation.value / coefficient);
   }
 
-  namespace
-  {
-    using Lines = std::map<types::global_dof_index, LinearEquation>; // u_dof = sum coefficient u + value
-
-    // known: of DoFs that were eliminated later.
-    LinearEquation
-    replaced_line(const types::global_dof_index dof, const Constraints &constraints, const Lines &known)
-    {
-      LinearEquation line{{}, constraints.get_inhomogeneity(dof)};
-      for (const auto &[other, weight] : *constraints.get_constraint_entries(dof))
-        if (const auto at = known.find(other); at != known.end())
-          {
-            for (const auto &[free, part] : at->second.coefficients)
-              line.coefficients[free] += weight * part;
-            line.value += weight * at->second.value;
-          }
-        else if (const auto *const later = constraints.get_constraint_entries(other))
-          {
-            for (const auto &[free, part] : *later)
-              line.coefficients[free] += weight * part;
-            line.value += weight * constraints.get_inhomogeneity(other);
-          }
-        else
-          line.coefficients[other] += weight;
-      return line;
-    }
-  } // namespace
-
   void
   close_chains(const std::vector<std::optional<types::global_dof_index>> &order, Constraints &constraints)
   {
-    Lines replaced;
-    for (auto dof = order.rbegin(); dof != order.rend(); ++dof)
-      if (*dof)
-        {
-          const auto &entries = *constraints.get_constraint_entries(**dof);
-          if (std::any_of(entries.begin(), entries.end(), [&](const auto &entry) {
-                return constraints.is_constrained(entry.first);
-              }))
-            replaced.emplace(**dof, replaced_line(**dof, constraints, replaced));
-        }
-    if (!replaced.empty())
+    const auto is_chained = [&](const std::optional<types::global_dof_index> &dof) {
+      if (!dof)
+        return false;
+      const auto &entries = *constraints.get_constraint_entries(*dof);
+      return std::any_of(entries.begin(), entries.end(), [&](const auto &entry) {
+        return constraints.is_constrained(entry.first);
+      });
+    };
+    if (std::any_of(order.begin(), order.end(), is_chained))
       {
         Constraints result(constraints.get_local_lines());
-        for (const auto &line : constraints.get_lines())
-          {
-            const auto at = replaced.find(line.index);
-            result.add_line(line.index);
-            result.set_inhomogeneity(line.index,
-                                     at == replaced.end() ? line.inhomogeneity : at->second.value);
-            if (at == replaced.end())
-              result.add_entries(line.index, line.entries);
-            else
-              for (const auto &[free, part] : at->second.coefficients)
-                if (part != 0)
-                  result.add_entry(line.index, free, part);
-          }
+        for (auto dof = order.rbegin(); dof != order.rend(); ++dof)
+          if (*dof)
+            {
+              LinearEquation line{{{**dof, 1.}}, constraints.get_inhomogeneity(**dof)};
+              for (const auto &[other, weight] : *constraints.get_constraint_entries(**dof))
+                line.coefficients[other] -= weight;
+              substitute(line, result);
+              eliminate(line, **dof, result);
+            }
+        result.merge(constraints, Constraints::left_object_wins, true);
         constraints = std::move(result);
       }
     constraints.close();

@@ -54,7 +54,7 @@ PICTURES = {name: AROUND for name in (
 PICTURES |= {name: ("Contact pressure",) for name in ("verification/hertz_on_cantilever", "verification/flat_punch_axisymmetric", "verification/flat_punch_line", "verification/punch_moment", "verification/tied_patch_3d")}
 PICTURES |= {
     "greco": ("Shear traction",), "microslip_bar": ("Hysteresis", "Increments=30"), "nafems_roller_friction": ("Shear traction",), "nafems_punch_friction": ("Shear traction",),
-    "mindlin_sphere": ("States",), "verification/compressed_block_3d": ("Bodies",), "verification/oblique_drag": ("States",), "verification/turned_platens": ("Where the work goes",),
+    "mindlin_sphere": ("States",), "verification/compressed_block_3d": ("Bodies",), "verification/split_slave_3d": ("Bodies",), "verification/oblique_drag": ("States",), "verification/turned_platens": ("Where the work goes",),
     "verification/rings": COARSE, "verification/wavy_gap": ("Contact pressure",), "verification/turned_rings": COARSE, "verification/peers_sphere_3d": ("Pressure on the surface", "Refinement/Cycles=3"),
     "verification/slide_off_edge": ("Deformed mesh", "End time=1.4"), "verification/slide_over_edges": ("Deformed mesh", "End time=0.3", "Increments=18"),
     "verification/roller_bearing": ("Deformed mesh", "Refinement/Target error=0", "Refinement/Cycles=0"),

@@ -7,21 +7,6 @@
 
 namespace Amontons
 {
-  // To the last converged state, or to rest; on a refined mesh its contact states are those that the field
-  // of its tractions tells.
-  template <int dim>
-  void
-  LoadStepping<dim>::go_back()
-  {
-    evaluation.go_back();
-    history.state = history.last_converged;
-    if (history.state.displacement.size() == 0)
-      history.state.displacement = model->discretization().make_relevant_vector();
-    model->move_to(history.state);
-    if (history.last_converged.displacement.size() > 0 && history.last_converged.contact.empty())
-      restore_contact();
-  }
-
   template <int dim>
   void
   LoadStepping<dim>::roll_back()
@@ -120,10 +105,6 @@ namespace Amontons
           }
   }
 
-  template void
-  LoadStepping<2>::go_back();
-  template void
-  LoadStepping<3>::go_back();
   template void
   LoadStepping<2>::roll_back();
   template void

@@ -33,19 +33,22 @@ namespace Amontons
 
   template <int dim>
   bool
-  LoadPath<dim>::run(LoadProgram &program)
+  LoadPath<dim>::run(LoadProgram &program, const unsigned int most_cut_backs)
   {
     history.restart(program.time());
     while (!program.finished())
       {
         start_increment(program.next());
-        do
+        const bool converged = equilibrate();
+        if (must_stop())
+          return false;
+        if (!converged)
           {
-            history.last_report = iterate([](const auto &) {});
-            if (!history.last_report.converged || must_stop())
+            if (history.n_cut_backs++ == most_cut_backs || !program.cut_back())
               return false;
+            go_back();
+            continue;
           }
-        while (model->couple_better(history.state));
         evaluation.collect_fields(*model, history.state);
         program.accept(history.last_report.moved ? 0 : history.last_report.iterations_per_solve());
         commit(program);
@@ -53,6 +56,33 @@ namespace Amontons
           begin_next(program);
       }
     return true;
+  }
+
+  template <int dim>
+  bool
+  LoadPath<dim>::equilibrate()
+  {
+    do
+      {
+        history.last_report = iterate([](const auto &) {});
+        if (!history.last_report.converged)
+          return false;
+      }
+    while (!must_stop() && model->couple_better(history.state));
+    return true;
+  }
+
+  template <int dim>
+  void
+  LoadPath<dim>::go_back()
+  {
+    evaluation.go_back();
+    history.state = history.last_converged;
+    if (history.state.displacement.size() == 0)
+      history.state.displacement = model->discretization().make_relevant_vector();
+    model->move_to(history.state);
+    if (history.last_converged.displacement.size() > 0 && history.last_converged.contact.empty())
+      restore_contact();
   }
 
   template <int dim>

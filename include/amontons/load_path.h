@@ -20,10 +20,10 @@ namespace Amontons
              TimerOutput                &timer,
              RunControl                 &control);
 
-    /// The load program on this mesh, if every increment converges at once and nothing stops it; nobody is
-    /// told.
+    /// The load program on this mesh, if every increment converges, some of them cut at most so often, and
+    /// nothing stops it; nobody is told.
     bool
-    run(LoadProgram &program);
+    run(LoadProgram &program, const unsigned int most_cut_backs = 0);
 
     /// The increments of the scene, or others that are these times as long.
     LoadProgram
@@ -54,6 +54,10 @@ namespace Amontons
     iterate(const typename Newton<dim>::Observer &observer);
     bool
     must_stop();
+    // To the last converged state, or to rest; on a refined mesh its contact states are those that the field
+    // of its tractions tells.
+    void
+    go_back();
     void
     commit(const LoadProgram &program);
     void
@@ -84,6 +88,9 @@ namespace Amontons
     // What the load program found on the mesh before; null if it was not there, or that is forgotten.
     typename LoadHistory<dim>::PathPoint *
     guess_at(const double t);
+    // At history.state.t, with the surfaces coupled as the answer wants it.
+    bool
+    equilibrate();
     bool
     turn_along();
     void

@@ -74,6 +74,7 @@ namespace Amontons
     using LoadPath<dim>::forget_guess;
     using LoadPath<dim>::iterate;
     using LoadPath<dim>::must_stop;
+    using LoadPath<dim>::go_back;
     using LoadPath<dim>::commit;
     using LoadPath<dim>::begin_next;
     using LoadPath<dim>::repeat;
@@ -123,8 +124,6 @@ namespace Amontons
     may_snap(const LoadProgram &program, Failures &failures) const;
     void
     roll_back();
-    void
-    go_back();
     void
     return_to_last_converged();
     void

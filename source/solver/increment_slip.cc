@@ -1,3 +1,4 @@
+#include <amontons/base/directions.h>
 #include <amontons/solver/increment_slip.h>
 
 namespace Amontons
@@ -39,8 +40,10 @@ namespace Amontons
 
   template <int dim>
   void
-  IncrementSlip<dim>::remember_partners(const std::vector<SlaveNode<dim>> &nodes)
+  IncrementSlip<dim>::remember_partners(const std::vector<SlaveNode<dim>> &nodes,
+                                        const SolutionState<dim>          &start)
   {
+    const bool goes_on = start.earlier.size() == committed.size() && !start.committed_contact.empty();
     old.assign(nodes.size(), Partners());
     std::vector<std::vector<std::set<unsigned int>>> beside; // by interface and slave node, of its faces
     for (const auto &interface : interfaces)
@@ -62,9 +65,62 @@ namespace Amontons
         const bool           is_opposite = node.row != numbers::invalid_unsigned_int;
         const Tensor<1, dim> normal      = is_opposite ? node.normal : slave.nodes[node.node].normal;
         old[k].place                     = make_place(slave, around, normal / normal.norm());
-        if (is_opposite)
-          old[k].weights = aligned(old[k].place, node);
+        if (!is_opposite)
+          continue;
+        old[k].weights = aligned(old[k].place, node);
+        if (goes_on && start.committed_contact[node.interface][node.node].state == ContactStatus::open)
+          move_to_first_touch(start, node, old[k]);
       }
+  }
+
+  template <int dim>
+  Tensor<2, dim>
+  IncrementSlip<dim>::frame(const Place &place, const LA::Vector &u) const
+  {
+    std::array<Tensor<1, dim>, dim> columns;
+    const auto                      along = directions_left<dim>({place.normal});
+    for (const auto &[dofs, gamma] : place.gamma)
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int i = 0; i < along.size(); ++i)
+          columns[i][c] += (gamma * along[i]) * (reference_coordinate.at(dofs[c]) + u(dofs[c]));
+    auto &n = columns[dim - 1];
+    if constexpr (dim == 2)
+      n = cross_product_2d(columns[0]);
+    else
+      n = cross_product_3d(columns[0], columns[1]);
+    n /= n.norm();
+    Tensor<2, dim> result;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int i = 0; i < dim; ++i)
+        result[c][i] = columns[i][c];
+    return result;
+  }
+
+  // The jump z_- of the same material points where the increment before began, in the frame of the last
+  // converged state, is a along the surface; the gap was g_- and is g_old. If both go on as they did
+  // it closes at theta times that increment, with the jump -theta a along the surface:
+  //   v = (1 - n n^T) sum (w - beta + theta beta_-) x,   beta_- = gamma_j . a.
+  template <int dim>
+  void
+  IncrementSlip<dim>::move_to_first_touch(const SolutionState<dim> &start,
+                                          const SlaveNode<dim>     &node,
+                                          Partners                 &partners) const
+  {
+    const auto          &place = partners.place;
+    const Tensor<1, dim> z     = frame(place, committed) * invert(frame(place, start.earlier)) *
+                             position_jump(*partners.weights, start.earlier);
+    const double left   = node.gap / node.normal.norm(),
+                 closed = (position_jump(*partners.weights, committed) - z) * place.normal,
+                 longer = (start.t - start.committed_t) / (start.committed_t - start.earlier_t);
+    if (left <= 0 || closed <= 0)
+      return;
+    // What slides more than it closes is at its bound from the touch on, however much it slips then; a slip
+    // back made up by too large a theta would hold it.
+    const double along = (z - (z * place.normal) * place.normal).norm(),
+                 theta = std::min(left / closed, longer) * std::min(1., closed / along);
+    for (const auto &[dofs, gamma] : place.gamma)
+      for (unsigned int c = 0; c < dim; ++c)
+        (*partners.weights)[c][dofs[c]] += theta * (gamma * z);
   }
 
   // With m the normal, y_j = (1 - m m^T)(x_j - mean of all x_j) and B = sum_j y_j y_j^T + (trace) m m^T:

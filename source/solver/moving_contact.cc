@@ -67,7 +67,7 @@ namespace Amontons
       }
     move(slips.start());
     old_partners = OldPartners<dim>(interfaces);
-    slips.remember_partners(all);
+    slips.remember_partners(all, start);
     t = start.t;
   }
 

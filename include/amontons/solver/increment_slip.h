@@ -2,6 +2,7 @@
 #pragma once
 
 #include <amontons/solver/contact_nodes.h>
+#include <amontons/solver/solution_state.h>
 
 #include <optional>
 #include <set>
@@ -28,8 +29,9 @@ namespace Amontons
                   const LA::Vector                         &committed);
 
     /// The nodes, by which others are numbered from now on, and their interfaces as coupled in that state.
+    /// Slip of those that were open counts from where they touch, as far as the increment before tells.
     void
-    remember_partners(const std::vector<SlaveNode<dim>> &nodes);
+    remember_partners(const std::vector<SlaveNode<dim>> &nodes, const SolutionState<dim> &start);
 
     /// The displacement of that state.
     const LA::Vector &
@@ -58,7 +60,7 @@ namespace Amontons
     struct Partners
     {
       Place               place;
-      std::optional<Rows> weights; // w - beta, where something was opposite
+      std::optional<Rows> weights; // w - beta (of what was open + theta beta_-), where something was opposite
     };
 
     void
@@ -69,6 +71,13 @@ namespace Amontons
                const Tensor<1, dim>         &normal);
     Rows
     aligned(const Place &place, const SlaveNode<dim> &node) const;
+    // Its columns: vectors that the slave surface moves with, dim - 1 along it and its unit normal.
+    Tensor<2, dim>
+    frame(const Place &place, const LA::Vector &u) const;
+    void
+    move_to_first_touch(const SolutionState<dim> &start,
+                        const SlaveNode<dim>     &node,
+                        Partners                 &partners) const;
     Rows
     weights(const unsigned int k, const SlaveNode<dim> &node) const;
     Tensor<1, dim>

@@ -377,11 +377,13 @@ namespace Amontons
     if ((result && result->largest <= 1) || scene.kinematics != Kinematics::small_strain ||
         control.gives_up(model.mesh->geometry.communicator))
       return result;
+    constexpr unsigned int most_cut_backs = 2; // below sharp edges increments are cut for ever
+
     LoadProgram program(scene, true);
     if (scene.is_loaded_at_start)
       program.start_before();
     LoadPath<dim> path(parameters, make_model(model.mesh, true, program.next(), timer), timer, control);
-    if (path.run(program, LoadHistory<dim>::many_cut_backs))
+    if (path.run(program, most_cut_backs))
       result = change_to(path.model->interfaces, path.history.state, model, state);
     model.resume();
     return result;

@@ -114,10 +114,12 @@ namespace Amontons
                  longer = (start.t - start.committed_t) / (start.committed_t - start.earlier_t);
     if (left <= 0 || closed <= 0)
       return;
-    // What slides more than it closes is at its bound from the touch on, however much it slips then; a slip
-    // back made up by too large a theta would hold it.
+    // What slides by more than mu times what it closes by slips on at its bound from the touch; a slip back
+    // made up by too large a theta would hold it.
+    const auto   bound = shear_bound(*interfaces[node.interface].pair, node.X, start.t, 0);
     const double along = (z - (z * place.normal) * place.normal).norm(),
-                 theta = std::min(left / closed, longer) * std::min(1., closed / along);
+                 held  = bound.value > 0 ? 1 : std::min(1., bound.slope * closed / along),
+                 theta = std::min(left / closed, longer) * held;
     for (const auto &[dofs, gamma] : place.gamma)
       for (unsigned int c = 0; c < dim; ++c)
         (*partners.weights)[c][dofs[c]] += theta * (gamma * z);

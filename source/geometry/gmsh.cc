@@ -49,6 +49,45 @@ namespace Amontons
       return t.n_nodes == (t.dim == 2 ? 8 : 20) || t.n_nodes == (t.dim == 2 ? 9 : 27);
     }
 
+    bool
+    is_of_third_order(const ElementType &t)
+    {
+      return t.n_nodes == (t.dim == 2 ? 16 : 64);
+    }
+
+    // Of the edges, then of the faces of a cell of third order, what its cubic polynomials have in the
+    // middle: the weights of the nodes along an edge are there -1, 9, 9, -1 by 16, on a face their products.
+    std::vector<dealii::Point<3>>
+    middles_of_cubic(const std::vector<dealii::Tensor<1, 3>>        &nodes,
+                     const unsigned int                              n_corners,
+                     const std::vector<std::array<unsigned int, 2>> &edges,
+                     const std::vector<std::array<unsigned int, 4>> &faces)
+    {
+      std::vector<dealii::Point<3>>                               result;
+      auto                                                        inner = nodes.begin() + n_corners;
+      std::map<std::array<unsigned int, 2>, dealii::Tensor<1, 3>> on_edge; // both inner nodes
+      for (const auto &[i, j] : edges)
+        {
+          const auto sum = on_edge[{i, j}] = inner[0] + inner[1];
+          result.emplace_back((9. * sum - nodes[i] - nodes[j]) / 16);
+          inner += 2;
+        }
+      for (const auto &face : faces)
+        {
+          dealii::Tensor<1, 3> sum = 81. * (inner[0] + inner[1] + inner[2] + inner[3]);
+          for (const unsigned int i : face)
+            {
+              sum += nodes[i];
+              for (const unsigned int j : face)
+                if (const auto edge = on_edge.find({i, j}); edge != on_edge.end())
+                  sum -= 9. * edge->second;
+            }
+          result.emplace_back(sum / 256);
+          inner += 4;
+        }
+      return result;
+    }
+
     class GmshParser
     {
     public:
@@ -248,17 +287,7 @@ namespace Amontons
             for (unsigned int v = 0; v < t.n_corners; ++v)
               cell.nodes[v] = mesh.node(text.integer(fields[first + v]), text);
             mesh.cells.push_back(cell);
-            if (is_of_second_order(t))
-              {
-                std::vector<unsigned int> middle;
-                for (unsigned int v = t.n_corners; v < t.n_nodes; ++v)
-                  middle.push_back(mesh.node(text.integer(fields[first + v]), text));
-                mesh.add_middle_nodes(cell,
-                                      middle,
-                                      dim == 2 ? gmsh_quadrilateral_edges : gmsh_hexahedron_edges,
-                                      dim == 2 ? std::vector<std::array<unsigned int, 4>>()
-                                               : gmsh_hexahedron_faces);
-              }
+            add_middle_nodes(t, cell, fields, first);
           }
         else if (t.dim == dim - 1 && t.kind == nullptr && group != 0)
           {
@@ -267,6 +296,32 @@ namespace Amontons
               face.nodes[v] = mesh.node(text.integer(fields[first + v]), text);
             mesh.faces.push_back(face);
           }
+      }
+
+      void
+      add_middle_nodes(const ElementType    &t,
+                       const FileMesh::Cell &cell,
+                       const Fields         &fields,
+                       const std::size_t     first)
+      {
+        const auto &edges = dim == 2 ? gmsh_quadrilateral_edges : gmsh_hexahedron_edges;
+        const auto  faces = dim == 2 ? std::vector<std::array<unsigned int, 4>>() : gmsh_hexahedron_faces;
+        std::vector<unsigned int> middle;
+        if (is_of_second_order(t))
+          for (unsigned int v = t.n_corners; v < t.n_nodes; ++v)
+            middle.push_back(mesh.node(text.integer(fields[first + v]), text));
+        else if (is_of_third_order(t))
+          {
+            std::vector<dealii::Tensor<1, 3>> nodes;
+            for (unsigned int v = 0; v < t.n_nodes; ++v)
+              nodes.push_back(mesh.nodes[mesh.node(text.integer(fields[first + v]), text)]);
+            for (const auto &p : middles_of_cubic(nodes, t.n_corners, edges, faces))
+              {
+                middle.push_back(mesh.nodes.size());
+                mesh.nodes.push_back(p);
+              }
+          }
+        mesh.add_middle_nodes(cell, middle, edges, faces);
       }
 
       void

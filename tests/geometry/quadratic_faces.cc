@@ -63,7 +63,7 @@ gmsh(const std::vector<Point<3>> &nodes, const unsigned int type, const std::str
 {
   std::ostringstream text;
   text.precision(16);
-  const unsigned int dim = type == 10 || type == 16 ? 2 : 3;
+  const unsigned int dim = type == 10 || type == 16 || type == 36 ? 2 : 3;
   text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n"
        << dim - 1 << " 1 \"top\"\n$EndPhysicalNames\n$Nodes\n"
        << nodes.size() << "\n";
@@ -106,8 +106,23 @@ check_plane()
                                        {0, 0.5, 0},
                                        {0.5, 0.6, 0}};
   const std::vector<Point<3>> eight(nodes.begin(), nodes.begin() + 8);
+  std::vector<Point<3>>       sixteen(nodes.begin(), nodes.begin() + 4); // third order
+  for (const Point<2> &p : {Point<2>(1, 0),
+                            Point<2>(2, 0),
+                            Point<2>(3, 1),
+                            Point<2>(3, 2),
+                            Point<2>(2, 3),
+                            Point<2>(1, 3),
+                            Point<2>(0, 2),
+                            Point<2>(0, 1),
+                            Point<2>(1, 1),
+                            Point<2>(2, 1),
+                            Point<2>(2, 2),
+                            Point<2>(1, 2)})
+    sixteen.emplace_back(p[0] / 3, p[1] / 3 * (1 + (p[1] == 3 ? 0.8 * 2 / 9 : 0.)), 0);
   for (const auto &[file, text] :
        std::vector<std::pair<std::string, std::string>>{{"nine.msh", gmsh(nodes, 10, "3 4")},
+                                                        {"sixteen.msh", gmsh(sixteen, 36, "3 4")},
                                                         {"eight.msh", gmsh(eight, 16, "3 4")},
                                                         {"eight.inp", abaqus(eight, "CPE8", "S3")}})
     {
@@ -173,6 +188,30 @@ check_space()
         nodes.push_back(p);
     return nodes;
   };
+  // Of third order: two nodes on each edge, four on each face, eight inside.
+  std::vector<Point<3>> cubic = nodes_with(of_gmsh, 0, false);
+  cubic.resize(8);
+  const auto on_top = [&](Point<3> p) {
+    if (p[2] > 0.999)
+      p[2] = height(p[0], p[1], 0.1);
+    cubic.push_back(p);
+  };
+  const std::vector<Point<3>> corners = cubic;
+  for (const auto &edge : of_gmsh)
+    for (const double part : {1. / 3, 2. / 3})
+      on_top(corners[edge[0]] + part * (corners[edge[1]] - corners[edge[0]]));
+  for (const auto &[across, at] :
+       std::vector<std::pair<unsigned int, double>>{{2, 0.}, {1, 0.}, {0, 0.}, {0, 1.}, {1, 1.}, {2, 1.}})
+    for (const double a : {1. / 3, 2. / 3})
+      for (const double b : {1. / 3, 2. / 3})
+        {
+          Point<3> p;
+          p[across]           = at;
+          p[(across + 1) % 3] = a;
+          p[(across + 2) % 3] = b;
+          on_top(p);
+        }
+  cubic.resize(64);
   struct Case
   {
     std::string file, text;
@@ -180,6 +219,7 @@ check_space()
   };
   for (const Case &c : {Case{"20.msh", gmsh(nodes_with(of_gmsh, 0, false), 17, "5 6 7 8"), 0},
                         Case{"27.msh", gmsh(nodes_with(of_gmsh, 0.1, true), 12, "5 6 7 8"), 0.1},
+                        Case{"64.msh", gmsh(cubic, 92, "5 6 7 8"), 0.1},
                         Case{"20.inp", abaqus(nodes_with(of_abaqus, 0, false), "C3D20", "S2"), 0}})
     {
       const auto points = vertices_on<3>("top", c.file, c.text, 2);

@@ -181,8 +181,12 @@ namespace Amontons
         evaluation.judge_quantity(name, history.quantity);
       }
     // Where error.data is 1 what touches is unseen.
-    if (evaluation.touches() ? evaluation.resolves_contact() && is_resolved : error.data < 1)
-      history.meshes.add(n_dofs, error.of_target(), error.quantity ? 4 : 2, evaluation.has_limit(name));
+    const bool is_known =
+        evaluation.touches() ? evaluation.resolves_contact() && is_resolved : error.data < 1;
+    history.meshes.add(n_dofs,
+                       is_known ? error.of_target() : std::numeric_limits<double>::infinity(),
+                       error.quantity ? 4 : 2,
+                       evaluation.has_limit(name));
     const bool is_peak = error.quantity && name == "peak pressure" && error.cusp_grows;
     if (is_peak || (!error.quantity && error.contact > 0))
       history.meshes.add_lasting(

@@ -377,7 +377,7 @@ namespace Amontons
     if ((result && result->largest <= 1) || scene.kinematics != Kinematics::small_strain ||
         control.gives_up(model.mesh->geometry.communicator))
       return result;
-    constexpr unsigned int most_cut_backs = 2; // below sharp edges increments are cut for ever
+    constexpr unsigned int most_cut_backs = 4; // below sharp edges increments are cut for ever
 
     LoadProgram program(scene, true);
     if (scene.is_loaded_at_start)

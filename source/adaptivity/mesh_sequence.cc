@@ -13,7 +13,7 @@ namespace Amontons
     always_falls = has_limit;
     if (!meshes.empty() && meshes.back().n_dofs == n_dofs)
       meshes.pop_back();
-    if (std::isfinite(error))
+    if (error > 0 && std::isfinite(error))
       meshes.push_back({n_dofs, error});
   }
 

@@ -11,9 +11,9 @@ namespace Amontons
   {
   public:
     /// Of the same number of DoFs as the last one: instead of it. Infinite errors, which are not known yet,
-    /// are left out. growth: of the DoFs, within which errors need not fall; of numbers, whose errors are
-    /// differences between meshes of so many DoFs, 4. has_limit: of the exact quantity, whatever the pressure
-    /// is (forces, energies): its error falls, if not always.
+    /// and none, where nothing touches so far, are left out. growth: of the DoFs, within which errors need
+    /// not fall; of numbers, whose errors are differences between meshes of so many DoFs, 4. has_limit: of
+    /// the exact quantity, whatever the pressure is (forces, energies): its error falls, if not always.
     void
     add(const double n_dofs, const double error, const double growth = 2, const bool has_limit = false);
 

@@ -97,6 +97,20 @@ main(int, char **)
   check::is_true(standing.is_hopeless(0.05, 1e6) && !falling.is_hopeless(0.05, 1e6),
                  "after two refinements an error that stands still is hopeless");
 
+  MeshSequence late; // nothing touches at first, and of what does later little is seen on three of the meshes
+  for (const auto &[n, error] :
+       {std::pair(1e3, -1.), std::pair(3e3, -1.), std::pair(1e4, -1.), std::pair(3e4, 0.7)})
+    {
+      late.add(n, 0);
+      late.add(n, 0.7);
+      late.add(n, error < 0 ? std::numeric_limits<double>::infinity() : error);
+    }
+  check::is_true(!late.is_hopeless(0.05, 1e5), "one mesh that knows its error");
+  late.add(1e5, 0);
+  late.add(3e5, 0);
+  late.add(1.2e6, 0);
+  check::is_true(!late.is_hopeless(0.05, 1e6), "errors of nothing do not stand still");
+
   // Numbers with an error of n^-1, on meshes that grow by 1.3 or 2: estimated within a factor.
   for (const double growth : {1.3, 2.})
     {

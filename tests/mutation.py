@@ -271,7 +271,10 @@ CHANGES = [
     ("cells as small as they can be", "adaptivity/mesh_sequence.cc", "lasting[1].error > 0.95 * lasting[0].error", "false", "scenes/sharp_punch_of_smallest_cells$"),
     ("meshes of small strain", "contact_problem.cc", "if (small_strain.keeps_meshes())", "if (false)", "scenes/two_indenters_change_late$"),
     ("contact that moves by kinematics", "contact_problem.cc", "if (small_strain.keeps_meshes())", "if (true)", "scenes/sliding_pad$"),
-    ("factors of nearly incompressible bodies", "algebra/linear_solver.cc", "nearly_incompressible ? 30000u : 5000u", "5000u", "^algebra/linear_solver$"),
+    ("errors of nothing", "adaptivity/mesh_sequence.cc", "error > 0 && std::isfinite(error)", "std::isfinite(error)", "(^adaptivity/mesh_difference|scenes/touched_late)$"),
+    ("increments of the trial", "small_strain_check.cc", "constexpr unsigned int most_cut_backs = 4;", "constexpr unsigned int most_cut_backs = 0;", "scenes/small_strain_wrapped$"),
+    ("middles of cubic edges", "geometry/gmsh.cc", "(9. * sum - nodes[i] - nodes[j]) / 16", "sum / 2", "^geometry/quadratic_faces$"),
+    ("factors of nearly incompressible bodies", "algebra/linear_solver.cc", "nearly_incompressible ? 30000u : 5000u", "5000u", "scenes/nearly_incompressible_in_space$"),
 ]
 
 

@@ -266,9 +266,27 @@ namespace Amontons
     const bool may_hide =
         evaluation.may_hide(*model, history.state, quantity, target, history.quantity.is_zero());
     const bool may_appear = quantity.find(" size") != std::string::npos && error.contact > target;
-    const bool is_enough  = target > 0 && ((estimate <= believed && !may_hide) ||
-                                          history.meshes.is_hopeless(target, parameters.refinement.max_dofs));
+    const bool is_enough =
+        target > 0 &&
+        ((estimate <= believed && !may_hide) ||
+         (history.meshes.is_hopeless(target, parameters.refinement.max_dofs) && forces_stand()));
     return may_refine() && !is_enough && (may_hide || may_appear || !history.quantity.is_zero());
+  }
+
+  template <int dim>
+  bool
+  LoadStepping<dim>::forces_stand() const
+  {
+    constexpr double part = 0.1; // of the largest
+    if (history.coarser_forces.empty() || history.coarser.place.t != history.state.t)
+      return true;
+    const auto   forces  = target_quantity("total force", answer(), history.work);
+    const double largest = *std::max_element(forces.begin(), forces.end());
+    return std::equal(
+        forces.begin(),
+        forces.end(),
+        history.coarser_forces.begin(),
+        [&](const double now, const double before) { return std::abs(now - before) <= part * largest; });
   }
 
   // On the way: evenly over the load program, or whenever the target asks for it.
@@ -344,6 +362,7 @@ namespace Amontons
     history.coarser.traction =
         surface_tractions(model->discretization(), model->interfaces, evaluation.fields);
     history.coarser.recovered = evaluation.error.recovered;
+    history.coarser_forces    = target_quantity("total force", answer(), history.work);
     if (small_strain != nullptr)
       small_strain->leave_mesh(*model, *evaluation.recovery, history.state, report.energy(), timer, control);
     if (parameters.refinement.target_error > 0) // else the answer is that of this mesh

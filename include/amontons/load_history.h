@@ -31,8 +31,9 @@ namespace Amontons
     };
     std::vector<PathPoint> path;
     CoarserTractions<dim>  coarser;
-    MeshSequence           meshes;   // with the error of the last solve on each
-    QuantitySequence       quantity; // `Target quantity`, by pair
+    std::vector<double>    coarser_forces; // total ones by pair, likewise
+    MeshSequence           meshes;         // with the error of the last solve on each
+    QuantitySequence       quantity;       // `Target quantity`, by pair
     WorkDone<dim>          work;
     LoadRecord             record;      // friction: what the error of the increments is measured by
     NewtonReport           last_report; // of the last solve

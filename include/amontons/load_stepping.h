@@ -137,6 +137,9 @@ namespace Amontons
     may_refine() const;
     bool
     wants_refinement() const;
+    // No force of a pair has changed from the mesh before as if another part of it touched.
+    bool
+    forces_stand() const;
     bool
     refine_now(const LoadProgram &program) const;
     bool

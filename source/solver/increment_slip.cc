@@ -117,7 +117,7 @@ namespace Amontons
     // What slides by more than mu times what it closes by slips on at its bound from the touch; a slip back
     // made up by too large a theta would hold it.
     const auto   bound = shear_bound(*interfaces[node.interface].pair, node.X, start.t, 0);
-    const double along = (z - (z * place.normal) * place.normal).norm(),
+    const double along = without<dim>(z, {place.normal}).norm(),
                  held  = bound.value > 0 ? 1 : std::min(1., bound.slope * closed / along),
                  theta = std::min(left / closed, longer) * held;
     for (const auto &[dofs, gamma] : place.gamma)

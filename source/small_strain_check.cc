@@ -217,7 +217,8 @@ namespace Amontons
                            parameters.refinement.history == "transfer");
     if (before || state.t < scene.end_time || model.discretization().dof_handler.n_dofs() < enough)
       return;
-    TimerOutput::Scope           scope(timer, "choice of the model");
+    TimerOutput::Scope scope(timer, "choice of the model");
+    error_of_mesh = allowed_error(); // of the last one: it leaves least to the kinematics
     NeglectedTermsOfHistory<dim> here(neglected);
     shear =
         shear_kinematics(model.discretization(), model.interfaces, state.contact, neglected.largest().turn);

@@ -135,7 +135,11 @@ namespace Amontons
           continue;
         const ContactStatus old = states[k];
         if (!closed[k])
-          states[k] = ContactStatus::open;
+          {
+            states[k] = ContactStatus::open;
+            if (is_frozen && is_exhausted)
+              frozen_bounds[k] = 0;
+          }
         else if (!nodes[k].frictional)
           states[k] = ContactStatus::slip;
         else
@@ -153,7 +157,8 @@ namespace Amontons
             const double more =
                 old == ContactStatus::stick ? no_force[nodes[k].interface] / nodes[k].area : 0;
             const bool slips =
-                !turned && q.norm() > 0 && excess > (moves ? -tolerance : std::max(tolerance, more));
+                (is_frozen && limit.value <= 0) ||
+                (!turned && q.norm() > 0 && excess > (moves ? -tolerance : std::max(tolerance, more)));
             states[k] = slips ? ContactStatus::slip : ContactStatus::stick;
             if (slips)
               laws[k] = linearise_slip(q, p, limit, nodes[k].c);
@@ -274,10 +279,10 @@ namespace Amontons
           Tensor<1, dim> m;
           for (unsigned int d = 0; d < dim; ++d)
             m[d] = floating.evaluate_on(nodes[k].components[d].equation, motion);
-          m = nodes[k].tangential(m);
-          if (m.norm() < 1e-6)
-            continue;
+          m                  = nodes[k].tangential(m);
           const double limit = bound(k, answers[k].pressure).value;
+          if (m.norm() < 1e-6 || limit <= 0)
+            continue;
           slips.push_back({answers[k].slip * m / m.norm_square(),
                            trial(k, answers[k]).norm() / std::max(limit, 1e-300),
                            std::max(limit, 0.) * nodes[k].area * m.norm(),
@@ -323,19 +328,24 @@ namespace Amontons
   void
   NodeStates<dim>::watch_for_cycles(const NodalContacts<dim> &answers, const unsigned int n_changes)
   {
-    const auto follow = [&](const double weight) {
-      double change = 0, largest = 0;
+    const auto follow = [&]() {
+      std::vector<double> next(frozen_bounds);
+      double              change = 0, largest = 0;
       is_frozen = false;
       for (unsigned int k = 0; k < nodes.size(); ++k)
         if (nodes[k].frictional)
           {
-            const double next = bound(k, answers[k].pressure).value;
-            change            = std::max(change, std::abs(next - frozen_bounds[k]));
-            largest           = std::max(largest, next);
-            frozen_bounds[k] += weight * (next - frozen_bounds[k]);
+            next[k] = bound(k, answers[k].pressure).value;
+            change  = std::max(change, std::abs(next[k] - frozen_bounds[k]));
+            largest = std::max(largest, next[k]);
           }
       is_frozen = true;
-      return largest > 0 ? change / largest : 0.;
+      if (largest > 0)
+        change /= largest;
+      swings = swings || change > last_change / 4;
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        frozen_bounds[k] += (swings ? 0.5 : 1) * (next[k] - frozen_bounds[k]);
+      last_change = change;
     };
     if (n_changes == 0)
       {
@@ -343,9 +353,8 @@ namespace Amontons
         met.clear();
         if (is_frozen)
           {
-            const double change = follow(last_change < std::numeric_limits<double>::max() ? 0.5 : 1);
-            is_frozen           = change >= 1e-3;
-            last_change         = change;
+            follow();
+            is_frozen = last_change >= 1e-3;
           }
         return;
       }
@@ -360,12 +369,14 @@ namespace Amontons
     if (met.insert(key).second)
       return;
     met.clear();
-    is_exhausted = is_exhausted || single;
+    is_exhausted = is_exhausted || is_frozen;
     single       = is_frozen;
     if (!is_frozen)
       {
         frozen_bounds.assign(nodes.size(), 0.);
-        follow(1);
+        swings      = false;
+        last_change = std::numeric_limits<double>::max();
+        follow();
         last_change = std::numeric_limits<double>::max();
       }
   }

@@ -25,8 +25,9 @@ namespace Amontons
   //   rests if the body is moved back so far along it that the others' friction balances the loads; if the
   //   bound is exceeded there when nothing else changes, friction cannot hold the body (held_too_much);
   // - when a set of states comes back, bounds are frozen: with given bounds (Tresca) the problem is that of
-  //   minimising a convex energy; each time it is solved, the bounds follow the pressures, until they agree.
-  //   If states come back even then, nodes change one by one.
+  //   minimising a convex energy; each time it is solved, the bounds follow the pressures, until they agree
+  //   (by half of the way once they swing). If states come back even then, nodes change one by one, and what
+  //   opens has no bound when it closes again: its friction may be what opens it.
   template <int dim>
   class NodeStates
   {
@@ -214,6 +215,7 @@ namespace Amontons
     bool                                      single       = false; // frozen, and states came back even so
     bool                                      is_exhausted = false; // see exhausted()
     double                                    last_change  = 0;     // of the bounds
+    bool                                      swings       = false; // that did not halve once
     std::set<std::string>                     met;
     std::vector<unsigned int>                 held, changed; // in the last update
     std::vector<std::vector<double>>          motions_held;

@@ -30,7 +30,7 @@ GROUPS = [
      "verification/far_gap verification/floating_slab_3d verification/tipping_3d"),
     ("Finite strain", "ironing wall_buckling snap_away nafems_roller_finite verification/rubber_indentation verification/fluid_pressure verification/tube_in_bore verification/compressed_rubber verification/compressed_block_3d verification/o_ring verification/o_ring_half verification/ring_in_groove verification/thin_ring "
      "verification/press_finite verification/slide_off_edge verification/slide_over_edges verification/slid_block verification/ring_rolls verification/corner_on_corner verification/turned_disk "
-     "verification/objectivity verification/turned_rigid_body verification/turned_obstacle verification/turned_platens verification/turned_with_friction verification/patch_finite "
+     "verification/objectivity verification/turned_rigid_body verification/turned_obstacle verification/turned_platens verification/turned_with_friction verification/ring_in_turned_bore verification/patch_finite "
      "verification/patch_finite_3d verification/patch_finite_turned verification/patch_finite_turned_3d verification/uniaxial_finite verification/simple_shear_finite "
      "verification/pulled_strip verification/punch_small_and_finite verification/punch_with_flanks verification/column_with_stop verification/squeezed_rod verification/sliding_pad"),
     ("In space", "half_space_box hertz_sphere two_spheres crossed_cylinders mindlin_sphere ironing_3d walk/pin_in_lug_3d sphere_on_block_scaling verification/three_spheres "

@@ -371,8 +371,9 @@ namespace Amontons
           report.announce(small_strain.description() + ": small strain is enough" + small_strain.allowance());
         return true;
       }
-    const std::string advice = small_strain.has_alternative()
-                                   ? "; say 'Kinematics = finite strain' or 'auto'"
+    const std::string advice = small_strain.has_alternative() ? "; say 'Kinematics = finite strain' or 'auto'"
+                               : parameters.newton.collocates()
+                                   ? "; finite strain needs another 'Contact solver/Method'"
                                    : "; finite strain needs rotations that are given or held, not free";
     if (!small_strain.is_too_much())
       {

@@ -12,7 +12,7 @@ namespace Amontons
     {
       using Kind = Failure::Kind;
       return failure && (failure->kind == Kind::passed_through || failure->kind == Kind::entered ||
-                         failure->kind == Kind::beyond_symmetry);
+                         failure->kind == Kind::beyond_symmetry || failure->kind == Kind::driven_through);
     }
   } // namespace
 

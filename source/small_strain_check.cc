@@ -23,6 +23,23 @@ namespace Amontons
         return control.gives_up(communicator);
       };
     }
+
+    // Obstacles and platens, which move as is prescribed or as the bodies do.
+    template <int dim>
+    void
+    leave_out_carriers(const Discretization<dim> &discretization, LA::Vector &v)
+    {
+      std::vector<types::global_dof_index> dofs(discretization.fe.n_dofs_per_cell());
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned() && discretization.geometry.is_carrier(cell->material_id()))
+          {
+            cell->get_dof_indices(dofs);
+            for (const auto dof : dofs)
+              if (discretization.locally_owned.is_element(dof))
+                v(dof) = 0;
+          }
+      v.compress(VectorOperation::insert);
+    }
   } // namespace
 
   template <int dim>
@@ -123,7 +140,7 @@ namespace Amontons
   bool
   SmallStrainCheck<dim>::calls_for_finite_strain() const
   {
-    return scene.kinematics == Kinematics::automatic && rotations_are_held && !is_harmless();
+    return scene.kinematics == Kinematics::automatic && has_alternative() && !is_harmless();
   }
 
   template <int dim>
@@ -139,8 +156,9 @@ namespace Amontons
   bool
   SmallStrainCheck<dim>::is_too_much() const
   {
-    if (!change)
-      return neglected.largest().largest() > too_much || stiffening > 1;
+    const auto &terms = neglected.largest();
+    if (!change) // (what is left out in the contact is a bound, often far too large)
+      return (parameters.newton.collocates() ? terms.strain : terms.largest()) > too_much || stiffening > 1;
     return change->without_pressures > too_much ||
            (pressures_are_known() && change->largest > 0.5 && neglected.largest().contact > too_much);
   }
@@ -232,7 +250,8 @@ namespace Amontons
     before = Findings{terms, {}, {}};
     if (may_stiffen)
       before->stiffening = stiffening_at(model, state, timer, control);
-    if (may_matter && holds_all_rotations(model.discretization()))
+    rotations_are_held = holds_all_rotations(model.discretization());
+    if (may_matter && has_alternative())
       before->change = change_nearby(model, state, timer, control, nullptr);
   }
 
@@ -269,7 +288,7 @@ namespace Amontons
                        ? *before->stiffening
                        : stiffening_at(model, state, timer, control);
     tried =
-        is_telling && rotations_are_held && (neglected_part() > bound() || stiffening > allowed_stiffening());
+        is_telling && has_alternative() && (neglected_part() > bound() || stiffening > allowed_stiffening());
     if (tried)
       change = is_as_before() && before->change && before->change->largest <= allowed_change() / 2
                    ? before->change
@@ -323,6 +342,8 @@ namespace Amontons
     difference = finite_state.displacement;
     old        = state.displacement;
     difference -= old;
+    for (LA::Vector *v : {&difference, &old})
+      leave_out_carriers(model.discretization(), *v);
     const double size = old.linfty_norm(), displacement = size > 0 ? difference.linfty_norm() / size : 0.,
                  rest = std::max({contact.forces, contact.shift, displacement});
     return {std::max(rest, contact.pressures), rest};

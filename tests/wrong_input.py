@@ -394,6 +394,10 @@ def scenes():
         case(f"disk driven along a plane, {kinematics} strain", driven, "nothing holds the rigid motion along x of body 'disk', and the loads drive it")
         rolling = driven.replace("Second = lower", "Second = lower\n  set Friction coefficient = 0.5").replace("subsection Contact above\n  set First  = disk/arc\n  set Second = upper\nend\n", "")
         case(f"disk that rolls down a rough plane, {kinematics} strain", rolling, "the round body 'disk' rolls on its plane, whatever the friction, and the loads drive it")
+    case("plane whose back the body lies on, finite strain",
+         "set Kinematics = finite strain\nsubsection Body b\n  set Lower corner = 0, -1\n  set Upper corner = 2, 0\n  set Young modulus = 1\n  set Poisson ratio = 0\nend\n"
+         "subsection Obstacle o\n  set Surface = plane\n  set Normal = 0, 1\n  set Displacement = 0; -0.05*t\nend\nsubsection Boundary condition c\n  set Boundaries = b/bottom\n  set Value = 0; 0\nend\n"
+         "subsection Contact k\n  set First = b/top\n  set Second = o\nend\n", "do not face each other: the body lies behind the plane; allowed: an obstacle that looks at the boundary")
     for ranks in 1, 2, 3:
         case(f"sideways load that contact cannot hold, {ranks} ranks", drop % "1; -1", "holds.*upper|rigid.*upper", ranks=ranks)
     case("load on a body without supports", (drop % "0; -1").replace(contact, ""), "holds.*upper", ranks=2)

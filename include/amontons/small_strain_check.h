@@ -87,11 +87,11 @@ namespace Amontons
     {
       return found ? &*found : nullptr;
     }
-    /// No rotation is free: finite strain needs them given or held.
+    /// No rotation is free: finite strain needs them given or held. Nor does the method touch at nodes.
     bool
     has_alternative() const
     {
-      return rotations_are_held;
+      return rotations_are_held && !parameters.newton.collocates();
     }
     /// For sentences.
     std::string

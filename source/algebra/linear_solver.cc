@@ -1,15 +1,11 @@
+#include <amontons/algebra/direct_factorisation.h>
 #include <amontons/algebra/linear_solver.h>
-#include <amontons/base/blas_threads.h>
-#include <amontons/base/silent_errors.h>
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
 
-#include <Amesos.h>
-#include <Amesos_Mumps.h>
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Import.h>
-#include <Epetra_LinearProblem.h>
 #include <Epetra_MultiVector.h>
 #include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
@@ -45,85 +41,6 @@ namespace Amontons
     prm.add_parameter("Maximum iterations", max_iterations, "Of the Krylov solver.", Patterns::Integer(1));
     prm.leave_subsection();
   }
-
-  // The symbolic factorisation is made once (the pattern stays), the numerical one when asked for.
-  struct LinearSolver::Factorisation
-  {
-    Factorisation(const LA::SparseMatrix &matrix,
-                  const std::string      &package,
-                  const bool              symmetric,
-                  const int               workspace)
-        : workspace(workspace)
-    {
-      problem.SetOperator(const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
-      solver.reset(Amesos().Create(package, problem));
-      Teuchos::ParameterList list;
-      list.set("MatrixProperty", symmetric ? "SPD" : "general");
-      list.set("PrintTiming", false);
-      solver->SetParameters(list);
-      mumps = dynamic_cast<Amesos_Mumps *>(solver.get());
-    }
-
-    // MUMPS foresees its workspace in the symbolic part; pivots that it has to delay need more.
-
-    bool
-    factorise()
-    {
-      const SilentErrors silence; // Amesos repeats there what MUMPS returns
-      constexpr int      most_workspace = 5120;
-      for (;; workspace = std::max(4 * workspace, 80), symbolic = false)
-        {
-          if (mumps != nullptr)
-            mumps->SetICNTL(14, workspace);
-          bool              success = symbolic || solver->SymbolicFactorization() == 0;
-          const BlasThreads threads(success && is_large() ? BlasThreads::available() : 1);
-          success  = success && solver->NumericFactorization() == 0;
-          symbolic = true;
-          if (!is_anywhere(!success))
-            return true;
-          const int  code  = mumps != nullptr ? mumps->GetINFOG()[0] : 0; // INFOG(1)
-          const auto is_in = [&](const std::initializer_list<int> &codes) {
-            return is_anywhere(std::find(codes.begin(), codes.end(), code) != codes.end());
-          };
-          const bool is_too_small = is_in({-8, -9, -11, -12, -14, -15, -17, -20});
-          no_memory               = is_in({-5, -7, -13, -19}) || is_too_small;
-          if (!is_too_small || workspace >= most_workspace)
-            return false;
-        }
-    }
-
-    // Below, threads cost more than they give (doc/benchmarks.md).
-    bool
-    is_large() const
-    {
-      constexpr double operations = 2e9; // RINFOG(1), foreseen for the elimination
-      return mumps != nullptr && problem.GetOperator()->Comm().NumProc() == 1 &&
-             mumps->GetRINFOG()[0] > operations;
-    }
-
-    // Collective.
-    bool
-    is_anywhere(const bool here) const
-    {
-      int one = here ? 1 : 0, all = 0;
-      problem.GetOperator()->Comm().MaxAll(&one, &all, 1);
-      return all != 0;
-    }
-
-    void
-    vmult(LA::Vector &x, const LA::Vector &rhs) const
-    {
-      problem.SetLHS(&x.trilinos_vector());
-      problem.SetRHS(const_cast<Epetra_MultiVector *>(&rhs.trilinos_vector()));
-      solver->Solve();
-    }
-
-    mutable Epetra_LinearProblem       problem;
-    std::unique_ptr<Amesos_BaseSolver> solver;
-    Amesos_Mumps                      *mumps = nullptr; // if it is that
-    int                                workspace;       // percent
-    bool                               symbolic = false, no_memory = false;
-  };
 
   namespace
   {
@@ -403,7 +320,7 @@ namespace Amontons
           }
       }
     if (!direct)
-      direct = std::make_unique<Factorisation>(
+      direct = std::make_unique<DirectFactorisation>(
           matrix,
           parameters.direct_package == "automatic" ? "Amesos_Mumps" : parameters.direct_package,
           symmetric,
@@ -412,7 +329,7 @@ namespace Amontons
     if (is_new && !direct->factorise())
       {
         report.success   = false;
-        report.no_memory = direct->no_memory;
+        report.no_memory = direct->lacks_memory();
         direct.reset();
         return report;
       }

@@ -240,6 +240,26 @@ namespace Amontons
           bodies,
           {{p.x_slave + 0.25 * slave * p.normal, p.x_master - 0.25 * master * p.normal}});
     }
+
+    // Within what an endless plane bounds: there nothing ever comes to face it.
+    template <int dim>
+    bool
+    lies_behind(const Discretization<dim> &discretization, const ContactInterface<dim> &interface)
+    {
+      const auto *const plane = interface.master.obstacle;
+      if (!discretization.finite_strain || plane == nullptr || plane->type != ObstacleData::Type::plane ||
+          plane->size > 0)
+        return false;
+      const unsigned int body   = interface.slave->body;
+      const auto        &centre = discretization.geometry.body_centres[body];
+      double             height = 0, length = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          height += (centre[d] - plane->centre[d]) * plane->normal[d];
+          length += plane->normal[d] * plane->normal[d];
+        }
+      return height < -0.1 * std::sqrt(length) * discretization.geometry.body_sizes[body];
+    }
   } // namespace
 
   template <int dim>
@@ -249,6 +269,11 @@ namespace Amontons
   {
     for (const auto &interface : interfaces)
       {
+        if (lies_behind(discretization, interface))
+          throw InputError(interface.pair->where,
+                           sides_of(*interface.pair) +
+                               " do not face each other: the body lies behind the plane",
+                           sides_that_face(interface));
         if (!must_face(discretization, *interface.pair))
           continue;
         bool         sees = false;

@@ -126,6 +126,10 @@ namespace Amontons
                    ": there it would meet its image, which contact does not see; put an obstacle with "
                    "'Surface "
                    "= plane' there, or model the whole";
+          case Failure::Kind::driven_through:
+            return "supports drive a surface through a rigid obstacle, at " + failure.where +
+                   ": nothing that the bodies can do is an answer to that; prescribe less there, or leave "
+                   "the motion towards the obstacle free";
           case Failure::Kind::moves_apart:
             return "the loads drive the rigid " + failure.motion +
                    ", and no node that is closed holds it: the bodies move apart or slide off each other; "
@@ -187,6 +191,7 @@ namespace Amontons
           {Kind::passed_through, "passed through"},
           {Kind::entered, "entered"},
           {Kind::beyond_symmetry, "beyond symmetry"},
+          {Kind::driven_through, "driven through"},
           {Kind::moves_apart, "moves apart"},
           {Kind::flown, "flown"},
           {Kind::beyond_edge, "beyond edge"},

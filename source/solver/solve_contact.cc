@@ -1,3 +1,4 @@
+#include <amontons/contact/supported_nodes.h>
 #include <amontons/solver/augmented_lagrangian.h>
 #include <amontons/solver/contact_region.h>
 #include <amontons/solver/diagnosis.h>
@@ -37,6 +38,20 @@ namespace Amontons
         }
       fail(Kind::beyond_symmetry, beyond_symmetry_planes(discretization, state.displacement));
       report.converged = !report.failure;
+    }
+
+    template <int dim>
+    void
+    check_supported(const ContactEquilibrium<dim> &problem, NewtonReport &report)
+    {
+      if (!report.converged)
+        return;
+      const auto nodes = driven_through(
+          problem.discretization, problem.supports, problem.state.displacement, problem.interfaces);
+      if (nodes.empty())
+        return;
+      report.failure   = Diagnosis::surfaces_cross(Failure::Kind::driven_through, nodes);
+      report.converged = false;
     }
 
     bool
@@ -155,6 +170,7 @@ namespace Amontons
         EliminatedStep<dim> step(problem, kept != nullptr ? *kept : own);
         Newton<dim>         newton(problem, step, smallest_cell, observer);
         auto                report = run_method(problem, step, newton, penalty ? &*penalty : nullptr, false);
+        check_supported(problem, report);
         check_region(problem, newton.floating_bodies(), report);
         return report;
       }
@@ -165,6 +181,7 @@ namespace Amontons
     auto report = run_method(problem, step, newton, penalty ? &*penalty : nullptr, follow_motion);
     if (report.converged)
       check_crossing(contact, discretization, state, report);
+    check_supported(problem, report);
     check_region(problem, newton.floating_bodies(), report);
     return report;
   }

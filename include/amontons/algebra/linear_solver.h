@@ -12,6 +12,8 @@
 
 namespace Amontons
 {
+  class DirectFactorisation;
+
   struct LinearSolverParameters : ParameterGroup
   {
     std::string  type           = "automatic"; // automatic | direct | cg
@@ -124,13 +126,12 @@ namespace Amontons
     std::vector<std::vector<double>>                   modes;
     std::unique_ptr<TrilinosWrappers::PreconditionAMG> amg;
     bool                                               amg_is_old = true;
-    struct Factorisation;
-    std::unique_ptr<Factorisation> direct;
-    bool                           factorisation_is_old = true;
-    bool                           all_values_are_new   = false;
-    unsigned int                   n_changed            = 0;     // nodes, since the preconditioner was built
-    double                         steps_per_decade     = 0;     // of GMRES with a new hierarchy
-    bool                           multigrid_fails      = false; // or takes longer than a factorisation
+    std::unique_ptr<DirectFactorisation>               direct;
+    bool                                               factorisation_is_old = true;
+    bool                                               all_values_are_new   = false;
+    unsigned int n_changed        = 0;     // nodes, since the preconditioner was built
+    double       steps_per_decade = 0;     // of GMRES with a new hierarchy
+    bool         multigrid_fails  = false; // or takes longer than a factorisation
 
     LinearSolveReport
     solve_directly(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs);

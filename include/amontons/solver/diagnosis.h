@@ -43,7 +43,7 @@ namespace Amontons
     Failure
     moves_apart(const NodeStates<dim> &states, const std::vector<std::vector<double>> &motions);
 
-    /// kind: passed_through, entered or beyond_symmetry, at these nodes.
+    /// kind: passed_through, entered, beyond_symmetry or driven_through, at these nodes.
     template <int dim>
     Failure
     surfaces_cross(const Failure::Kind kind, const std::vector<Point<dim>> &nodes);

@@ -19,6 +19,7 @@ namespace Amontons
       passed_through,        // one surface through another, within the increment
       entered,               // a corner went into a body where no normal finds it
       beyond_symmetry,       // a body moved through its own plane of symmetry
+      driven_through,        // a rigid obstacle, by supports
       moves_apart,           // loads drive a rigid motion that no closed node holds
       flown,                 // to `residual` times their size: rounding of such a motion hides all forces
       beyond_edge,           // what holds the bodies would have to lie beyond the edge of the contact

@@ -171,15 +171,40 @@ namespace Amontons
       }
   }
 
+  // walls_are_none: what would slide freely if the obstacles that it does not touch were not there is held
+  // until it touches one.
   template <int dim>
   void
-  ContactProblem<dim>::start_on_first_mesh(const bool finite_strain)
+  ContactProblem<dim>::start_on_first_mesh(const bool finite_strain, const bool walls_are_none)
   {
     make_mesh();
     start(finite_strain);
     refuse_hidden_sides(steps->model->discretization(), steps->model->interfaces);
+    const auto walls = walls_beside(mesh->geometry, steps->model->interfaces);
+    if (finite_strain && walls_are_none && !walls.empty() &&
+        find_free_slides(scene, mesh->geometry, true, walls).size() >
+            find_free_slides(scene, mesh->geometry).size())
+      {
+        mesh->discretization->walls = walls;
+        mesh->discretization->distribute_dofs();
+        start(finite_strain);
+      }
     steps->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);
     n_first_dofs = mesh->discretization->dof_handler.n_dofs();
+  }
+
+  // What is held until it touches a wall has touched it: the loads are to be followed anew, without.
+  template <int dim>
+  bool
+  ContactProblem<dim>::lets_go_at_wall(const bool finite_strain)
+  {
+    const auto &failure = steps->history.last_report.failure;
+    if (!failure || failure->kind != Failure::Kind::wall_touched || is_stopped())
+      return false;
+    report.announce(report.message() + ": the loads are followed anew, and nothing else holds it");
+    report.restart();
+    start_on_first_mesh(finite_strain, false);
+    return true;
   }
 
   // Should a mesh fail that a target asked for, the answer is that of the one before.
@@ -189,7 +214,8 @@ namespace Amontons
   {
     const bool         finite_strain = steps->model->finite_strain();
     const unsigned int first         = mesh->n_refinements;
-    if (steps->run())
+    const bool         ran = steps->run(), was_held = !ran && lets_go_at_wall(finite_strain);
+    if (ran || (was_held && steps->run()))
       return true;
     const auto &refinement = parameters.refinement;
     if (is_stopped() || refinement.target_error <= 0 || refinement.history == "transfer")
@@ -205,7 +231,7 @@ namespace Amontons
           ++body.refinements;
         is_finer                  = true;
         const auto most_cut_backs = steps->history.most_cut_backs;
-        start_on_first_mesh(finite_strain);
+        start_on_first_mesh(finite_strain, !was_held);
         steps->history.most_cut_backs = most_cut_backs;
         if (steps->run())
           return true;
@@ -218,7 +244,7 @@ namespace Amontons
     report.restart_coarser();
     const int cycles             = parameters.refinement.cycles;
     parameters.refinement.cycles = failed - 1;
-    start_on_first_mesh(finite_strain);
+    start_on_first_mesh(finite_strain, !was_held);
     const bool success           = steps->run();
     parameters.refinement.cycles = cycles;
     return success;

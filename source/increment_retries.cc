@@ -22,9 +22,10 @@ namespace Amontons
   bool
   LoadStepping<dim>::try_again(LoadProgram &program, Failures &failures)
   {
+    using Kind = Failure::Kind;
     if (const auto &failure = history.last_report.failure;
-        failure && failure->kind == Failure::Kind::no_memory) // shorter ones lack it, too
-      return false;
+        failure && (failure->kind == Kind::no_memory || failure->kind == Kind::wall_touched))
+      return false; // as shorter ones would
     if (!history.at_once && forget_guess(program.next()))
       {
         report.drop_last_solve();

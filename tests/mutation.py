@@ -278,7 +278,7 @@ CHANGES = [
     ("nodes without a bound", "solver/node_states.cc", "if (m.norm() < 1e-6 || limit <= 0)", "if (m.norm() < 1e-6)", "scenes/thin_band_pulled_more_on_one_side$"),
     ("obstacles in what changes", "small_strain_check.cc", "leave_out_carriers(model.discretization(), *v);", "(void)v;", "scenes/ring_in_turned_bore$"),
     ("supports through obstacles", "contact/supported_nodes.cc", "constexpr double        too_much = 0.1;", "constexpr double        too_much = 1e9;", "scenes/clamp_through_floor_small$"),
-    ("methods without finite strain", "small_strain_check.h", "rotations_are_held && !parameters.newton.collocates()", "rotations_are_held", "scenes/node_to_segment_with_large_strain$"),
+    ("methods without finite strain", "../include/amontons/small_strain_check.h", "rotations_are_held && !parameters.newton.collocates()", "rotations_are_held", "scenes/node_to_segment_with_large_strain$"),
     ("bodies behind planes", "contact/surface_search.cc", "return height < -0.1 *", "return height < -1e9 *", "^wrong_input$"),
     ("factors of nearly incompressible bodies", "algebra/linear_solver.cc", "nearly_incompressible ? 30000u : 5000u", "5000u", "scenes/nearly_incompressible_in_space$"),
 ]

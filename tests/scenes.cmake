@@ -369,6 +369,14 @@ endforeach()
 add_scene_test(NAME roller_bearing_without_clearance SCENE verification/roller_bearing.prm SET ${NO_CLEARANCE}
                CHECK "status is converged" "newton.:.iterations <= 12" "error_estimate.contact <= 0.1" "pairs.0.normal_force.1 ~ -43.18 5e-3" "pairs.2.normal_force.0 ~ 16.45 5e-3")
 add_scene_test(NAME ring_between_walls SCENE verification/ring_between_walls.prm CHECK "status is converged" "cells >= 500" "pairs.0.normal_force.1 ~ 1.0587 2e-3" "checks.force_balance <= 1e-8")
+# Without friction what walls do not hold is held; where both are touched, or one, it is not (without, facets drove rings aside, or found no equilibrium).
+set(SMOOTH "Contact bottom/Friction coefficient=0" "Contact top/Friction coefficient=0")
+add_scene_test(NAME smooth_ring_between_walls SCENE verification/ring_between_walls.prm SET ${SMOOTH} CHECK "status is converged" "newton.:.iterations <= 6" "pairs.0.normal_force.1 ~ 1.0583 2e-3"
+               "pairs.2.smallest_gap ~ 0.10324 1e-3" "pairs.3.smallest_gap ~ 0.10324 1e-3")
+add_scene_test(NAME smooth_ring_touches_walls SCENE verification/ring_between_walls.prm SET ${SMOOTH} "Obstacle right/Centre=22.15, 0" "Obstacle left/Centre=17.85, 0" "Obstacle top/Displacement=0|-0.8*t"
+               CHECK "status is converged" "pairs.2.normal_force.0 ~ -0.7614 2e-3" "pairs.3.normal_force.0 ~ 0.7614 2e-3" "pairs.0.normal_force.1 ~ 3.7286 2e-3")
+add_scene_test(NAME smooth_ring_touches_wall SCENE verification/ring_between_walls.prm SET ${SMOOTH} "Obstacle right/Centre=22.15, 0" "Obstacle left/Centre=17.5, 0" "Obstacle top/Displacement=0|-0.8*t"
+               CHECK "status is converged" "pairs.2.normal_force.0 <= 1e-8" "pairs.2.normal_force.0 >= -1e-8" "pairs.0.normal_force.1 ~ 2.9895 2e-3")
 add_scene_test(NAME just_touching SCENE verification/just_touching.prm CHECK "status is converged" ${ITERATIONS} "pairs.0.peak_pressure <= 1e-6")
 add_scene_test(NAME no_contact SCENE verification/no_contact.prm CHECK "status is converged" ${ITERATIONS} "pairs.0.peak_pressure <= 1e-12")
 add_scene_test(NAME lifted SCENE verification/tension.prm CHECK "status is converged" "newton.0.iterations <= 12" "pairs.0.peak_pressure <= 1e-12")

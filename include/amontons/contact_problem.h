@@ -29,7 +29,9 @@ namespace Amontons
     void
     start(const bool finite_strain, const SolutionState<dim> *nearby = nullptr);
     void
-    start_on_first_mesh(const bool finite_strain);
+    start_on_first_mesh(const bool finite_strain, const bool walls_are_none = true);
+    bool
+    lets_go_at_wall(const bool finite_strain);
     bool
     run_load_program();
     bool

@@ -241,6 +241,15 @@ namespace Amontons
           {{p.x_slave + 0.25 * slave * p.normal, p.x_master - 0.25 * master * p.normal}});
     }
 
+    bool
+    stays(const MotionData &motion)
+    {
+      const auto is_zero = [](const auto &value) { return !value || value->is_zero(); };
+      return std::all_of(motion.displacement.begin(), motion.displacement.end(), is_zero) &&
+             std::all_of(motion.rotation.begin(), motion.rotation.end(), is_zero) &&
+             std::all_of(motion.force.begin(), motion.force.end(), [](const auto &f) { return f.is_zero(); });
+    }
+
     // Within what an endless plane bounds: there nothing ever comes to face it.
     template <int dim>
     bool
@@ -293,6 +302,25 @@ namespace Amontons
   }
 
   template <int dim>
+  std::set<std::string>
+  walls_beside(const Geometry<dim> &geometry, const std::vector<ContactInterface<dim>> &interfaces)
+  {
+    constexpr double      some_way = 0.02; // of the body
+    std::set<std::string> result;
+    for (const auto &interface : interfaces)
+      if (const auto *obstacle = interface.master.obstacle;
+          obstacle != nullptr && !interface.pair->initial_gap && stays(obstacle->motion))
+        {
+          double closest = std::numeric_limits<double>::max();
+          for (const auto &p : interface.coupling.points)
+            closest = std::min(closest, p.gap);
+          if (closest > some_way * geometry.body_sizes[interface.slave->body])
+            result.insert(interface.pair->name);
+        }
+    return result;
+  }
+
+  template <int dim>
   bool
   must_face(const Discretization<dim> &discretization, const PairData &pair)
   {
@@ -339,6 +367,10 @@ namespace Amontons
   refuse_hidden_sides(const Discretization<2> &, const std::vector<ContactInterface<2>> &);
   template void
   refuse_hidden_sides(const Discretization<3> &, const std::vector<ContactInterface<3>> &);
+  template std::set<std::string>
+  walls_beside(const Geometry<2> &, const std::vector<ContactInterface<2>> &);
+  template std::set<std::string>
+  walls_beside(const Geometry<3> &, const std::vector<ContactInterface<3>> &);
   template bool
   must_face(const Discretization<2> &, const PairData &);
   template bool

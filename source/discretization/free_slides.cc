@@ -168,7 +168,10 @@ namespace Amontons
 
   template <int dim>
   std::vector<FreeSlide>
-  find_free_slides(const Scene &scene, const Geometry<dim> &geometry, const bool with_forces)
+  find_free_slides(const Scene                 &scene,
+                   const Geometry<dim>         &geometry,
+                   const bool                   with_forces,
+                   const std::set<std::string> &walls)
   {
     if (scene.kind == ProblemType::axisymmetric)
       return {};
@@ -193,7 +196,7 @@ namespace Amontons
             of_group.add(normal_of_plane(geometry, boundary.id));
         }
     for (const auto &pair : scene.pairs)
-      if (!pair.second)
+      if (!pair.second && walls.count(pair.name) == 0)
         held.at(group[geometry.boundary(pair.first, scene).body]).add_obstacle(pair);
 
     std::vector<FreeSlide> result;
@@ -207,7 +210,7 @@ namespace Amontons
   }
 
   template std::vector<FreeSlide>
-  find_free_slides(const Scene &, const Geometry<2> &, const bool);
+  find_free_slides(const Scene &, const Geometry<2> &, const bool, const std::set<std::string> &);
   template std::vector<FreeSlide>
-  find_free_slides(const Scene &, const Geometry<3> &, const bool);
+  find_free_slides(const Scene &, const Geometry<3> &, const bool, const std::set<std::string> &);
 } // namespace Amontons

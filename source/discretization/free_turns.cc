@@ -305,7 +305,7 @@ namespace Amontons
   void
   Discretization<dim>::find_free_slides()
   {
-    free_slides = Amontons::find_free_slides(scene, geometry);
+    free_slides = Amontons::find_free_slides(scene, geometry, true, walls);
     std::vector<bool>         holds(scene.bodies.size(), false);
     std::vector<unsigned int> body_of;
     for (const auto &slide : free_slides)

@@ -130,6 +130,8 @@ namespace Amontons
             return "supports drive a surface through a rigid obstacle, at " + failure.where +
                    ": nothing that the bodies can do is an answer to that; prescribe less there, or leave "
                    "the motion towards the obstacle free";
+          case Failure::Kind::wall_touched:
+            return "what may slide freely comes to touch a wall";
           case Failure::Kind::moves_apart:
             return "the loads drive the rigid " + failure.motion +
                    ", and no node that is closed holds it: the bodies move apart or slide off each other; "
@@ -192,6 +194,7 @@ namespace Amontons
           {Kind::entered, "entered"},
           {Kind::beyond_symmetry, "beyond symmetry"},
           {Kind::driven_through, "driven through"},
+          {Kind::wall_touched, "wall touched"},
           {Kind::moves_apart, "moves apart"},
           {Kind::flown, "flown"},
           {Kind::beyond_edge, "beyond edge"},

@@ -40,12 +40,33 @@ namespace Amontons
       report.converged = !report.failure;
     }
 
+    // What holds bodies that slide freely would bear its force then.
+    template <int dim>
+    bool
+    touches_wall(const Discretization<dim>                &discretization,
+                 const std::vector<ContactInterface<dim>> &interfaces,
+                 const SolutionState<dim>                 &state)
+    {
+      for (unsigned int i = 0; i < interfaces.size(); ++i)
+        if (discretization.walls.count(interfaces[i].pair->name) > 0)
+          for (const auto &node : state.contact[i])
+            if (node.has_multiplier && node.state != ContactStatus::open)
+              return true;
+      return false;
+    }
+
     template <int dim>
     void
     check_supported(const ContactEquilibrium<dim> &problem, NewtonReport &report)
     {
       if (!report.converged)
         return;
+      if (touches_wall(problem.discretization, problem.interfaces, problem.state))
+        {
+          report.failure   = Failure{Failure::Kind::wall_touched};
+          report.converged = false;
+          return;
+        }
       const auto nodes = driven_through(
           problem.discretization, problem.supports, problem.state.displacement, problem.interfaces);
       if (nodes.empty())

@@ -32,4 +32,10 @@ namespace Amontons
   void
   refuse_hidden_sides(const Discretization<dim>                &discretization,
                       const std::vector<ContactInterface<dim>> &interfaces);
+
+  // Names of pairs whose obstacles stay where they are, some way off their bodies: walls, which may never be
+  // touched. For coupled interfaces of bodies that have not moved.
+  template <int dim>
+  std::set<std::string>
+  walls_beside(const Geometry<dim> &geometry, const std::vector<ContactInterface<dim>> &interfaces);
 } // namespace Amontons

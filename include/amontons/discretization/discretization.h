@@ -79,6 +79,8 @@ namespace Amontons
     std::vector<unsigned int> carrier_of_body;
     std::vector<FreeTurn>     free_turns;
     std::vector<FreeSlide>    free_slides; // held at finite strain
+    // Names of pairs whose obstacles nothing touches: taken for none when the next DoFs are distributed.
+    std::set<std::string> walls;
 
     bool
     is_deformable(const types::material_id id) const;

@@ -4,6 +4,8 @@
 #include <amontons/discretization/rigid_motions.h>
 #include <amontons/geometry/geometry.h>
 
+#include <set>
+
 namespace Amontons
 {
   /// u_second = sign u_first: of two places at both ends of a body, whose deformation leaves their middle.
@@ -32,8 +34,12 @@ namespace Amontons
   /// A rigid motion w + Omega x of bodies that touch each other and, without friction, planes that do not
   /// turn, leaves all gaps, loads and prescribed displacements as they are if d . w = 0 and Omega d = 0 for
   /// all normals d of these planes and of planes of symmetry, all prescribed components and all forces.
-  /// Without the forces: what they may drive, and nothing ever stops.
+  /// Without the forces: what they may drive, and nothing ever stops. walls: names of pairs whose obstacles
+  /// nothing touches.
   template <int dim>
   std::vector<FreeSlide>
-  find_free_slides(const Scene &scene, const Geometry<dim> &geometry, const bool with_forces = true);
+  find_free_slides(const Scene                 &scene,
+                   const Geometry<dim>         &geometry,
+                   const bool                   with_forces = true,
+                   const std::set<std::string> &walls       = {});
 } // namespace Amontons

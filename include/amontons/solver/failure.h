@@ -20,6 +20,7 @@ namespace Amontons
       entered,               // a corner went into a body where no normal finds it
       beyond_symmetry,       // a body moved through its own plane of symmetry
       driven_through,        // a rigid obstacle, by supports
+      wall_touched,          // of Discretization::walls, taken for none
       moves_apart,           // loads drive a rigid motion that no closed node holds
       flown,                 // to `residual` times their size: rounding of such a motion hides all forces
       beyond_edge,           // what holds the bodies would have to lie beyond the edge of the contact

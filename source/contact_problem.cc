@@ -180,8 +180,8 @@ namespace Amontons
     make_mesh();
     start(finite_strain);
     refuse_hidden_sides(steps->model->discretization(), steps->model->interfaces);
-    const auto walls = walls_beside(mesh->geometry, steps->model->interfaces);
-    if (finite_strain && walls_are_none && !walls.empty() &&
+    if (const auto walls = walls_beside(mesh->geometry, steps->model->interfaces);
+        finite_strain && walls_are_none && !walls.empty() &&
         find_free_slides(scene, mesh->geometry, true, walls).size() >
             find_free_slides(scene, mesh->geometry).size())
       {

@@ -160,7 +160,7 @@ namespace Amontons
     if (!change) // (what is left out in the contact is a bound, often far too large)
       return (parameters.newton.collocates() ? terms.strain : terms.largest()) > too_much || stiffening > 1;
     return change->without_pressures > too_much ||
-           (pressures_are_known() && change->largest > 0.5 && neglected.largest().contact > too_much);
+           (pressures_are_known() && change->largest > 0.5 && terms.contact > too_much);
   }
 
   template <int dim>

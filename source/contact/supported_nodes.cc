@@ -1,4 +1,5 @@
 #include <amontons/contact/supported_nodes.h>
+#include <amontons/contact/surface_search.h>
 #include <amontons/geometry/rigid_surface.h>
 
 namespace Amontons
@@ -12,36 +13,6 @@ namespace Amontons
       return std::all_of(node.dofs.begin(), node.dofs.end(), [&](const auto dof) {
         return supports.is_constrained(dof) && supports.get_constraint_entries(dof)->empty();
       });
-    }
-
-    // Of the points opposite of something, the one nearest to each node.
-    template <int dim>
-    std::vector<const OverlapPoint<dim> *>
-    nearest_points(const ContactInterface<dim> &interface)
-    {
-      const auto                            &slave = *interface.slave;
-      std::vector<const OverlapPoint<dim> *> result(slave.nodes.size(), nullptr);
-      for (const auto &p : interface.coupling.points)
-        for (const unsigned int n : slave.faces[p.slave_face].unknowns)
-          if (result[n] == nullptr || p.x_slave.distance_square(slave.nodes[n].x) <
-                                          result[n]->x_slave.distance_square(slave.nodes[n].x))
-            result[n] = &p;
-      return result;
-    }
-
-    template <int dim>
-    Tensor<1, dim>
-    displacement_of_obstacle(const Discretization<dim> &discretization,
-                             const unsigned int         carrier,
-                             const Point<dim>          &X,
-                             const LA::Vector          &u)
-    {
-      const auto     weights = discretization.carrier_weights(carrier, X);
-      Tensor<1, dim> result;
-      for (unsigned int k = 0; k <= dim; ++k)
-        for (unsigned int c = 0; c < dim; ++c)
-          result[c] += weights[k] * u(discretization.carrier_dofs[carrier][k][c]);
-      return result;
     }
 
     // At the reference configuration, and now.
@@ -59,10 +30,10 @@ namespace Amontons
         {
           if (!at_rest)
             return {};
-          Tensor<1, dim> moved = -displacement_of_obstacle(discretization, master.carrier, at_rest->x, u);
+          Point<dim> x = node.X;
           for (unsigned int c = 0; c < dim; ++c)
-            moved[c] += u(node.dofs[c]);
-          return {before, moved * normal - (at_rest->x - node.X) * normal};
+            x[c] += u(node.dofs[c]);
+          return {before, (x - carrier_motion(discretization, master.carrier, u)(at_rest->x)) * normal};
         }
       const auto now = project_to_obstacle(*master.obstacle, master.motion, node.x, normal);
       return {before, now ? -(now->x - node.x) * normal : 0.};
@@ -82,10 +53,16 @@ namespace Amontons
       {
         if (interface.master.obstacle == nullptr || interface.pair->tied || interface.pair->initial_gap)
           continue;
-        const auto &nodes   = interface.slave->nodes;
-        const auto  nearest = nearest_points(interface);
+        const auto               &nodes = interface.slave->nodes;
+        std::vector<unsigned int> prescribed;
         for (unsigned int n = 0; n < nodes.size(); ++n)
-          if (nearest[n] != nullptr && is_prescribed(nodes[n], supports))
+          if (is_prescribed(nodes[n], supports))
+            prescribed.push_back(n);
+        if (prescribed.empty())
+          continue;
+        const auto nearest = nearest_points(interface);
+        for (const unsigned int n : prescribed)
+          if (nearest[n] != nullptr)
             {
               const auto [before, now] =
                   overlaps(discretization, interface.master, nodes[n], nearest[n]->normal, u);

@@ -321,6 +321,23 @@ namespace Amontons
   }
 
   template <int dim>
+  std::vector<const OverlapPoint<dim> *>
+  nearest_points(const ContactInterface<dim> &interface)
+  {
+    const auto                            &slave = *interface.slave;
+    std::vector<double>                    distance(slave.nodes.size(), std::numeric_limits<double>::max());
+    std::vector<const OverlapPoint<dim> *> result(slave.nodes.size(), nullptr);
+    for (const auto &p : interface.coupling.points)
+      for (const unsigned int n : slave.faces[p.slave_face].unknowns)
+        if (const double d = p.x_slave.distance_square(slave.nodes[n].x); d < distance[n])
+          {
+            distance[n] = d;
+            result[n]   = &p;
+          }
+    return result;
+  }
+
+  template <int dim>
   bool
   must_face(const Discretization<dim> &discretization, const PairData &pair)
   {
@@ -371,8 +388,12 @@ namespace Amontons
   walls_beside(const Geometry<2> &, const std::vector<ContactInterface<2>> &);
   template std::set<std::string>
   walls_beside(const Geometry<3> &, const std::vector<ContactInterface<3>> &);
+  template std::vector<const OverlapPoint<2> *>
+  nearest_points(const ContactInterface<2> &);
   template bool
   must_face(const Discretization<2> &, const PairData &);
+  template std::vector<const OverlapPoint<3> *>
+  nearest_points(const ContactInterface<3> &);
   template bool
   must_face(const Discretization<3> &, const PairData &);
   template InputError

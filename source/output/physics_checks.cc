@@ -2,6 +2,7 @@
 #include <amontons/base/points.h>
 #include <amontons/contact/shared_nodes.h>
 #include <amontons/contact/surface_rim.h>
+#include <amontons/contact/surface_search.h>
 #include <amontons/friction/shear_law.h>
 #include <amontons/output/nodal_forces.h>
 #include <amontons/output/physics_checks.h>
@@ -82,19 +83,11 @@ namespace Amontons
     double
     normal_mismatch(const Answer<dim> &answer, const unsigned int i)
     {
-      const auto                            &interface = answer.interfaces[i];
-      const auto                            &slave     = *interface.slave;
-      std::vector<double>                    distance(slave.nodes.size(), std::numeric_limits<double>::max());
-      std::vector<const OverlapPoint<dim> *> nearest(slave.nodes.size(), nullptr);
-      for (const auto &p : interface.coupling.points)
-        for (const unsigned int node : slave.faces[p.slave_face].unknowns)
-          if (const double d = p.x_slave.distance(slave.nodes[node].x); d < distance[node])
-            {
-              distance[node] = d;
-              nearest[node]  = &p;
-            }
-      const auto is_end = rim_nodes(slave);
-      double     force = 0, at_ends = 0, off = 0;
+      const auto &interface = answer.interfaces[i];
+      const auto &slave     = *interface.slave;
+      const auto  nearest   = nearest_points(interface);
+      const auto  is_end    = rim_nodes(slave);
+      double      force = 0, at_ends = 0, off = 0;
       for (const auto &row : interface.coupling.rows)
         if (const double f = row.area * answer.state.contact[i][row.node].pressure;
             f > 0 && nearest[row.node] != nullptr)

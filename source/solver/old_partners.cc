@@ -1,3 +1,4 @@
+#include <amontons/contact/surface_search.h>
 #include <amontons/contact/face_overlap.h>
 #include <amontons/solver/old_partners.h>
 
@@ -25,19 +26,15 @@ namespace Amontons
   {
     for (const auto &interface : interfaces)
       {
-        const auto         &slave = *interface.slave;
-        std::vector<double> nearest(slave.nodes.size(), std::numeric_limits<double>::max());
-        auto               &of_nodes = partners.emplace_back(slave.nodes.size());
-        for (const auto &p : interface.coupling.points)
-          for (const unsigned int n : slave.faces[p.slave_face].unknowns)
+        const auto &slave    = *interface.slave;
+        auto       &of_nodes = partners.emplace_back(slave.nodes.size());
+        const auto  nearest  = nearest_points(interface);
+        for (unsigned int n = 0; n < nearest.size() && !interface.pair->tied; ++n)
+          if (const auto *const p = nearest[n])
             {
-              const double away = p.x_slave.distance_square(slave.nodes[n].x);
-              if (interface.pair->tied || away >= nearest[n])
-                continue;
-              nearest[n]  = away;
-              of_nodes[n] = {p.slave_face, p.master_face, p.xi_slave, p.xi_master, {}, 0., 0.};
+              of_nodes[n] = {p->slave_face, p->master_face, p->xi_slave, p->xi_master, {}, 0., 0.};
               if (interface.master.obstacle != nullptr)
-                of_nodes[n]->on_obstacle = interface.master.motion.origin_of(p.x_master);
+                of_nodes[n]->on_obstacle = interface.master.motion.origin_of(p->x_master);
             }
         for (auto &of_node : of_nodes)
           if (of_node)

@@ -33,6 +33,12 @@ namespace Amontons
   refuse_hidden_sides(const Discretization<dim>                &discretization,
                       const std::vector<ContactInterface<dim>> &interfaces);
 
+  // By slave node: of the points of its faces that are opposite of something the nearest one, or none. They
+  // are those of the interface.
+  template <int dim>
+  std::vector<const OverlapPoint<dim> *>
+  nearest_points(const ContactInterface<dim> &interface);
+
   // Names of pairs whose obstacles stay where they are, some way off their bodies: walls, which may never be
   // touched. For coupled interfaces of bodies that have not moved.
   template <int dim>

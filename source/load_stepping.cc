@@ -361,6 +361,7 @@ namespace Amontons
     history.coarser.place = {history.state.t, increments.length()};
     history.coarser.traction =
         surface_tractions(model->discretization(), model->interfaces, evaluation.fields);
+    history.coarser.n_nodes   = numbers_of_nodes(model->interfaces);
     history.coarser.recovered = evaluation.error.recovered;
     history.coarser_forces    = target_quantity("total force", answer(), history.work);
     if (small_strain != nullptr)

@@ -295,6 +295,9 @@ add_scene_test(NAME shrink_fit_coarser_slave_q2 SCENE verification/shrink_fit.pr
                SET "Contact interface/Slave=second" "Refinement/Cycles=3" CHECK ${UNIFORM})
 add_scene_test(NAME shrink_fit_plane_stress SCENE verification/shrink_fit.prm SET "Kind=plane stress" CHECK ${UNIFORM})
 add_scene_test(NAME shrink_fit_spheres SCENE verification/shrink_fit_spheres.prm CHECK ${UNIFORM})
+# The pressures are off by 0.153 % in the mean square, 0.056 % were told where the unrefined pair counted as one that has converged.
+add_scene_test(NAME three_shrunk_rings SCENE verification/three_shrunk_rings.prm
+               CHECK "status is converged" "pairs.0.normal_force.0 ~ 603.510 1e-4" "pairs.1.normal_force.1 ~ 576.824 1e-4" "error_estimate.contact >= 0.00153" "error_estimate.contact <= 0.01")
 add_scene_test(NAME punch_r0094_2 SCENE nafems_punch.prm CHECK ${ITERATIONS} "probes.0.points.0.displacement.1 ~ -0.13396 0.002"
                "pairs.0.peak_pressure <= 1000")
 foreach(degree 1 2)

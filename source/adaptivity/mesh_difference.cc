@@ -71,6 +71,9 @@ namespace Amontons
       return whole > 0 ? std::sqrt(difference / whole) : 0;
     }
 
+    // Of the pressure of all pairs, in the mean square.
+    constexpr double noteworthy_part = 0.1;
+
     // By what part the error falls, as recovery sees it.
     double
     reduction(const double eta_before, const double eta)
@@ -111,6 +114,33 @@ namespace Amontons
     return error;
   }
 
+  namespace
+  {
+    // Where not all that bears pressure is refined, differences may only say that errors are larger.
+    double
+    error_now(const double     difference,
+              const double     eta_before,
+              const double     eta,
+              const bool       is_refined,
+              RecoveryFactors &factors)
+    {
+      if (is_refined)
+        return error_by_comparisons(difference, eta_before, eta, factors);
+      factors.of_this = std::max(factors.of_this, factor_by_difference(difference, eta_before, eta));
+      return factors.of_this * eta;
+    }
+  } // namespace
+
+  template <int dim>
+  std::vector<std::size_t>
+  numbers_of_nodes(const std::vector<ContactInterface<dim>> &interfaces)
+  {
+    std::vector<std::size_t> numbers;
+    for (const auto &interface : interfaces)
+      numbers.push_back(interface.slave->nodes.size());
+    return numbers;
+  }
+
   template <int dim>
   LA::Vector
   surface_tractions(const Discretization<dim>                &discretization,
@@ -149,7 +179,8 @@ namespace Amontons
       {
         const LA::Vector now = surface_tractions(discretization, interfaces, fields);
         Squares          squares;
-        const auto       weights = pair_weights(interfaces, fields);
+        double           unrefined = 0; // of squares.pressure
+        const auto       weights = pair_weights(interfaces, fields), numbers = numbers_of_nodes(interfaces);
         for (unsigned int i = 0; i < interfaces.size(); ++i)
           {
             const auto &interface = interfaces[i];
@@ -157,6 +188,7 @@ namespace Amontons
                        old        = values_on(*interface.slave, before.traction);
             const FacePoints<dim> points(
                 interface, QGauss<1>(discretization.fe.degree + 1), discretization.scene);
+            const double others = squares.pressure;
             for (unsigned int f = 0; f < interface.slave->faces.size(); ++f)
               add_face(*interface.slave,
                        f,
@@ -167,23 +199,31 @@ namespace Amontons
                        *interface.pair,
                        weights[i],
                        squares);
+            if (numbers[i] == before.n_nodes[i])
+              unrefined += squares.pressure - others;
           }
-        pressure = error_by_comparisons(ratio(squares.pressure_difference, squares.pressure),
-                                        before.recovered.pressure,
-                                        error.recovered.pressure,
-                                        before.pressure);
-        shear    = error_by_comparisons(
-            ratio(squares.shear_difference,
-                  std::max(squares.shear, std::pow(noteworthy_shear, 2) * squares.pressure)),
-            before.recovered.shear,
-            error.recovered.shear,
-            before.shear);
+        const bool is_refined = unrefined <= std::pow(noteworthy_part, 2) * squares.pressure;
+        pressure              = error_now(ratio(squares.pressure_difference, squares.pressure),
+                             before.recovered.pressure,
+                             error.recovered.pressure,
+                             is_refined,
+                             before.pressure);
+        shear                 = error_now(ratio(squares.shear_difference,
+                                std::max(squares.shear, std::pow(noteworthy_shear, 2) * squares.pressure)),
+                          before.recovered.shear,
+                          error.recovered.shear,
+                          is_refined,
+                          before.shear);
       }
     error.contact = std::hypot(
         std::hypot(pressure, error.doubted.pressure), error.facets, std::hypot(error.data, error.pollution));
     error.shear = std::hypot(shear, error.doubted.shear);
   }
 
+  template std::vector<std::size_t>
+  numbers_of_nodes(const std::vector<ContactInterface<2>> &);
+  template std::vector<std::size_t>
+  numbers_of_nodes(const std::vector<ContactInterface<3>> &);
   template LA::Vector
   surface_tractions(const Discretization<2> &,
                     const std::vector<ContactInterface<2>> &,

@@ -23,11 +23,16 @@ namespace Amontons
   template <int dim>
   struct CoarserTractions
   {
-    PlaceInHistory  place;
-    LA::Vector      traction; // p n + shear on the slave nodes' DoFs, of all pairs; empty: none known
-    RecoveredErrors recovered;
-    RecoveryFactors pressure, shear; // of the last comparison
+    PlaceInHistory place;
+    LA::Vector     traction;          // p n + shear on the slave nodes' DoFs, of all pairs; empty: none known
+    std::vector<std::size_t> n_nodes; // of the slave, by pair
+    RecoveredErrors          recovered;
+    RecoveryFactors          pressure, shear; // of the last comparison
   };
+
+  template <int dim>
+  std::vector<std::size_t>
+  numbers_of_nodes(const std::vector<ContactInterface<dim>> &interfaces);
 
   template <int dim>
   LA::Vector
@@ -36,7 +41,8 @@ namespace Amontons
                     const std::vector<SurfaceFields<dim>>    &fields);
 
   /// The errors of tractions in `error` (of this mesh, as fields) by error_by_comparisons(); where there is
-  /// nothing to compare with, by the last factor.
+  /// nothing to compare with, by the last factor. So, too, at least, where a surface that bears pressure was
+  /// not refined: that its tractions stay says nothing of their error.
   template <int dim>
   void
   combine_with_difference(const Discretization<dim>                &discretization,

@@ -12,6 +12,7 @@ namespace Amontons
     struct Squares
     {
       double pressure = 0, shear = 0, pressure_difference = 0, shear_difference = 0;
+      double unrefined = 0; // of pressure
     };
 
     // Of one slave face; now, before, normals: nodal values of its surface.
@@ -163,6 +164,43 @@ namespace Amontons
     return result;
   }
 
+  namespace
+  {
+    template <int dim>
+    Squares
+    changes(const Discretization<dim>                &discretization,
+            const std::vector<ContactInterface<dim>> &interfaces,
+            const std::vector<SurfaceFields<dim>>    &fields,
+            const CoarserTractions<dim>              &before)
+    {
+      const LA::Vector now     = surface_tractions(discretization, interfaces, fields);
+      const auto       weights = pair_weights(interfaces, fields), numbers = numbers_of_nodes(interfaces);
+      Squares          squares;
+      for (unsigned int i = 0; i < interfaces.size(); ++i)
+        {
+          const auto &interface = interfaces[i];
+          const auto  values    = values_on(*interface.slave, now),
+                     old        = values_on(*interface.slave, before.traction);
+          const FacePoints<dim> points(
+              interface, QGauss<1>(discretization.fe.degree + 1), discretization.scene);
+          const double of_others = squares.pressure;
+          for (unsigned int f = 0; f < interface.slave->faces.size(); ++f)
+            add_face(*interface.slave,
+                     f,
+                     points,
+                     values,
+                     old,
+                     fields[i].normal,
+                     *interface.pair,
+                     weights[i],
+                     squares);
+          if (numbers[i] == before.n_nodes[i])
+            squares.unrefined += squares.pressure - of_others;
+        }
+      return squares;
+    }
+  } // namespace
+
   template <int dim>
   void
   combine_with_difference(const Discretization<dim>                &discretization,
@@ -177,38 +215,14 @@ namespace Amontons
     if (error.pressure_norm > 0 && before.traction.size() == discretization.dof_handler.n_dofs() &&
         before.place.t == place.t && before.place.increment_length == place.increment_length)
       {
-        const LA::Vector now = surface_tractions(discretization, interfaces, fields);
-        Squares          squares;
-        double           unrefined = 0; // of squares.pressure
-        const auto       weights = pair_weights(interfaces, fields), numbers = numbers_of_nodes(interfaces);
-        for (unsigned int i = 0; i < interfaces.size(); ++i)
-          {
-            const auto &interface = interfaces[i];
-            const auto  values    = values_on(*interface.slave, now),
-                       old        = values_on(*interface.slave, before.traction);
-            const FacePoints<dim> points(
-                interface, QGauss<1>(discretization.fe.degree + 1), discretization.scene);
-            const double others = squares.pressure;
-            for (unsigned int f = 0; f < interface.slave->faces.size(); ++f)
-              add_face(*interface.slave,
-                       f,
-                       points,
-                       values,
-                       old,
-                       fields[i].normal,
-                       *interface.pair,
-                       weights[i],
-                       squares);
-            if (numbers[i] == before.n_nodes[i])
-              unrefined += squares.pressure - others;
-          }
-        const bool is_refined = unrefined <= std::pow(noteworthy_part, 2) * squares.pressure;
-        pressure              = error_now(ratio(squares.pressure_difference, squares.pressure),
+        const Squares squares    = changes(discretization, interfaces, fields, before);
+        const bool    is_refined = squares.unrefined <= std::pow(noteworthy_part, 2) * squares.pressure;
+        pressure                 = error_now(ratio(squares.pressure_difference, squares.pressure),
                              before.recovered.pressure,
                              error.recovered.pressure,
                              is_refined,
                              before.pressure);
-        shear                 = error_now(ratio(squares.shear_difference,
+        shear                    = error_now(ratio(squares.shear_difference,
                                 std::max(squares.shear, std::pow(noteworthy_shear, 2) * squares.pressure)),
                           before.recovered.shear,
                           error.recovered.shear,

@@ -41,7 +41,8 @@ namespace Amontons
         return true;
       }
     const bool has_other_answer = history.most_cut_backs < std::numeric_limits<unsigned int>::max();
-    if (history.n_cut_backs >= history.most_cut_backs || (history.follow_motion && has_other_answer))
+    const bool has_moved        = history.follow_motion || history.last_report.unstable;
+    if (history.n_cut_backs >= history.most_cut_backs || (has_moved && has_other_answer))
       return false;
     FailedIncrement<dim> failed(*model, history.last_report);
     const bool           from_rest = history.last_converged.displacement.size() == 0;

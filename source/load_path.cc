@@ -205,8 +205,13 @@ namespace Amontons
       if (StopRequest::is_urgent()) // whoever sends signals may not wait for the end of the increment
         control.try_to([&]() { control.checkpoint.flush(); });
     };
-    auto report = solver.solve(
-        mechanics, model->interfaces, model->supports, history.state, save_if_urgent, history.follow_motion);
+    auto report =
+        solver.solve(mechanics,
+                     model->interfaces,
+                     model->supports,
+                     history.state,
+                     save_if_urgent,
+                     history.follow_motion ? FollowMotion::from_start : FollowMotion::from_unstable);
     if (given_up) // whatever it had found by then
       {
         report.converged = false;

@@ -368,7 +368,10 @@ namespace Amontons
       const GivesUp            gives_up  = gives_up_on(model, control);
       const ContactSolver<dim> solver    = {
              parameters.newton, parameters.linear_solver, model.discretization(), timer, gives_up};
-      if (solver.solve(*mechanics, finite.interfaces, finite.supports, trial, [](const auto &) {}).converged)
+      const auto observer = [](const auto &) {};
+      const auto report =
+          solver.solve(*mechanics, finite.interfaces, finite.supports, trial, observer, FollowMotion::never);
+      if (report.converged)
         {
           result = change_to(finite.interfaces, trial, model, state);
           if (nearby != nullptr && result->largest <= too_much && !scene.has_friction())

@@ -46,13 +46,13 @@ namespace Amontons
 
   template <int dim>
   NewtonReport
-  PseudoTransient<dim>::run(const bool damped)
+  PseudoTransient<dim>::run(const FollowMotion when)
   {
     if (!newton.prepare())
       return newton.report();
     const LA::Vector start         = newton.now().u;
     const auto       first_answers = newton.now().answers;
-    if (damped)
+    if (when == FollowMotion::from_start)
       follow_motion(1);
     else
       newton.iterate();
@@ -68,6 +68,12 @@ namespace Amontons
             break;
           }
         newton.report().unstable = true;
+        if (when == FollowMotion::never)
+          {
+            newton.report().converged = false;
+            newton.report().failure   = Failure{Failure::Kind::still_moving};
+            break;
+          }
         if (newton.report().moved)
           leave_along(*mode);
         else

@@ -124,7 +124,7 @@ namespace Amontons
                NewtonStep<dim>               &step,
                Newton<dim>                   &newton,
                Penalty<dim>                  *penalty,
-               const bool                     follow_motion)
+               const FollowMotion             follow_motion)
     {
       const auto &method = problem.parameters.method;
       if (method == "augmented Lagrangian")
@@ -172,7 +172,7 @@ namespace Amontons
                             const Constraints                    &supports,
                             SolutionState<dim>                   &state,
                             const typename Newton<dim>::Observer &observer,
-                            const bool                            follow_motion) const
+                            const FollowMotion                    follow_motion) const
   {
     TimerOutput::Scope          scope(timer, "contact iteration");
     std::optional<Penalty<dim>> penalty;
@@ -190,7 +190,7 @@ namespace Amontons
         KeptSystem<dim>     own;
         EliminatedStep<dim> step(problem, kept != nullptr ? *kept : own);
         Newton<dim>         newton(problem, step, smallest_cell, observer);
-        auto                report = run_method(problem, step, newton, penalty ? &*penalty : nullptr, false);
+        auto                report = run_method(problem, step, newton, penalty ? &*penalty : nullptr, FollowMotion::from_unstable);
         check_supported(problem, report);
         check_region(problem, newton.floating_bodies(), report);
         return report;

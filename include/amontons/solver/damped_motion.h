@@ -21,6 +21,15 @@ namespace Amontons
   Damping
   lumped_damping(const Discretization<dim> &discretization);
 
+  // Where it is followed: not at all (an equilibrium that is not stable is none then); from one that is not
+  // stable; from the start, as what the change of loads and supports sets off.
+  enum class FollowMotion
+  {
+    never,
+    from_unstable,
+    from_start
+  };
+
   // Steps of implicit Euler in tau: grown while they go well and as the residual falls (switched evolution
   // relaxation; Kelley and Keyes, SIAM J. Numer. Anal. 35 (1998) 508), so that the last ones are Newton
   // steps.

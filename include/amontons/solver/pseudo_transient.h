@@ -17,10 +17,8 @@ namespace Amontons
   public:
     PseudoTransient(const ContactEquilibrium<dim> &problem, NewtonStep<dim> &step, Newton<dim> &newton);
 
-    /// damped: the motion that the change of loads and supports sets off is followed until it rests; else
-    /// Newton's method comes first.
     NewtonReport
-    run(const bool damped);
+    run(const FollowMotion when);
 
   private:
     void

@@ -1,6 +1,7 @@
 /// From bodies, surfaces and supports to a state in equilibrium: doc/introduction.md, (2) and (3).
 #pragma once
 
+#include <amontons/solver/damped_motion.h>
 #include <amontons/solver/kept_system.h>
 #include <amontons/solver/newton.h>
 
@@ -25,7 +26,7 @@ namespace Amontons
           const Constraints                    &supports,
           SolutionState<dim>                   &state,
           const typename Newton<dim>::Observer &observer,
-          const bool                            follow_motion = false) const;
+          const FollowMotion                    follow_motion = FollowMotion::from_unstable) const;
 
     /// Small strain, at a state in equilibrium: EliminatedStep::stress_stiffening(); nothing where a rigid
     /// motion is free. Collective.

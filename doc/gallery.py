@@ -22,7 +22,7 @@ ROOM = 30 * "\u00a0"  # else pictures become as narrow as they can
 GROUPS = [
     ("Hertz and other closed forms", "hertz_cylinder hertz_sphere_axisymmetric half_plane_box verification/half_space_box_axisymmetric verification/two_cylinders verification/cone "
      "verification/flat_punch_line verification/flat_punch_axisymmetric verification/punch_moment verification/pin_in_hole verification/pin_in_quarter_hole verification/rings verification/turned_rings "
-     "verification/shrink_fit verification/shrink_fit_spheres verification/three_shrunk_rings verification/growing_interference verification/cap_in_seat verification/disk_platen verification/disk_above_block "
+     "verification/shrink_fit verification/shrink_fit_spheres verification/three_shrunk_rings verification/column_of_disks verification/growing_interference verification/cap_in_seat verification/disk_platen verification/disk_above_block "
      "verification/disk_weight verification/quarter_cylinder verification/two_equal_disks verification/receding_layer verification/ring_contact verification/three_point_bending verification/beam_on_floor verification/leaf_spring verification/two_leaves verification/rubber_bush"),
     ("Friction", "half_plane_box_friction cattaneo_mindlin verification/cattaneo_mindlin_disks verification/sheared_half_disk verification/tilted_block verification/bulk_tension microslip_bar capstan greco walk/pin_in_lug small_scene "
      "verification/klarbring verification/patch_friction verification/equal_blocks verification/clamped verification/tee verification/oblique_touch verification/opened_again verification/large_increment verification/wedge_self_lock verification/small_shear"),

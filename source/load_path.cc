@@ -93,7 +93,9 @@ namespace Amontons
     model->set_time(t);
   }
 
-  // Where the load program was run on the mesh before: from what it found there.
+  // Where the load program was run on the mesh before: from what it found there. Where that says that the
+  // tractions rest, they do so here, as they are: those of the mesh before, taken as first guesses, may lead
+  // to another state that friction could hold, or to none of contact (a wedge jumped out of its groove).
   template <int dim>
   void
   LoadPath<dim>::start_increment(const double t)
@@ -101,7 +103,7 @@ namespace Amontons
     set_time(t);
     if (model->finite_strain() && turn_along())
       return;
-    if (const auto *point = guess_at(t))
+    if (const auto *point = guess_at(t); point && !goes_on_at_rest(*point))
       {
         history.state.displacement = point->displacement;
         history.state.traction     = point->traction;
@@ -145,6 +147,31 @@ namespace Amontons
           point.displacement.size() == model->discretization().dof_handler.n_dofs())
         return &point;
     return nullptr;
+  }
+
+  template <int dim>
+  bool
+  LoadPath<dim>::goes_on_at_rest(const typename LoadHistory<dim>::PathPoint &point)
+  {
+    const auto *previous = guess_at(history.state.committed_t);
+    if (!scene.has_friction() || !previous || history.state.committed_contact.empty() ||
+        previous->traction.size() != point.traction.size())
+      return false;
+    LA::Vector change = model->discretization().make_owned_vector(), old = change;
+    const auto subtract = [&](const LA::Vector &now, const LA::Vector &before) {
+      change = now;
+      old    = before;
+      change -= old;
+    };
+    subtract(point.traction, previous->traction);
+    if (old.linfty_norm() == 0 || change.linfty_norm() > 1e-8 * old.linfty_norm())
+      return false;
+    subtract(point.displacement, previous->displacement);
+    old = history.state.displacement;
+    old += change;
+    history.state.displacement = old;
+    model->move_to(history.state);
+    return true;
   }
 
   template <int dim>

@@ -88,6 +88,9 @@ namespace Amontons
     // What the load program found on the mesh before; null if it was not there, or that is forgotten.
     typename LoadHistory<dim>::PathPoint *
     guess_at(const double t);
+    // Whether tractions rest until then on the mesh before; if so the state goes on as bodies do there.
+    bool
+    goes_on_at_rest(const typename LoadHistory<dim>::PathPoint &point);
     // At history.state.t, with the surfaces coupled as the answer wants it.
     bool
     equilibrate();

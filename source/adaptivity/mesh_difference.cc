@@ -127,8 +127,7 @@ namespace Amontons
     {
       if (is_refined)
         return error_by_comparisons(difference, eta_before, eta, factors);
-      factors.of_this = std::max(factors.of_this, factor_by_difference(difference, eta_before, eta));
-      return factors.of_this * eta;
+      return std::max(factors.of_this, factor_by_difference(difference, eta_before, eta)) * eta;
     }
   } // namespace
 

@@ -190,7 +190,8 @@ namespace Amontons
         KeptSystem<dim>     own;
         EliminatedStep<dim> step(problem, kept != nullptr ? *kept : own);
         Newton<dim>         newton(problem, step, smallest_cell, observer);
-        auto                report = run_method(problem, step, newton, penalty ? &*penalty : nullptr, FollowMotion::from_unstable);
+        auto                report =
+            run_method(problem, step, newton, penalty ? &*penalty : nullptr, FollowMotion::from_unstable);
         check_supported(problem, report);
         check_region(problem, newton.floating_bodies(), report);
         return report;

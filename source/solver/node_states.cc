@@ -129,6 +129,10 @@ namespace Amontons
                                           const double               tolerance,
                                           const std::vector<double> &no_force)
   {
+    double largest = 0;
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (closed[k] && nodes[k].frictional)
+        largest = std::max(largest, bound(k, answers[k].pressure).value);
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         if (nodes[k].tied)
@@ -152,11 +156,13 @@ namespace Amontons
             // Without a bound nothing holds what slid, wherever it turns.
             const bool turned = !first && slid && limit.value > 0 && q * laws[k].direction < 0;
             const bool moves  = slid && (limit.value <= 0 || nodes[k].c * answers[k].slip.norm() > tolerance);
-            // What sticks may be over its bound by what counts as none. (What slid and rests is to stick: a
-            // slip of nothing holds a self-locking wedge on some meshes only.)
-            const double more =
-                old == ContactStatus::stick ? no_force[nodes[k].interface] / nodes[k].area : 0;
-            const bool slips =
+            // What sticks may be over its bound by what counts as none, as a force and as a traction (areas
+            // at the edge of the contact may be small). (What slid and rests is to stick: a slip of nothing
+            // holds a self-locking wedge on some meshes only.)
+            const double more = old == ContactStatus::stick
+                                    ? std::min(no_force[nodes[k].interface] / nodes[k].area, 1e-4 * largest)
+                                    : 0;
+            const bool   slips =
                 (is_frozen && limit.value <= 0) ||
                 (!turned && q.norm() > 0 && excess > (moves ? -tolerance : std::max(tolerance, more)));
             states[k] = slips ? ContactStatus::slip : ContactStatus::stick;

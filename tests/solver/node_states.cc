@@ -93,6 +93,24 @@ main(int argc, char **argv)
   answers[0].pressure = -1; // a hundredth of the largest
   check::is_true(states.update(answers, 0, {1e4 * force, 2e-6}) == 1, "whatever the forces elsewhere");
 
+  // A force that is none is a large traction at the edge of the contact, where areas are small.
+  auto edge_nodes = nodes;
+  edge_nodes[0].area *= 1e-3;
+  answers = NodalContacts<2>(3);
+  for (const double excess : {0.05, 0.002}) // over the bound 0.5; the largest one is 50
+    {
+      NodeStates<2> edge(edge_nodes, problem.interfaces, floating, 0);
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          edge.impose(k, ContactStatus::stick);
+          answers[k].pressure = k == 0 ? 1 : 100;
+          answers[k].shear[0] = k == 0 ? 0.5 + excess : 0;
+        }
+      edge.update(answers, 0, {1e4 * force, 2e-6});
+      check::is_true(edge[0] == (excess > 0.005 ? ContactStatus::slip : ContactStatus::stick),
+                     "shears over the bound at an edge");
+    }
+
   // Given bounds stand instead of those that pressures make, and shears at them obey the law.
   answers = NodalContacts<2>(3);
   SlipLaw<2> law;

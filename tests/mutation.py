@@ -283,7 +283,7 @@ CHANGES = [
     ("tractions at rest", "load_path.cc", "change.linfty_norm() > 1e-8 * old.linfty_norm()", "true", "scenes/wedge_self_lock$"),
     ("work of long increments", "run_report.cc", "gap > much * work.largest_work", "false", "scenes/wedge_self_lock$"),
     ("motion in the trial", "small_strain_check.cc", "FollowMotion::never", "FollowMotion::from_unstable", "scenes/column_of_disks$"),
-    ("tractions that count as none", "solver/node_states.cc", "1e-4 * largest)", "1e4 * largest)", "^solver/node_states$"),
+    ("tractions that count as none", "solver/node_states.cc", "1e-4 * largest[nodes[k].interface])", "1e4 * largest[nodes[k].interface])", "^solver/node_states$"),
     ("pairs that stay", "adaptivity/mesh_difference.cc", "if (is_refined)", "if (true)", "scenes/three_shrunk_rings$"),
     ("factors of nearly incompressible bodies", "algebra/linear_solver.cc", "nearly_incompressible ? 30000u : 5000u", "5000u", "scenes/nearly_incompressible_in_space$"),
 ]

@@ -70,6 +70,18 @@ namespace Amontons
   }
 
   template <int dim>
+  std::vector<double>
+  NodeStates<dim>::largest_bounds(const NodalContacts<dim> &answers, const std::vector<bool> &closed) const
+  {
+    std::vector<double> result(interfaces.size(), 0.);
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (closed[k] && nodes[k].frictional)
+        result[nodes[k].interface] =
+            std::max(result[nodes[k].interface], bound(k, answers[k].pressure).value);
+    return result;
+  }
+
+  template <int dim>
   unsigned int
   NodeStates<dim>::update(const NodalContacts<dim> &answers, const double rounding, const Neutral &neutral)
   {
@@ -129,10 +141,7 @@ namespace Amontons
                                           const double               tolerance,
                                           const std::vector<double> &no_force)
   {
-    double largest = 0;
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (closed[k] && nodes[k].frictional)
-        largest = std::max(largest, bound(k, answers[k].pressure).value);
+    const auto largest = largest_bounds(answers, closed);
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         if (nodes[k].tied)
@@ -160,7 +169,8 @@ namespace Amontons
             // at the edge of the contact may be small). (What slid and rests is to stick: a slip of nothing
             // holds a self-locking wedge on some meshes only.)
             const double more = old == ContactStatus::stick
-                                    ? std::min(no_force[nodes[k].interface] / nodes[k].area, 1e-4 * largest)
+                                    ? std::min(no_force[nodes[k].interface] / nodes[k].area,
+                                               1e-4 * largest[nodes[k].interface])
                                     : 0;
             const bool   slips =
                 (is_frozen && limit.value <= 0) ||

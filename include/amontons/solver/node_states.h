@@ -182,6 +182,9 @@ namespace Amontons
   private:
     std::vector<double>
     neutral_forces(const NodalContacts<dim> &answers, const double neutral) const;
+    // By pair, of friction.
+    std::vector<double>
+    largest_bounds(const NodalContacts<dim> &answers, const std::vector<bool> &closed) const;
     void
     choose_friction_states(const NodalContacts<dim>  &answers,
                            const std::vector<bool>   &closed,

@@ -8,7 +8,11 @@ namespace Amontons
   {
     std::vector<LA::Vector *> all;
     for (auto *const known : {&state, &last_converged})
-      for (auto *const field : {&known->displacement, &known->traction, &known->committed, &known->earlier})
+      for (auto *const field : {&known->displacement,
+                                &known->traction,
+                                &known->committed,
+                                &known->earlier,
+                                &known->before_earlier})
         all.push_back(field);
     all.push_back(&coarser.traction);
     for (auto &point : path)
@@ -44,7 +48,8 @@ namespace Amontons
     state.committed   = LA::Vector();
     state.committed_t = t;
     state.committed_contact.clear();
-    state.earlier = LA::Vector();
+    state.earlier        = LA::Vector();
+    state.before_earlier = LA::Vector();
     state.was_open.clear();
     last_converged = SolutionState<dim>();
   }

@@ -276,7 +276,7 @@ namespace Amontons
     if (program.is_incremental())
       history.work.add(answer());
     history.record.times.push_back(program.time());
-    ++history.record.n_increments;
+    history.record.n_increments += program.is_beginning() ? 0 : 1;
     history.record.largest_work = history.work.largest_work;
     if (program.is_at_breakpoint())
       history.record.breakpoints.push_back(
@@ -296,8 +296,9 @@ namespace Amontons
         for (unsigned int n = 0; n < was_open[i].size(); ++n)
           was_open[i][n] = was_open[i][n] || history.state.contact[i][n].state == ContactStatus::open;
       }
-    history.state.earlier   = LA::Vector();
-    history.state.earlier_t = history.state.committed_t;
+    history.state.before_earlier = program.at_corner() ? LA::Vector() : history.state.earlier;
+    history.state.earlier        = LA::Vector();
+    history.state.earlier_t      = history.state.committed_t;
     if (!program.at_corner() && history.state.committed.size() == history.state.displacement.size())
       history.state.earlier = history.state.committed;
     else if (!program.at_corner())

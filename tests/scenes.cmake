@@ -1034,10 +1034,10 @@ add_scene_test(NAME stick_size_by_finite_strain SCENE nafems_roller_friction.prm
 # What sticks is off by more than the pressure, and a target is kept by both.
 add_scene_test(NAME shear_by_finite_strain SCENE nafems_roller_friction.prm
                SET Kinematics=auto Increments=3 "Refinement/Target error=0.05" "Refinement/Cycles=0" CHECK "checks.neglected_strain <= 0.03" "notes.0 has used")
-# One normal for both sides: the stick size and the work of friction of finite strain (2.17e-6, 2.20e-6) with either slave.
+# One normal for both sides: the stick size and the work of friction of finite strain (2.17e-6, 2.20e-6) with either slave (2.04e-6 and 2.06e-6 with 40 increments).
 foreach(slave first second)
   add_scene_test(NAME sheared_half_disk_${slave} SCENE verification/sheared_half_disk.prm SET "Contact sheared/Slave=${slave}"
-                 CHECK "pairs.0.stick_size ~ 0.0261 0.005" "meshes.-1.dissipation ~ 2.11e-6 0.01" "error_estimate.shear_kinematics <= 0.05")
+                 CHECK "pairs.0.stick_size ~ 0.0261 0.005" "meshes.-1.dissipation ~ 2.085e-6 0.01" "error_estimate.shear_kinematics <= 0.05")
 endforeach()
 # Small strain leaves the force of a tilted block where it is: more than the shear.
 foreach(slave first second)
@@ -1081,9 +1081,14 @@ add_scene_test(NAME target_of_shear SCENE half_plane_box_friction.prm SET "Refin
                      "error_estimate.shear >= meshes.-1.reference.errors.shear_l2" "error_estimate.contact >= meshes.-1.reference.errors.pressure_l2")
 # As many increments as the target asks for: one in each of five pieces where the path does not matter, five (in one piece, on the mesh that was enough) where it does.
 add_scene_test(NAME target_of_increments SCENE cattaneo_mindlin.prm SET "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target error=0.1"
-               CHECK "meshes.-1.increment == 5" "meshes.0.t == 0.125" "error_estimate.shear <= 0.1" "reference.errors.shear_l2 <= 0.05" "reference.errors.stick_size <= 0.005")
-add_scene_test(NAME target_of_more_increments SCENE nafems_roller_friction.prm SET "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target error=0.08"
-               CHECK "meshes.-1.increment == 5" "meshes.0.t == 0.125" "error_estimate.shear <= 0.08" "newton.:.iterations <= 12")
+               CHECK "meshes.-1.increment == 5" "meshes.0.t == 0.015625" "meshes.1.t == 0.125" "error_estimate.shear <= 0.1" "reference.errors.shear_l2 <= 0.05" "reference.errors.stick_size <= 0.005")
+add_scene_test(NAME target_of_more_increments SCENE nafems_roller_friction.prm SET "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target error=0.02"
+               CHECK "meshes.-1.increment == 6" "meshes.0.t == 0.015625" "error_estimate.shear <= 0.015" "increments.shear <= 0.01" "newton.:.iterations <= 12")
+# Few nodes see the increments wrong by far: 100 of them on each of several meshes (not done after 190 s) where 20 do. Shear of 4 % of the pressure.
+add_scene_test(NAME increments_of_a_contact_that_grows SCENE verification/sheared_half_disk.prm
+               SET "Kinematics=small strain" "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target quantity=contact pressure" "Refinement/Target error=0.1" "Body block/Young modulus=1000"
+                   "Boundary condition load/Force=0|0" "Boundary condition load/Displacement=0.001*table(1: 0, 2: 1)|-0.02*table(0: 0, 1: 1)"
+               CHECK "status is converged" "increments.number <= 30" "linear_solves <= 150" "error_estimate.shear <= 0.06" "pairs.0.stick_size ~ 0.1023 0.01")
 add_scene_test(NAME target_at_a_sharp_edge SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"
                CHECK "status is converged" "notes.1 has out of reach" "notes.1 has (10 " "dofs <= 5000" "pairs.0.normal_force.1 ~ -5000 1e-8")
 # Numbers of each pair, whatever its load is beside that of others (from a run to 0.2 %).

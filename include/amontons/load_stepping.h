@@ -60,7 +60,7 @@ namespace Amontons
     bool
     has_measured_increments() const
     {
-      return measured;
+      return measured_on.has_value();
     }
 
   private:
@@ -160,6 +160,8 @@ namespace Amontons
       return true;
     }
     bool
+    increments_are_due() const;
+    bool
     choose_increments();
     bool
     may_transfer() const;
@@ -180,12 +182,12 @@ namespace Amontons
       between_replays // of the load program
     };
 
-    RunReport<dim>        &report;
-    SmallStrainCheck<dim> *small_strain;
-    const Refinement       refinement;
-    IncrementChoice        increments;
-    bool                   measured    = false; // their error, once
-    bool                   falls_back  = false; // stopped: the state is history.fallback
-    bool                   ended_early = false;
+    RunReport<dim>             &report;
+    SmallStrainCheck<dim>      *small_strain;
+    const Refinement            refinement;
+    IncrementChoice             increments;
+    std::optional<unsigned int> measured_on;         // their error: the mesh
+    bool                        falls_back  = false; // stopped: the state is history.fallback
+    bool                        ended_early = false;
   };
 } // namespace Amontons

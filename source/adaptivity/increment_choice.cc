@@ -45,9 +45,19 @@ namespace Amontons
   bool
   IncrementChoice::take_all()
   {
-    const bool more = times_in_the_end < times;
+    const bool more = wants_more();
     times           = times_in_the_end;
     return more;
+  }
+
+  bool
+  IncrementChoice::keep(const IncrementErrors &errors, const double of_mesh)
+  {
+    const double error = counted(errors);
+    const bool   do_so = error <= allowed() || error + of_mesh <= parameters.target_error;
+    if (do_so)
+      times_in_the_end = times;
+    return do_so;
   }
 
   // As many as make the error half of the target, but not without limit. One alone, which has no

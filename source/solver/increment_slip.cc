@@ -1,4 +1,5 @@
 #include <amontons/base/directions.h>
+#include <amontons/solver/first_touch.h>
 #include <amontons/solver/increment_slip.h>
 
 namespace Amontons
@@ -97,32 +98,40 @@ namespace Amontons
   }
 
   // The jump z_- of the same material points where the increment before began, in the frame of the last
-  // converged state, is a along the surface; the gap was g_- and is g_old. If both go on as they did
-  // it closes at theta times that increment, with the jump -theta a along the surface:
-  //   v = (1 - n n^T) sum (w - beta + theta beta_-) x,   beta_- = gamma_j . a.
+  // converged state, is a along the surface, likewise z_-- of the one before that. Along the line or parabola
+  // through them (first_touch.h) the node closes with the jump l_- z_- + l_-- z_-- along the surface:
+  //   v = (1 - n n^T) sum (w - beta - l_- beta_- - l_-- beta_--) x,   beta_- = gamma_j . z_-.
   template <int dim>
   void
   IncrementSlip<dim>::move_to_first_touch(const SolutionState<dim> &start,
                                           const SlaveNode<dim>     &node,
                                           Partners                 &partners) const
   {
-    const auto          &place = partners.place;
-    const Tensor<1, dim> z     = frame(place, committed) * invert(frame(place, start.earlier)) *
-                             position_jump(*partners.weights, start.earlier);
-    const double left   = node.gap / node.normal.norm(),
-                 closed = (position_jump(*partners.weights, committed) - z) * place.normal,
-                 longer = (start.t - start.committed_t) / (start.committed_t - start.earlier_t);
-    if (left <= 0 || closed <= 0)
+    const auto &place     = partners.place;
+    const auto  jump_then = [&](const LA::Vector &u) {
+      return frame(place, committed) * invert(frame(place, u)) * position_jump(*partners.weights, u);
+    };
+    const bool           two = start.before_earlier.size() == committed.size();
+    const Tensor<1, dim> z   = jump_then(start.earlier),
+                         z_2 = two ? jump_then(start.before_earlier) : Tensor<1, dim>();
+    const double jump_now    = position_jump(*partners.weights, committed) * place.normal,
+                 gap_now = node.gap / node.normal.norm(), closed = jump_now - z * place.normal;
+    const auto [before, earlier] =
+        first_touch_weights(gap_now,
+                            gap_now + closed,
+                            two ? gap_now + jump_now - z_2 * place.normal : std::optional<double>(),
+                            (start.t - start.committed_t) / (start.committed_t - start.earlier_t));
+    if (before == 0)
       return;
     // What slides by more than mu times what it closes by slips on at its bound from the touch; a slip back
-    // made up by too large a theta would hold it.
-    const auto   bound = shear_bound(*interfaces[node.interface].pair, node.X, start.t, 0);
-    const double along = without<dim>(z, {place.normal}).norm(),
-                 held  = bound.value > 0 ? 1 : std::min(1., bound.slope * closed / along),
-                 theta = std::min(left / closed, longer) * held;
+    // made up by too long a way would hold it.
+    const auto   bound            = shear_bound(*interfaces[node.interface].pair, node.X, start.t, 0);
+    const double along            = without<dim>(z, {place.normal}).norm(),
+                 held             = bound.value > 0 ? 1 : std::min(1., bound.slope * closed / along);
+    const Tensor<1, dim> at_touch = held * (before * z + earlier * z_2);
     for (const auto &[dofs, gamma] : place.gamma)
       for (unsigned int c = 0; c < dim; ++c)
-        (*partners.weights)[c][dofs[c]] += theta * (gamma * z);
+        (*partners.weights)[c][dofs[c]] -= gamma * at_touch;
   }
 
   // With m the normal, y_j = (1 - m m^T)(x_j - mean of all x_j) and B = sum_j y_j y_j^T + (trace) m m^T:

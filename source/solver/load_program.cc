@@ -13,10 +13,13 @@ namespace Amontons
     // which it is compared, become twice as long; measured (doc/introduction.md), 1.5 leaves the smallest
     // errors.
     constexpr double growth = 1.5;
+    // How many times the time of one increment that of the next may be there: what closes within the very
+    // first has slipped its whole way, which leaves a spike of shear at its edge.
+    constexpr double at_most = 8;
   } // namespace
 
   LoadProgram::LoadProgram(const Scene &scene, const bool incremental, const double coarser)
-      : incremental(incremental), breakpoints(scene.output_times),
+      : incremental(incremental), has_friction(scene.has_friction()), breakpoints(scene.output_times),
         constant_size(scene.end_time / std::max(1u, scene.n_increments)), coarser(coarser),
         smallest(scene.minimum_increment * scene.end_time)
   {
@@ -93,7 +96,21 @@ namespace Amontons
       return here.end;
     const double equal = t + (here.end - t) / n;
     const double end   = here.exponent == 1 ? equal : here.time(done + (1 - done) / n);
-    return std::min(here.end, std::max(end, t + smallest));
+    const double most  = begins_in_two(here) ? std::max(at_most * t, first(here) / at_most) : here.end;
+    return std::min(here.end, std::max(std::min(most, end), t + smallest));
+  }
+
+  double
+  LoadProgram::first(const Piece &here) const
+  {
+    return here.time(std::min(1., longest(here)));
+  }
+
+  bool
+  LoadProgram::is_beginning() const
+  {
+    const Piece here = piece();
+    return !finished() && begins_in_two(here) && t < first(here) * (1 - 1e-9);
   }
 
   bool

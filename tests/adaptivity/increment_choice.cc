@@ -72,6 +72,16 @@ main(int, char **)
   check::is_true(choice.take_all() && !choice.take_all(), "more once");
   check::is_close(choice.length(), 0.2, 1e-15, "all in the end");
 
+  // Measured once more on a finer mesh.
+  choice.choose(error_of_shear(0.017), run, false, fails);
+  check::is_true(!choice.wants_more(), "fewer than by default are taken at once");
+  choice.choose(error_of_shear(0.05), run, false, fails);
+  check::is_true(choice.wants_more(), "more than by default in the end");
+  check::is_true(!choice.keep(error_of_shear(0.015), 0.006) && choice.wants_more(),
+                 "these are off by more than the mesh leaves");
+  check::is_true(choice.keep(error_of_shear(0.015), 0.004) && !choice.wants_more(), "and these are not");
+  check::is_true(choice.keep(error_of_shear(0.01), 0.02), "half of the target is theirs");
+
   // Few errors: on the last mesh nothing is to be gained; before, fewer are tried.
   IncrementChoice fewer(parameters, true);
   check::is_true(!fewer.choose(error_of_shear(0.004), run, true, fails) && n_tries == 0, "they stay");

@@ -58,6 +58,23 @@ main(int, char **)
   check::is_true(growing.cut_back(), "a second increment that failed");
   check::is_close(growing.next(), std::pow(0.15, 1.5), 1e-12, "half of its step");
 
+  // With friction the first one is begun by a shorter one.
+  scene = Scene();
+  scene.pairs.emplace_back();
+  scene.pairs.back().friction = Expression(0.3);
+  const auto rubs             = run(LoadProgram(scene, true));
+  check::is_close(rubs.size(), 11, 0, "with friction: one more");
+  check::is_close(rubs[0], std::pow(0.1, 1.5) / 8, 1e-12, "an eighth of the first one");
+  for (unsigned int k = 0; k < 10; ++k)
+    check::is_close(rubs[k + 1], std::pow(0.1 * (k + 1), 1.5), 1e-12, "then as before");
+  check::is_true(run(LoadProgram(scene, true, 10)) == std::vector<double>{1.}, "but not where one does");
+  LoadProgram beginning(scene, true);
+  check::is_true(beginning.is_beginning(), "nothing is done");
+  beginning.accept(3);
+  check::is_true(beginning.is_beginning(), "the first one is begun");
+  beginning.accept(3);
+  check::is_true(!beginning.is_beginning(), "and done");
+
   // Failures
   scene                   = Scene();
   scene.n_increments      = 1;

@@ -44,6 +44,15 @@ namespace Amontons
     /// The mesh is fine enough: all of them from now on. False: they are.
     bool
     take_all();
+    /// More are to be taken in the end than now.
+    bool
+    wants_more() const
+    {
+      return times_in_the_end < times;
+    }
+    /// Those of now to the end, if on the last mesh, which has that error, these are their errors and do.
+    bool
+    keep(const IncrementErrors &errors, const double of_mesh);
 
   private:
     double

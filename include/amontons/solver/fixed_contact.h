@@ -2,6 +2,7 @@
 #pragma once
 
 #include <amontons/solver/contact_kinematics.h>
+#include <amontons/solver/first_touch.h>
 #include <amontons/solver/solution_state.h>
 
 namespace Amontons
@@ -100,13 +101,20 @@ namespace Amontons
     move_to_first_touch(const SolutionState<dim> &start, std::vector<Tensor<1, dim>> &jumps) const
     {
       const double longer = (start.t - start.committed_t) / (start.committed_t - start.earlier_t);
+      const bool   two    = start.before_earlier.size() == start.earlier.size();
       for (unsigned int k = 0; k < all.size(); ++k)
         if (const auto &node = start.committed_contact[all[k].interface][all[k].node];
             all[k].frictional && node.has_multiplier && node.state == ContactStatus::open)
           {
-            const double left = gap(k, start.committed), closed = gap(k, start.earlier) - left;
-            if (left > 0 && closed > 0)
-              jumps[k] += std::min(left / closed, longer) * (jumps[k] - all[k].jump(start.earlier));
+            const auto [before, earlier] =
+                first_touch_weights(gap(k, start.committed),
+                                    gap(k, start.earlier),
+                                    two ? gap(k, start.before_earlier) : std::optional<double>(),
+                                    longer);
+            const auto now = jumps[k];
+            jumps[k] += before * (all[k].jump(start.earlier) - now);
+            if (earlier != 0)
+              jumps[k] += earlier * (all[k].jump(start.before_earlier) - now);
           }
     }
 

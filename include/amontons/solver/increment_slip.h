@@ -59,8 +59,9 @@ namespace Amontons
     };
     struct Partners
     {
-      Place               place;
-      std::optional<Rows> weights; // w - beta (of what was open + theta beta_-), where something was opposite
+      Place place;
+      std::optional<Rows>
+          weights; // w - beta (of what was open: from its first touch), where something was opposite
     };
 
     void

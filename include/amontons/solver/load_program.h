@@ -64,6 +64,10 @@ namespace Amontons
     {
       return breakpoints.size();
     }
+    // time() lies within the first increment of a contact with friction that grows: that one is begun by a
+    // shorter one, and they count as one.
+    bool
+    is_beginning() const;
     // The path may turn at time(): it starts or bends there.
     bool
     at_corner() const;
@@ -96,10 +100,17 @@ namespace Amontons
     };
     Piece
     piece() const;
+    bool
+    begins_in_two(const Piece &here) const
+    {
+      return has_friction && here.exponent > 1 && longest(here) < 1;
+    }
+    double
+    first(const Piece &here) const; // end of the first increment
     double
     longest(const Piece &here) const; // increment at time t, as progress in its piece
 
-    bool                incremental;
+    bool                incremental, has_friction;
     std::vector<double> breakpoints, corners, followed;
     double              constant_size;  // 0: increments_by_default in each piece,
     double              coarser;        // times this

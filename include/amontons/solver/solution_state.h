@@ -18,6 +18,7 @@ namespace Amontons
     /// And what that one started from, if loads went on as they did in it. Empty: they did not.
     LA::Vector                      earlier;
     double                          earlier_t = 0;
+    LA::Vector                      before_earlier;    // and that one, likewise
     std::vector<NodalContacts<dim>> committed_contact; // at that time; empty: none
     /// By pair and slave node: it was open at the end of an increment before, on this mesh. Empty: none was.
     std::vector<std::vector<bool>> was_open;

@@ -462,7 +462,7 @@ namespace Amontons
       plan.accept(1);
     const bool few = plan.number() - 1 < 4 * plan.n_breakpoints();
 
-    auto record = repeat(load_program(increments.length() * (few ? 0.5 : 2)), true);
+    auto record = repeat(load_program(increments.length() * (few ? 0.5 : 2), increments.length()), true);
     if (!record && !control.stop.is_there())
       {
         auto                halved = load_program(1);

@@ -198,7 +198,10 @@ namespace Amontons
     if (has_given_way)
       return ", as squares of the gradients are more than the strain";
     std::ostringstream text;
-    text << " (allowed are " << (change ? allowed_change() : allowed_part()) << ")";
+    if (const double allowed = change ? allowed_change() : allowed_part(); allowed > 0)
+      text << " (allowed are " << allowed << ")";
+    else
+      text << " (the shear alone takes what is allowed)";
     return text.str();
   }
 

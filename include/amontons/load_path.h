@@ -27,9 +27,9 @@ namespace Amontons
 
     /// The increments of the scene, or others that are these times as long.
     LoadProgram
-    load_program(const double length) const
+    load_program(const double length, const std::optional<double> &like = {}) const
     {
-      LoadProgram program(scene, has_history() || (model->finite_strain() && !history.at_once), length);
+      LoadProgram program(scene, has_history() || (model->finite_strain() && !history.at_once), length, like);
       if (history.starts_before)
         program.start_before();
       return program;

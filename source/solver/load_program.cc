@@ -16,12 +16,17 @@ namespace Amontons
     // How many times the time of one increment that of the next may be there: what closes within the very
     // first has slipped its whole way, which leaves a spike of shear at its edge.
     constexpr double at_most = 8;
+    // Fewer increments than these are taken where the path hardly matters.
+    constexpr double worth_it = 3;
   } // namespace
 
-  LoadProgram::LoadProgram(const Scene &scene, const bool incremental, const double coarser)
+  LoadProgram::LoadProgram(const Scene                &scene,
+                           const bool                  incremental,
+                           const double                coarser,
+                           const std::optional<double> like)
       : incremental(incremental), has_friction(scene.has_friction()), breakpoints(scene.output_times),
         constant_size(scene.end_time / std::max(1u, scene.n_increments)), coarser(coarser),
-        smallest(scene.minimum_increment * scene.end_time)
+        like(like.value_or(coarser)), smallest(scene.minimum_increment * scene.end_time)
   {
     breakpoints.push_back(scene.end_time);
     if (incremental)
@@ -98,6 +103,12 @@ namespace Amontons
     const double end   = here.exponent == 1 ? equal : here.time(done + (1 - done) / n);
     const double most  = begins_in_two(here) ? std::max(at_most * t, first(here) / at_most) : here.end;
     return std::min(here.end, std::max(std::min(most, end), t + smallest));
+  }
+
+  bool
+  LoadProgram::begins_in_two(const Piece &here) const
+  {
+    return has_friction && here.exponent > 1 && worth_it * like <= increments_by_default * (1 + 1e-9);
   }
 
   double

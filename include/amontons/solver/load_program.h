@@ -3,6 +3,8 @@
 
 #include <amontons/scene/scene.h>
 
+#include <optional>
+
 namespace Amontons
 {
   // Times to land on are the end time and `Output times`; with history (friction) and where the kinematics
@@ -19,8 +21,11 @@ namespace Amontons
     static constexpr double increments_at_first = 4;
 
     // incremental: the load is applied in increments, which may be cut. coarser: how many times longer they
-    // may be than the scene says.
-    LoadProgram(const Scene &scene, const bool incremental, const double coarser = 1);
+    // may be than the scene says. like: likewise, of the program that this one is compared with.
+    LoadProgram(const Scene                &scene,
+                const bool                  incremental,
+                const double                coarser = 1,
+                const std::optional<double> like    = {});
 
     // Before its first increment: all of them end at these times.
     void
@@ -101,10 +106,7 @@ namespace Amontons
     Piece
     piece() const;
     bool
-    begins_in_two(const Piece &here) const
-    {
-      return has_friction && here.exponent > 1 && longest(here) < 1;
-    }
+    begins_in_two(const Piece &here) const;
     double
     first(const Piece &here) const; // end of the first increment
     double
@@ -112,8 +114,9 @@ namespace Amontons
 
     bool                incremental, has_friction;
     std::vector<double> breakpoints, corners, followed;
-    double              constant_size;  // 0: increments_by_default in each piece,
-    double              coarser;        // times this
+    double              constant_size; // 0: increments_by_default in each piece,
+    double              coarser;       // times this
+    double              like;
     double              smallest;       // as a time
     double              factor     = 1; // present size over longest()
     double              t          = 0;

@@ -283,6 +283,17 @@ namespace Amontons
           {record_pairs(model->interfaces, evaluation.fields, history.state), history.work.dissipation});
   }
 
+  template <int dim>
+  bool
+  LoadPath<dim>::has_grown() const
+  {
+    for (unsigned int i = 0; i < history.state.was_open.size(); ++i)
+      for (unsigned int n = 0; n < history.state.was_open[i].size(); ++n)
+        if (history.state.was_open[i][n] && history.state.contact[i][n].state != ContactStatus::open)
+          return true;
+    return false;
+  }
+
   // Where the load path turns, slip stops: the first guess is stick.
   template <int dim>
   void

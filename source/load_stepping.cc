@@ -82,6 +82,7 @@ namespace Amontons
       }
     //! [load program]
     history.path.erase(history.path.begin(), history.path.begin() + n_known);
+    history.contact_grows = has_grown();
     return true;
   }
 
@@ -244,16 +245,23 @@ namespace Amontons
   }
 
   template <int dim>
+  double
+  LoadStepping<dim>::target_of_mesh() const
+  {
+    const double whole = parameters.refinement.target_error;
+    return increments.by_target() && report.error_of_increments()
+               ? std::max(whole / 2,
+                          whole - report.error_of_increments()->of(parameters.refinement.target_quantity))
+               : whole;
+  }
+
+  template <int dim>
   bool
   LoadStepping<dim>::wants_refinement() const
   {
     const auto  &error    = evaluation.error;
     const auto  &quantity = parameters.refinement.target_quantity;
-    const double whole    = parameters.refinement.target_error;
-    // What the increments, chosen for the target, leave of it.
-    const double target = increments.by_target() && report.error_of_increments()
-                              ? std::max(whole / 2, whole - report.error_of_increments()->of(quantity))
-                              : whole;
+    const double target   = target_of_mesh();
     // What facets do refinement does not mend.
     const double mendable = error.quantity.value_or(
         std::sqrt(std::max(0., std::pow(error.decisive(), 2) - std::pow(error.facets, 2))));
@@ -318,8 +326,14 @@ namespace Amontons
   bool
   LoadStepping<dim>::increments_are_due() const
   {
-    if (!measured_on)
-      return sees_slip() || (increments.by_target() && !wants_refinement());
+    return measured_on ? increments_are_due_again()
+                       : sees_slip() || (increments.by_target() && !wants_refinement());
+  }
+
+  template <int dim>
+  bool
+  LoadStepping<dim>::increments_are_due_again() const
+  {
     const double target = parameters.refinement.target_error;
     if (*measured_on == model->mesh->n_refinements || !report.error_of_increments() || target == 0)
       return false;
@@ -371,7 +385,7 @@ namespace Amontons
     TimerOutput::Scope scope(timer, "mesh");
     // Numbers are compared between meshes: where corners are all that is refined these are hardly others.
     const double step = history.quantity.is_empty() ? 0 : 0.3;
-    if (!model->mark_cells(parameters.refinement, evaluation.error, step))
+    if (!model->mark_cells(parameters.refinement, evaluation.error, target_of_mesh(), step))
       {
         report.say("no further refinement: the limit of 'Maximum DoFs' is reached");
         return false;
@@ -457,15 +471,16 @@ namespace Amontons
   void
   LoadStepping<dim>::measure_increments()
   {
-    auto plan = load_program(increments.length());
+    const bool begins = begins_in_two(increments.length());
+    auto       plan   = load_program(increments.length(), false);
     while (!plan.finished())
       plan.accept(1);
     const bool few = plan.number() - 1 < 4 * plan.n_breakpoints();
 
-    auto record = repeat(load_program(increments.length() * (few ? 0.5 : 2), increments.length()), true);
+    auto record = repeat(load_program(increments.length() * (few ? 0.5 : 2), begins), true);
     if (!record && !control.stop.is_there())
       {
-        auto                halved = load_program(1);
+        auto                halved = load_program(1, false);
         std::vector<double> times;
         double              begin = halved.time();
         for (const double end : history.record.times)
@@ -475,6 +490,8 @@ namespace Amontons
           }
         halved.follow(times);
         record = repeat(halved, true);
+        if (record) // what begins the first one does not count
+          record->n_increments = 2 * history.record.n_increments;
       }
     if (record)
       report.set_error_of_increments(error_of_increments(history.record, *record));

@@ -148,16 +148,16 @@ namespace Amontons
   bool
   Model<dim>::mark_cells(const RefinementParameters &parameters,
                          const ErrorEstimate<dim>   &error,
+                         const double                target,
                          const double                step)
   {
     deeper.clear();
-    if (parameters.target_error > 0 && parameters.strategy == "adaptive" && !error.quantity &&
-        error.contact > 0)
+    if (target > 0 && parameters.strategy == "adaptive" && !error.quantity && error.contact > 0)
       return mark_cells_for_target(discretization(),
                                    mesh->geometry,
                                    parameters.max_dofs,
-                                   error.indicators_for(parameters.target_error),
-                                   parameters.target_error / error.of_target(),
+                                   error.indicators_for(target),
+                                   target / error.of_target(),
                                    discretization().scene.has_friction(),
                                    deeper);
     const auto mark = [&](const Vector<float> &indicators, const double growth = 0) {

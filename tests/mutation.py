@@ -240,7 +240,7 @@ CHANGES = [
     ("where a node touches", "../include/amontons/solver/fixed_contact.h", "jumps[k] += before * (all[k].jump(start.earlier) - now);", "", "scenes/loaded_at_an_angle_small$"),
     ("three states of a node that touches", "../include/amontons/solver/first_touch.h", "!earlier || *earlier", "true || *earlier", "^solver/first_touch$"),
     ("increments that are measured again", "load_stepping.cc", "? increments.wants_more() && (evaluation", "? false && (evaluation", "scenes/increments_of_a_contact_that_grows$"),
-    ("an increment that begins the first one", "solver/load_program.cc", "begins_in_two(here) ? std::max", "false ? std::max", "^solver/load_program$"),
+    ("an increment that begins the first one", "solver/load_program.cc", "is_begun_in_two(here) ? std::max", "false ? std::max", "^solver/load_program$"),
     ("where a node touches at finite strain", "solver/increment_slip.cc", "held * (before * z + earlier * z_2)", "0. * z", "scenes/loaded_at_an_angle_finite$"),
     ("continued pressures", "adaptivity/face_points.cc", "covered[point.slave_face] = true", "covered.assign(covered.size(), true)", "scenes/round_punch"),
     ("forces across planes of symmetry", "output/target_quantity.cc", "along -= (along * normal) * normal", "along -= 0 * (along * normal) * normal", "scenes/ball_in_hollow"),

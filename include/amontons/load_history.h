@@ -41,6 +41,7 @@ namespace Amontons
     bool                         starts_before = false; // loads that are there at t = 0 grow before
     bool                         at_once       = false; // finite strain: one increment, from `path`
     bool                         follow_motion = false; // in the next increment, see PseudoTransient
+    bool                         contact_grows = true;  // on the mesh before something closed late
     std::vector<Diagnosis::Snap> snaps;
     double                       last_speed        = 0; // largest displacement over t in the last increment
     double                       transfer_residual = 0; // largest, of the transferred state on its new mesh

@@ -27,12 +27,26 @@ namespace Amontons
 
     /// The increments of the scene, or others that are these times as long.
     LoadProgram
-    load_program(const double length, const std::optional<double> &like = {}) const
+    load_program(const double length) const
     {
-      LoadProgram program(scene, has_history() || (model->finite_strain() && !history.at_once), length, like);
+      return load_program(length, begins_in_two(length));
+    }
+    LoadProgram
+    load_program(const double length, const bool begins_in_two) const
+    {
+      LoadProgram program(
+          scene, has_history() || (model->finite_strain() && !history.at_once), length, begins_in_two);
       if (history.starts_before)
         program.start_before();
       return program;
+    }
+    /// A contact with friction grows, and its path matters: fewer than three increments are taken where it
+    /// hardly does.
+    bool
+    begins_in_two(const double length) const
+    {
+      return has_history() && history.contact_grows &&
+             3 * length <= LoadProgram::increments_by_default * (1 + 1e-9);
     }
 
     Answer<dim>
@@ -60,6 +74,9 @@ namespace Amontons
     go_back();
     void
     commit(const LoadProgram &program);
+    /// At the end of a load program: what is closed was open at the end of an increment.
+    bool
+    has_grown() const;
     void
     begin_next(const LoadProgram &program);
     /// What a load program leaves on this mesh; nothing if it fails or has as many increments. is_guided: by

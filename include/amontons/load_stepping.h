@@ -18,6 +18,7 @@ namespace Amontons
     using LoadPath<dim>::history;
     using LoadPath<dim>::evaluation;
     using LoadPath<dim>::answer;
+    using LoadPath<dim>::begins_in_two;
     using LoadPath<dim>::load_program;
 
     /// start: at rest. small_strain: sees what that leaves out, over the increments; null: finite strain.
@@ -77,6 +78,7 @@ namespace Amontons
     using LoadPath<dim>::go_back;
     using LoadPath<dim>::commit;
     using LoadPath<dim>::begin_next;
+    using LoadPath<dim>::has_grown;
     using LoadPath<dim>::repeat;
     using LoadPath<dim>::store_contact;
     using LoadPath<dim>::restore_contact;
@@ -135,6 +137,9 @@ namespace Amontons
 
     bool
     may_refine() const;
+    // What the increments, chosen for the target, leave of it.
+    double
+    target_of_mesh() const;
     bool
     wants_refinement() const;
     // No force of a pair has changed from the mesh before as if another part of it touched.
@@ -161,6 +166,8 @@ namespace Amontons
     }
     bool
     increments_are_due() const;
+    bool
+    increments_are_due_again() const;
     bool
     choose_increments();
     bool

@@ -84,7 +84,10 @@ namespace Amontons
     /// step: growth of the number of cells where the stress marks few (adaptivity/mesh_refinement.h). False
     /// where no cell may be refined.
     bool
-    mark_cells(const RefinementParameters &parameters, const ErrorEstimate<dim> &error, const double step);
+    mark_cells(const RefinementParameters &parameters,
+               const ErrorEstimate<dim>   &error,
+               const double                target,
+               const double                step);
     /// Refines marked cells, and takes fields along (see refine_and_transfer); move_to() has to follow.
     void
     refine(const std::vector<LA::Vector *> &fields);

@@ -13,20 +13,17 @@ namespace Amontons
     // which it is compared, become twice as long; measured (doc/introduction.md), 1.5 leaves the smallest
     // errors.
     constexpr double growth = 1.5;
-    // How many times the time of one increment that of the next may be there: what closes within the very
-    // first has slipped its whole way, which leaves a spike of shear at its edge.
+    // How many times the time of one increment that of the next may be in a piece that is begun in two.
     constexpr double at_most = 8;
-    // Fewer increments than these are taken where the path hardly matters.
-    constexpr double worth_it = 3;
   } // namespace
 
-  LoadProgram::LoadProgram(const Scene                &scene,
-                           const bool                  incremental,
-                           const double                coarser,
-                           const std::optional<double> like)
-      : incremental(incremental), has_friction(scene.has_friction()), breakpoints(scene.output_times),
+  LoadProgram::LoadProgram(const Scene &scene,
+                           const bool   incremental,
+                           const double coarser,
+                           const bool   begins_in_two)
+      : incremental(incremental), begins_in_two(begins_in_two), breakpoints(scene.output_times),
         constant_size(scene.end_time / std::max(1u, scene.n_increments)), coarser(coarser),
-        like(like.value_or(coarser)), smallest(scene.minimum_increment * scene.end_time)
+        smallest(scene.minimum_increment * scene.end_time)
   {
     breakpoints.push_back(scene.end_time);
     if (incremental)
@@ -101,14 +98,14 @@ namespace Amontons
       return here.end;
     const double equal = t + (here.end - t) / n;
     const double end   = here.exponent == 1 ? equal : here.time(done + (1 - done) / n);
-    const double most  = begins_in_two(here) ? std::max(at_most * t, first(here) / at_most) : here.end;
+    const double most  = is_begun_in_two(here) ? std::max(at_most * t, first(here) / at_most) : here.end;
     return std::min(here.end, std::max(std::min(most, end), t + smallest));
   }
 
   bool
-  LoadProgram::begins_in_two(const Piece &here) const
+  LoadProgram::is_begun_in_two(const Piece &here) const
   {
-    return has_friction && here.exponent > 1 && worth_it * like <= increments_by_default * (1 + 1e-9);
+    return begins_in_two && here.exponent > 1;
   }
 
   double
@@ -121,7 +118,7 @@ namespace Amontons
   LoadProgram::is_beginning() const
   {
     const Piece here = piece();
-    return !finished() && begins_in_two(here) && t < first(here) * (1 - 1e-9);
+    return !finished() && is_begun_in_two(here) && t < first(here) * (1 - 1e-9);
   }
 
   bool

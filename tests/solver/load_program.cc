@@ -58,19 +58,15 @@ main(int, char **)
   check::is_true(growing.cut_back(), "a second increment that failed");
   check::is_close(growing.next(), std::pow(0.15, 1.5), 1e-12, "half of its step");
 
-  // With friction the first one is begun by a shorter one.
-  scene = Scene();
-  scene.pairs.emplace_back();
-  scene.pairs.back().friction = Expression(0.3);
-  const auto rubs             = run(LoadProgram(scene, true));
-  check::is_close(rubs.size(), 11, 0, "with friction: one more");
+  // The first one is begun by a shorter one.
+  scene           = Scene();
+  const auto rubs = run(LoadProgram(scene, true, 1, true));
+  check::is_close(rubs.size(), 11, 0, "begun by a shorter one: one more");
   check::is_close(rubs[0], std::pow(0.1, 1.5) / 8, 1e-12, "an eighth of the first one");
   for (unsigned int k = 0; k < 10; ++k)
     check::is_close(rubs[k + 1], std::pow(0.1 * (k + 1), 1.5), 1e-12, "then as before");
-  check::is_close(run(LoadProgram(scene, true, 2.5)).size(), 5, 0, "likewise of four");
-  check::is_close(run(LoadProgram(scene, true, 5)).size(), 2, 0, "but not of two");
-  check::is_close(run(LoadProgram(scene, true, 5, 2.5)).size(), 3, 0, "unless they are compared with four");
-  LoadProgram beginning(scene, true);
+  check::is_close(run(LoadProgram(scene, true, 2.5, true)).size(), 5, 0, "likewise of four");
+  LoadProgram beginning(scene, true, 1, true);
   check::is_true(beginning.is_beginning(), "nothing is done");
   beginning.accept(3);
   check::is_true(beginning.is_beginning(), "the first one is begun");

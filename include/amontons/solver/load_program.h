@@ -3,7 +3,7 @@
 
 #include <amontons/scene/scene.h>
 
-#include <optional>
+#include <vector>
 
 namespace Amontons
 {
@@ -21,11 +21,13 @@ namespace Amontons
     static constexpr double increments_at_first = 4;
 
     // incremental: the load is applied in increments, which may be cut. coarser: how many times longer they
-    // may be than the scene says. like: likewise, of the program that this one is compared with.
-    LoadProgram(const Scene                &scene,
-                const bool                  incremental,
-                const double                coarser = 1,
-                const std::optional<double> like    = {});
+    // may be than the scene says. begins_in_two: the first one of those that grow is begun by a shorter one,
+    // as what closes within the very first has slipped its whole way, which leaves a spike of shear at its
+    // edge.
+    LoadProgram(const Scene &scene,
+                const bool   incremental,
+                const double coarser       = 1,
+                const bool   begins_in_two = false);
 
     // Before its first increment: all of them end at these times.
     void
@@ -69,8 +71,7 @@ namespace Amontons
     {
       return breakpoints.size();
     }
-    // time() lies within the first increment of a contact with friction that grows: that one is begun by a
-    // shorter one, and they count as one.
+    // time() lies within an increment that is begun by a shorter one: they count as one.
     bool
     is_beginning() const;
     // The path may turn at time(): it starts or bends there.
@@ -105,18 +106,18 @@ namespace Amontons
     };
     Piece
     piece() const;
+    // Within the piece whose first increment is.
     bool
-    begins_in_two(const Piece &here) const;
+    is_begun_in_two(const Piece &here) const;
     double
     first(const Piece &here) const; // end of the first increment
     double
     longest(const Piece &here) const; // increment at time t, as progress in its piece
 
-    bool                incremental, has_friction;
+    bool                incremental, begins_in_two;
     std::vector<double> breakpoints, corners, followed;
-    double              constant_size; // 0: increments_by_default in each piece,
-    double              coarser;       // times this
-    double              like;
+    double              constant_size;  // 0: increments_by_default in each piece,
+    double              coarser;        // times this
     double              smallest;       // as a time
     double              factor     = 1; // present size over longest()
     double              t          = 0;

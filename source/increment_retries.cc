@@ -68,7 +68,7 @@ namespace Amontons
         !program.is_incremental())
       return false;
     history.starts_before = true;
-    program               = load_program(increments.length());
+    program               = load_program(increments.lengths());
     std::ostringstream text;
     text << "what is there at t = 0 was not found in one increment (" << report.message()
          << "): it is applied before, from t = " << program.time() << " on";

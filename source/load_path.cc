@@ -277,19 +277,26 @@ namespace Amontons
       history.work.add(answer());
     history.record.times.push_back(program.time());
     history.record.n_increments += program.is_beginning() ? 0 : 1;
+    history.record.n_at_once += program.is_at_once() ? 1 : 0;
     history.record.largest_work = history.work.largest_work;
+    if (has_closed())
+      history.record.closing.push_back({{history.state.committed_t, program.time()}});
     if (program.is_at_breakpoint())
-      history.record.breakpoints.push_back(
-          {record_pairs(model->interfaces, evaluation.fields, history.state), history.work.dissipation});
+      history.record.breakpoints.push_back({record_pairs(model->interfaces, evaluation.fields, history.state),
+                                            history.work.dissipation,
+                                            program.time()});
   }
 
   template <int dim>
   bool
-  LoadPath<dim>::has_grown() const
+  LoadPath<dim>::has_closed() const
   {
-    for (unsigned int i = 0; i < history.state.was_open.size(); ++i)
-      for (unsigned int n = 0; n < history.state.was_open[i].size(); ++n)
-        if (history.state.was_open[i][n] && history.state.contact[i][n].state != ContactStatus::open)
+    const auto &before = history.state.committed_contact;
+    for (unsigned int i = 0; i < history.state.contact.size(); ++i)
+      for (unsigned int n = 0; n < history.state.contact[i].size(); ++n)
+        if (model->interfaces[i].pair->has_friction() &&
+            history.state.contact[i][n].state != ContactStatus::open &&
+            (before.empty() || before[i][n].state == ContactStatus::open))
           return true;
     return false;
   }

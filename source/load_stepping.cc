@@ -54,7 +54,7 @@ namespace Amontons
   bool
   LoadStepping<dim>::run_load_program()
   {
-    auto       program = load_program(increments.length());
+    auto       program = load_program(increments.lengths());
     Failures   failures;
     const auto n_known = history.path.size(); // on the mesh before
     history.restart(program.time());
@@ -82,7 +82,7 @@ namespace Amontons
       }
     //! [load program]
     history.path.erase(history.path.begin(), history.path.begin() + n_known);
-    history.contact_grows = has_grown();
+    history.growing = history.record.growing();
     return true;
   }
 
@@ -152,7 +152,7 @@ namespace Amontons
     combine_with_difference(model->discretization(),
                             model->interfaces,
                             evaluation.fields,
-                            {history.state.t, increments.length()},
+                            {history.state.t, increments.lengths().times},
                             history.coarser,
                             evaluation.error);
     evaluation.judge_by_history();
@@ -326,16 +326,20 @@ namespace Amontons
   bool
   LoadStepping<dim>::increments_are_due() const
   {
-    return measured_on ? increments_are_due_again()
-                       : sees_slip() || (increments.by_target() && !wants_refinement());
+    return measured ? increments_are_due_again()
+                    : sees_slip() || (increments.by_target() && !wants_refinement());
   }
 
   template <int dim>
   bool
   LoadStepping<dim>::increments_are_due_again() const
   {
+    if (measured->mesh == model->mesh->n_refinements)
+      return false;
+    if (history.record.closes_beyond(measured->closing))
+      return increments.by_target() || !wants_refinement();
     const double target = parameters.refinement.target_error;
-    if (*measured_on == model->mesh->n_refinements || !report.error_of_increments() || target == 0)
+    if (!report.error_of_increments() || target == 0)
       return false;
     return increments.by_target()
                ? increments.wants_more() && (evaluation.error.of_target() <= target || !wants_refinement())
@@ -349,25 +353,49 @@ namespace Amontons
   bool
   LoadStepping<dim>::choose_increments()
   {
-    const bool again = measured_on.has_value();
+    const bool again = measured.has_value();
+    if (increments.divide(history.record.growing()))
+      {
+        repeat_on_mesh();
+        return true;
+      }
     measure_increments();
     if (!increments.by_target() || !report.error_of_increments())
       return false;
     const bool mesh_is_last = !wants_refinement();
     if (again && mesh_is_last && increments.keep(*report.error_of_increments(), evaluation.error.of_target()))
       return false;
-    const double before = increments.length();
-    const auto   errors = increments.choose(
-        *report.error_of_increments(), history.record, mesh_is_last, [&](const double length) {
-          return repeat(load_program(length), false);
-        });
+    const double before    = increments.lengths().times;
+    const auto   try_these = [&](const IncrementLengths &lengths) {
+      return repeat(load_program(lengths), false);
+    };
+    const auto errors =
+        increments.choose(*report.error_of_increments(), history.record, mesh_is_last, try_these);
     if (!errors || control.stop.is_there())
       return false;
     report.set_error_of_increments(*errors);
-    if (!mesh_is_last && !(evaluation.error.quantity && increments.length() != before))
+    if (!again)
+      save_increments(before, try_these);
+    if (!mesh_is_last && !(evaluation.error.quantity && increments.lengths().times != before))
       return false;
     repeat_on_mesh();
     return true;
+  }
+
+  template <int dim>
+  void
+  LoadStepping<dim>::save_increments(const double of_record, const IncrementChoice::Repeat &try_these)
+  {
+    IncrementErrors change;
+    if (!increments.try_at_once(history.record, of_record, try_these, change))
+      return;
+    std::ostringstream text;
+    text << "where pressures hardly change, up to t =";
+    for (const double end : increments.lengths().at_once)
+      text << (end == increments.lengths().at_once.front() ? " " : ", ") << end;
+    text.precision(1);
+    text << ", the load comes in single increments; more of them change the answer by " << change.largest();
+    report.announce(text.str());
   }
 
   // The last converged state goes along to the refined mesh: the next increment starts from it there.
@@ -392,7 +420,7 @@ namespace Amontons
       }
     store_contact();
     history.work.leave_mesh(answer());
-    history.coarser.place = {history.state.t, increments.length()};
+    history.coarser.place = {history.state.t, increments.lengths().times};
     history.coarser.traction =
         surface_tractions(model->discretization(), model->interfaces, evaluation.fields);
     history.coarser.n_nodes   = numbers_of_nodes(model->interfaces);
@@ -471,16 +499,22 @@ namespace Amontons
   void
   LoadStepping<dim>::measure_increments()
   {
-    const bool begins = begins_in_two(increments.length());
-    auto       plan   = load_program(increments.length(), false);
+    IncrementLengths lengths = increments.lengths();
+    lengths.begins_in_two    = begins_in_two(lengths);
+    auto         plan        = load_program(lengths);
+    unsigned int n = 0, n_pieces = plan.n_breakpoints() - lengths.at_once.size();
     while (!plan.finished())
-      plan.accept(1);
-    const bool few = plan.number() - 1 < 4 * plan.n_breakpoints();
+      {
+        plan.accept(1);
+        n += plan.is_beginning() || plan.is_at_once() ? 0 : 1;
+      }
+    lengths.times *= n < 4 * n_pieces ? 0.5 : 2;
+    lengths.of_each = 2;
 
-    auto record = repeat(load_program(increments.length() * (few ? 0.5 : 2), begins), true);
+    auto record = repeat(load_program(lengths), true);
     if (!record && !control.stop.is_there())
       {
-        auto                halved = load_program(1, false);
+        auto                halved = load_program({1, {}, 1, std::vector<double>()});
         std::vector<double> times;
         double              begin = halved.time();
         for (const double end : history.record.times)
@@ -491,11 +525,14 @@ namespace Amontons
         halved.follow(times);
         record = repeat(halved, true);
         if (record) // what begins the first one does not count
-          record->n_increments = 2 * history.record.n_increments;
+          {
+            record->n_increments = 2 * history.record.n_increments;
+            record->n_at_once    = 2 * history.record.n_at_once;
+          }
       }
     if (record)
       report.set_error_of_increments(error_of_increments(history.record, *record));
-    measured_on = model->mesh->n_refinements;
+    measured = {model->mesh->n_refinements, history.record.closing};
   }
 
   template class LoadStepping<2>;

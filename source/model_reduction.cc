@@ -154,7 +154,7 @@ namespace Amontons
         const bool  finite_strain = scene.kinematics == Kinematics::finite_strain;
         LoadProgram program(scene,
                             scene.has_friction() || finite_strain,
-                            LoadProgram::increments_by_default / LoadProgram::increments_at_first);
+                            {LoadProgram::increments_by_default / LoadProgram::increments_at_first});
         mesh->collocated = parameters.newton.collocates();
         path             = std::make_unique<LoadPath<dim>>(
             parameters, make_model(mesh, finite_strain, program.next(), timer), timer, control);

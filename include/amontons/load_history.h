@@ -38,14 +38,15 @@ namespace Amontons
     LoadRecord             record;      // friction: what the error of the increments is measured by
     NewtonReport           last_report; // of the last solve
 
-    bool                         starts_before = false; // loads that are there at t = 0 grow before
-    bool                         at_once       = false; // finite strain: one increment, from `path`
-    bool                         follow_motion = false; // in the next increment, see PseudoTransient
-    bool                         contact_grows = true;  // on the mesh before something closed late
-    std::vector<Diagnosis::Snap> snaps;
-    double                       last_speed        = 0; // largest displacement over t in the last increment
-    double                       transfer_residual = 0; // largest, of the transferred state on its new mesh
-    unsigned int                 n_cut_backs       = 0;
+    bool starts_before = false; // loads that are there at t = 0 grow before
+    bool at_once       = false; // finite strain: one increment, from `path`
+    bool follow_motion = false; // in the next increment, see PseudoTransient
+    /// Of the last load program, see LoadRecord; nothing: there was none.
+    std::optional<std::vector<double>> growing;
+    std::vector<Diagnosis::Snap>       snaps;
+    double                             last_speed = 0; // largest displacement over t in the last increment
+    double       transfer_residual                = 0; // largest, of the transferred state on its new mesh
+    unsigned int n_cut_backs                      = 0;
     // Beyond these an increment is given up, where another answer is known.
     unsigned int                  most_cut_backs = std::numeric_limits<unsigned int>::max();
     static constexpr unsigned int many_cut_backs = 8;

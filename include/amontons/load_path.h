@@ -25,28 +25,28 @@ namespace Amontons
     bool
     run(LoadProgram &program, const unsigned int most_cut_backs = 0);
 
-    /// The increments of the scene, or others that are these times as long.
+    /// Increments of these lengths; where these do not say which pieces begin in two, those of
+    /// begins_in_two().
     LoadProgram
-    load_program(const double length) const
+    load_program(IncrementLengths lengths) const
     {
-      return load_program(length, begins_in_two(length));
-    }
-    LoadProgram
-    load_program(const double length, const bool begins_in_two) const
-    {
-      LoadProgram program(
-          scene, has_history() || (model->finite_strain() && !history.at_once), length, begins_in_two);
+      if (!lengths.begins_in_two)
+        lengths.begins_in_two = begins_in_two(lengths);
+      LoadProgram program(scene, has_history() || (model->finite_strain() && !history.at_once), lengths);
       if (history.starts_before)
         program.start_before();
       return program;
     }
-    /// A contact with friction grows, and its path matters: fewer than three increments are taken where it
-    /// hardly does.
-    bool
-    begins_in_two(const double length) const
+    /// Where contact with friction grows, if the scene does not say how many increments there are, and their
+    /// path matters: fewer than three are taken where it hardly does.
+    std::vector<double>
+    begins_in_two(const IncrementLengths &lengths) const
     {
-      return has_history() && history.contact_grows &&
-             3 * length <= LoadProgram::increments_by_default * (1 + 1e-9);
+      if (!has_history() || scene.n_increments > 0 ||
+          3 * lengths.times > LoadProgram::increments_by_default * (1 + 1e-9))
+        return {};
+      return history.growing ? *history.growing
+                             : std::vector<double>{LoadProgram(scene, true).first_breakpoint()};
     }
 
     Answer<dim>
@@ -74,9 +74,9 @@ namespace Amontons
     go_back();
     void
     commit(const LoadProgram &program);
-    /// At the end of a load program: what is closed was open at the end of an increment.
+    // A node with friction has closed in the increment that is committed now.
     bool
-    has_grown() const;
+    has_closed() const;
     void
     begin_next(const LoadProgram &program);
     /// What a load program leaves on this mesh; nothing if it fails or has as many increments. is_guided: by

@@ -61,7 +61,7 @@ namespace Amontons
     bool
     has_measured_increments() const
     {
-      return measured_on.has_value();
+      return measured.has_value();
     }
 
   private:
@@ -78,7 +78,6 @@ namespace Amontons
     using LoadPath<dim>::go_back;
     using LoadPath<dim>::commit;
     using LoadPath<dim>::begin_next;
-    using LoadPath<dim>::has_grown;
     using LoadPath<dim>::repeat;
     using LoadPath<dim>::store_contact;
     using LoadPath<dim>::restore_contact;
@@ -170,6 +169,9 @@ namespace Amontons
     increments_are_due_again() const;
     bool
     choose_increments();
+    // Fewer in some pieces of the path, by a trial; of_record: length of those that left the record.
+    void
+    save_increments(const double of_record, const IncrementChoice::Repeat &try_these);
     bool
     may_transfer() const;
     bool
@@ -189,12 +191,19 @@ namespace Amontons
       between_replays // of the load program
     };
 
-    RunReport<dim>             &report;
-    SmallStrainCheck<dim>      *small_strain;
-    const Refinement            refinement;
-    IncrementChoice             increments;
-    std::optional<unsigned int> measured_on;         // their error: the mesh
-    bool                        falls_back  = false; // stopped: the state is history.fallback
-    bool                        ended_early = false;
+    // The error of the increments: where.
+    struct Measured
+    {
+      unsigned int        mesh;
+      LoadRecord::Closing closing; // of the program there
+    };
+
+    RunReport<dim>         &report;
+    SmallStrainCheck<dim>  *small_strain;
+    const Refinement        refinement;
+    IncrementChoice         increments;
+    std::optional<Measured> measured;
+    bool                    falls_back  = false; // stopped: the state is history.fallback
+    bool                    ended_early = false;
   };
 } // namespace Amontons

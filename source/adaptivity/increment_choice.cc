@@ -1,5 +1,4 @@
 #include <amontons/adaptivity/increment_choice.h>
-#include <amontons/solver/load_program.h>
 
 namespace Amontons
 {
@@ -23,8 +22,8 @@ namespace Amontons
                           const Repeat          &repeat)
   {
     // In each piece; more than at first where some were cut.
-    const double taken =
-        std::max(at_first, errors.n_increments / std::max<double>(1, record.breakpoints.size()));
+    const double n_pieces          = std::max<double>(1, record.breakpoints.size() - double(at_once.size())),
+                 taken             = std::max(at_first, (errors.n_increments - errors.n_at_once) / n_pieces);
     const IncrementErrors of_first = errors.scaled(taken / at_first);
     double                n        = wanted(of_first);
     if (n <= at_first && mesh_is_last)
@@ -40,6 +39,40 @@ namespace Amontons
     times_in_the_end = by_default / n;
     times            = mesh_is_last ? times_in_the_end : std::max(1., times_in_the_end);
     return of_these;
+  }
+
+  bool
+  IncrementChoice::try_at_once(const LoadRecord &record,
+                               const double      of_record,
+                               const Repeat     &repeat,
+                               IncrementErrors  &change)
+  {
+    constexpr double part_of_allowed = 0.1, part_of_work = 0.1;
+    const auto       ends = pieces_of_steady_pressure(record);
+    if (ends.empty() || times_in_the_end * 2 > by_default)
+      return false;
+    const auto tried = repeat({of_record, ends});
+    if (!tried)
+      return false;
+    change = difference(record, *tried);
+    const bool does =
+        counted(change) <= part_of_allowed * allowed() && change.own_dissipation <= part_of_work;
+    if (does)
+      at_once = ends;
+    return does;
+  }
+
+  bool
+  IncrementChoice::divide(const std::vector<double> &growing)
+  {
+    const auto n = at_once.size();
+    at_once.erase(std::remove_if(at_once.begin(),
+                                 at_once.end(),
+                                 [&](const double end) {
+                                   return std::find(growing.begin(), growing.end(), end) != growing.end();
+                                 }),
+                  at_once.end());
+    return at_once.size() < n;
   }
 
   bool
@@ -78,7 +111,7 @@ namespace Amontons
                              const Repeat          &repeat) const
   {
     constexpr double another_way = 0.1; // of the work
-    const auto       tried       = repeat(by_default / n);
+    const auto       tried       = repeat({by_default / n, at_once});
     if (!tried)
       return {};
     const auto found = error_of_increments(record, *tried).scaled(at_first / n);

@@ -68,6 +68,46 @@ namespace Amontons
     });
   }
 
+  std::vector<double>
+  LoadRecord::growing() const
+  {
+    std::vector<double> ends;
+    for (unsigned int l = 0; l < breakpoints.size(); ++l)
+      if (std::any_of(closing.begin(), closing.end(), [&](const auto &span) {
+            const double begin = l > 0 ? breakpoints[l - 1].t : closing.front()[0];
+            return (l > 0 ? span[0] >= begin : span[0] > begin) && span[1] <= breakpoints[l].t;
+          }))
+        ends.push_back(breakpoints[l].t);
+    return ends;
+  }
+
+  bool
+  LoadRecord::closes_beyond(const Closing &of_other) const
+  {
+    constexpr double good_part = 0.4;
+    if (closing.empty())
+      return false;
+    std::vector<double> unseen(breakpoints.size(), 0.);
+    for (const auto &[begin, end] : closing)
+      {
+        const double middle = (begin + end) / 2;
+        if (std::any_of(of_other.begin(), of_other.end(), [&](const auto &span) {
+              return span[0] <= middle && middle <= span[1];
+            }))
+          continue;
+        for (unsigned int l = 0; l < breakpoints.size(); ++l)
+          if (end <= breakpoints[l].t)
+            {
+              unseen[l] += end - begin;
+              break;
+            }
+      }
+    for (unsigned int l = 0; l < breakpoints.size(); ++l)
+      if (unseen[l] > good_part * (breakpoints[l].t - (l > 0 ? breakpoints[l - 1].t : closing.front()[0])))
+        return true;
+    return false;
+  }
+
   IncrementErrors
   IncrementErrors::scaled(const double factor) const
   {
@@ -81,7 +121,8 @@ namespace Amontons
                                &result.dissipation,
                                &result.own_dissipation})
       *part *= factor;
-    result.n_increments = static_cast<unsigned int>(std::lround(n_increments / factor));
+    result.n_increments =
+        n_at_once + static_cast<unsigned int>(std::lround((n_increments - n_at_once) / factor));
     return result;
   }
 
@@ -102,12 +143,21 @@ namespace Amontons
   IncrementErrors
   error_of_increments(const LoadRecord &run, const LoadRecord &repeat)
   {
-    IncrementErrors errors;
+    const double n = run.n_in_steps(), other = repeat.n_in_steps();
+    auto         errors =
+        difference(run, repeat)
+            .scaled(n == other ? 2 : 1 / std::abs(n / other - 1)); // equal: all pieces take a single one
     errors.n_increments  = run.n_increments;
+    errors.n_at_once     = run.n_at_once;
     errors.measured_with = run.n_increments;
     errors.repeated_with = repeat.n_increments;
-    const double factor  = 1 / std::abs(double(run.n_increments) / repeat.n_increments - 1);
+    return errors;
+  }
 
+  IncrementErrors
+  difference(const LoadRecord &run, const LoadRecord &repeat)
+  {
+    IncrementErrors     errors;
     const unsigned int  n_pairs = run.breakpoints.empty() ? 0 : run.breakpoints[0].pairs.size();
     std::vector<double> forces(1, 0.);
     for (unsigned int i = 0; i < n_pairs; ++i)
@@ -141,13 +191,12 @@ namespace Amontons
             tangential_scale = std::max(
                 tangential_scale, a.tresca_alone ? sums.bound_force : std::min(sums.bound_force, a.force));
           }
-        errors.pressure       = std::max(errors.pressure, factor * relative(pressure, pressure_scale));
-        errors.shear          = std::max(errors.shear, factor * relative(shear, shear_scale));
-        errors.stick_size     = std::max(errors.stick_size, factor * relative(stick, size));
-        errors.own_stick_size = std::max(errors.own_stick_size, factor * relative(stick, stick_scale));
-        errors.normal_force   = std::max(errors.normal_force, factor * relative(normal, normal_scale));
-        errors.tangential_force =
-            std::max(errors.tangential_force, factor * relative(tangential, tangential_scale));
+        errors.pressure         = std::max(errors.pressure, relative(pressure, pressure_scale));
+        errors.shear            = std::max(errors.shear, relative(shear, shear_scale));
+        errors.stick_size       = std::max(errors.stick_size, relative(stick, size));
+        errors.own_stick_size   = std::max(errors.own_stick_size, relative(stick, stick_scale));
+        errors.normal_force     = std::max(errors.normal_force, relative(normal, normal_scale));
+        errors.tangential_force = std::max(errors.tangential_force, relative(tangential, tangential_scale));
       }
     double change = 0, dissipation = noteworthy_dissipation * run.largest_work;
     for (unsigned int l = 0; l < run.breakpoints.size(); ++l)
@@ -156,8 +205,29 @@ namespace Amontons
         change              = std::max(change, std::abs(repeat.breakpoints[l].dissipation - of_run));
         dissipation         = std::max(dissipation, std::abs(of_run));
       }
-    errors.dissipation     = factor * relative(change, run.largest_work);
-    errors.own_dissipation = factor * relative(change, dissipation);
+    errors.dissipation     = relative(change, run.largest_work);
+    errors.own_dissipation = relative(change, dissipation);
     return errors;
+  }
+
+  std::vector<double>
+  pieces_of_steady_pressure(const LoadRecord &run)
+  {
+    constexpr double    steady = 0.05; // in the mean square
+    std::vector<double> ends;
+    const auto          growing = run.growing();
+    for (unsigned int l = 1; l < run.breakpoints.size(); ++l)
+      {
+        const auto &before = run.breakpoints[l - 1].pairs, &after = run.breakpoints[l].pairs;
+        bool is_steady = std::find(growing.begin(), growing.end(), run.breakpoints[l].t) == growing.end();
+        for (unsigned int i = 0; i < after.size(); ++i)
+          {
+            const Norms sums = norms(after[i], before[i]);
+            is_steady        = is_steady && sums.pressure_change <= steady * sums.pressure;
+          }
+        if (is_steady)
+          ends.push_back(run.breakpoints[l].t);
+      }
+    return ends;
   }
 } // namespace Amontons

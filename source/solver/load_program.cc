@@ -17,12 +17,9 @@ namespace Amontons
     constexpr double at_most = 8;
   } // namespace
 
-  LoadProgram::LoadProgram(const Scene &scene,
-                           const bool   incremental,
-                           const double coarser,
-                           const bool   begins_in_two)
-      : incremental(incremental), begins_in_two(begins_in_two), breakpoints(scene.output_times),
-        constant_size(scene.end_time / std::max(1u, scene.n_increments)), coarser(coarser),
+  LoadProgram::LoadProgram(const Scene &scene, const bool incremental, const IncrementLengths &lengths)
+      : incremental(incremental), breakpoints(scene.output_times), lengths(lengths),
+        constant_size(scene.end_time / std::max(1u, scene.n_increments)),
         smallest(scene.minimum_increment * scene.end_time)
   {
     breakpoints.push_back(scene.end_time);
@@ -81,9 +78,11 @@ namespace Amontons
   double
   LoadProgram::longest(const Piece &here) const
   {
+    if (is_one_of(lengths.at_once, here.end))
+      return 1. / lengths.of_each;
     if (t >= 0 && constant_size > 0)
-      return coarser * constant_size / (here.end - here.begin);
-    return coarser / increments_by_default;
+      return lengths.times * constant_size / (here.end - here.begin);
+    return lengths.times / increments_by_default;
   }
 
   double
@@ -98,14 +97,32 @@ namespace Amontons
       return here.end;
     const double equal = t + (here.end - t) / n;
     const double end   = here.exponent == 1 ? equal : here.time(done + (1 - done) / n);
-    const double most  = is_begun_in_two(here) ? std::max(at_most * t, first(here) / at_most) : here.end;
+    const double most  = is_begun_in_two(here) ? here.begin + std::max(at_most * (t - here.begin),
+                                                                      (first(here) - here.begin) / at_most)
+                                               : here.end;
     return std::min(here.end, std::max(std::min(most, end), t + smallest));
   }
 
   bool
   LoadProgram::is_begun_in_two(const Piece &here) const
   {
-    return begins_in_two && here.exponent > 1;
+    return lengths.begins_in_two && is_one_of(*lengths.begins_in_two, here.end) &&
+           !is_one_of(lengths.at_once, here.end);
+  }
+
+  bool
+  LoadProgram::is_one_of(const std::vector<double> &ends, const double end_of_piece) const
+  {
+    return std::any_of(ends.begin(), ends.end(), [&](const double end) {
+      return std::abs(end - end_of_piece) <= 1e-12 * breakpoints.back();
+    });
+  }
+
+  bool
+  LoadProgram::is_at_once() const
+  {
+    const auto end = std::lower_bound(breakpoints.begin(), breakpoints.end(), t);
+    return end != breakpoints.end() && is_one_of(lengths.at_once, *end);
   }
 
   double

@@ -51,6 +51,33 @@ main(int, char **)
   check::is_close(three.size(), 5, 0, "increments no longer than asked for");
   check::is_true(three.back() == 3 && holds(three, 0.3) && holds(three, 1.), "lands on the same times");
 
+  // A piece that takes a single one, or two where that is tried.
+  scene.n_increments = 0;
+  LoadProgram         saves(scene, true, {1, {1., 3.}});
+  std::vector<double> single;
+  while (!saves.finished())
+    {
+      saves.accept(3);
+      if (saves.is_at_once())
+        single.push_back(saves.time());
+    }
+  check::is_close(saves.number() - 1, 22, 0, "ten in two pieces, one in each of the others");
+  check::is_true(single == std::vector<double>({1., 3.}), "which they know");
+  const auto halves = run(LoadProgram(scene, true, {2, {1., 3.}, 2}));
+  check::is_close(halves.size(), 14, 0, "five in two pieces, two in each of the others");
+  check::is_true(holds(halves, 2.75), "half of a piece");
+
+  // A later piece that begins in two.
+  const auto later = run(LoadProgram(scene, true, {1, {}, 1, {{2.5}}}));
+  check::is_close(later.size(), 41, 0, "ten in each of four pieces, and one more");
+  check::is_true(std::any_of(later.begin(),
+                             later.end(),
+                             [](const double t) { return std::abs(t - 1 - 0.15 / 8) < 1e-12; }),
+                 "an eighth of its first one");
+  check::is_true(
+      std::any_of(later.begin(), later.end(), [](const double t) { return std::abs(t - 1.15) < 1e-12; }),
+      "which ends as before");
+
   // Half of the way to the end, whatever the law of the increments.
   scene = Scene();
   LoadProgram growing(scene, true);
@@ -60,13 +87,13 @@ main(int, char **)
 
   // The first one is begun by a shorter one.
   scene           = Scene();
-  const auto rubs = run(LoadProgram(scene, true, 1, true));
+  const auto rubs = run(LoadProgram(scene, true, {1, {}, 1, {{1.}}}));
   check::is_close(rubs.size(), 11, 0, "begun by a shorter one: one more");
   check::is_close(rubs[0], std::pow(0.1, 1.5) / 8, 1e-12, "an eighth of the first one");
   for (unsigned int k = 0; k < 10; ++k)
     check::is_close(rubs[k + 1], std::pow(0.1 * (k + 1), 1.5), 1e-12, "then as before");
-  check::is_close(run(LoadProgram(scene, true, 2.5, true)).size(), 5, 0, "likewise of four");
-  LoadProgram beginning(scene, true, 1, true);
+  check::is_close(run(LoadProgram(scene, true, {2.5, {}, 1, {{1.}}})).size(), 5, 0, "likewise of four");
+  LoadProgram beginning(scene, true, {1, {}, 1, {{1.}}});
   check::is_true(beginning.is_beginning(), "nothing is done");
   beginning.accept(3);
   check::is_true(beginning.is_beginning(), "the first one is begun");

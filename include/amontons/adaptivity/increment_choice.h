@@ -3,6 +3,7 @@
 
 #include <amontons/adaptivity/increment_error.h>
 #include <amontons/adaptivity/mesh_refinement.h>
+#include <amontons/solver/load_program.h>
 
 #include <functional>
 #include <optional>
@@ -14,8 +15,8 @@ namespace Amontons
   class IncrementChoice
   {
   public:
-    /// The load program with increments of this length; nothing: it failed.
-    using Repeat = std::function<std::optional<LoadRecord>(const double length)>;
+    /// The load program with such increments; nothing: it failed.
+    using Repeat = std::function<std::optional<LoadRecord>(const IncrementLengths &)>;
 
     /// by_target: else increments stay as long as the scene says.
     IncrementChoice(const RefinementParameters &parameters, const bool by_target);
@@ -25,11 +26,10 @@ namespace Amontons
     {
       return chooses;
     }
-    /// Over what the scene says.
-    double
-    length() const
+    IncrementLengths
+    lengths() const
     {
-      return times;
+      return {times, at_once};
     }
 
     /// errors: of the increments at first, whose load program left the record. Returns what the errors will
@@ -40,6 +40,19 @@ namespace Amontons
            const LoadRecord      &record,
            const bool             mesh_is_last,
            const Repeat          &repeat);
+
+    /// Where pressures hardly change from one landing to the next, single increments are tried; true: they
+    /// are as good, and taken from now on. of_record: length of the increments that left the record. change:
+    /// what single ones do, for the report.
+    bool
+    try_at_once(const LoadRecord &record,
+                const double      of_record,
+                const Repeat     &repeat,
+                IncrementErrors  &change);
+
+    /// Single increments are divided again where contact grows after all; false: there are none.
+    bool
+    divide(const std::vector<double> &growing);
 
     /// The mesh is fine enough: all of them from now on. False: they are.
     bool
@@ -69,6 +82,7 @@ namespace Amontons
 
     const RefinementParameters &parameters;
     const bool                  chooses;
-    double                      times = 1, times_in_the_end = 1;
+    double                      times = 1, times_in_the_end = 1; // over what the scene says
+    std::vector<double>         at_once;                         // ends of pieces that are single increments
   };
 } // namespace Amontons

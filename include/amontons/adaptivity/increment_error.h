@@ -4,6 +4,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -34,11 +35,32 @@ namespace Amontons
     {
       std::vector<Pair> pairs;
       double            dissipation = 0;
+      double            t           = 0;
     };
     std::vector<Landing> breakpoints;
     std::vector<double>  times; // that increments end at
     unsigned int         n_increments = 0;
+    unsigned int         n_at_once    = 0; // of these: in pieces between landings that take a single one
     double               largest_work = 0;
+    // From when to when: increments in which nodes with friction have closed.
+    using Closing = std::vector<std::array<double, 2>>;
+    Closing closing;
+
+    // Ends of pieces between landings in which contact grows: in the first one after its first increment.
+    std::vector<double>
+    growing() const;
+
+    // For a good part of a piece nodes close where none did on another mesh: what increments do there was not
+    // seen.
+    bool
+    closes_beyond(const Closing &of_other) const;
+
+    // What is divided where increments are shortened.
+    unsigned int
+    n_in_steps() const
+    {
+      return n_increments - n_at_once;
+    }
 
     // Enough nodes of a pair stick, some time, to tell how large that zone is.
     bool
@@ -49,6 +71,7 @@ namespace Amontons
   struct IncrementErrors
   {
     unsigned int n_increments  = 0; // that they are of
+    unsigned int n_at_once     = 0; // of these, as in LoadRecord
     unsigned int measured_with = 0, repeated_with = 0;
     double       pressure         = 0; // in the mean square, as
     double       shear            = 0; // likewise, or of noteworthy_shear times the bound or pressure
@@ -79,6 +102,16 @@ namespace Amontons
   // end, and what closes within it with its whole motion. The same program with n' of them gives
   //   Q(n) - Q = C/n + ... = (Q(n') - Q(n)) / (n/n' - 1) + O(1/n^2),
   // (doc/introduction.md, (21)), for n' = n/2 the difference itself.
+  // Pieces that take a single increment count with what two of them change.
   IncrementErrors
   error_of_increments(const LoadRecord &run, const LoadRecord &repeat);
+
+  // The difference itself, whatever the numbers of increments.
+  IncrementErrors
+  difference(const LoadRecord &run, const LoadRecord &repeat);
+
+  // Ends of pieces between landings over which no pressure changes by much and nothing closes: what slips
+  // there does so at the same bound all the time, so that how many increments there are may not matter.
+  std::vector<double>
+  pieces_of_steady_pressure(const LoadRecord &run);
 } // namespace Amontons

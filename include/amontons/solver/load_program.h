@@ -3,10 +3,23 @@
 
 #include <amontons/scene/scene.h>
 
+#include <optional>
 #include <vector>
 
 namespace Amontons
 {
+  // How long increments are.
+  struct IncrementLengths
+  {
+    double times = 1; // what the scene says
+    // Ends of pieces between landings that are single increments, or so many.
+    std::vector<double> at_once = {};
+    unsigned int        of_each = 1;
+    // Ends of pieces whose first increment is begun by a shorter one, as what closes within the very first
+    // has slipped its whole way, which leaves a spike of shear at its edge. Not said: none.
+    std::optional<std::vector<double>> begins_in_two = {};
+  };
+
   // Times to land on are the end time and `Output times`; with history (friction) and where the kinematics
   // are to be chosen also the corners of the load path. Between two of them increments are equal, and no
   // longer than the present size. (Where they follow the history and the scene does not say how many, those
@@ -20,14 +33,8 @@ namespace Amontons
     // And where a target chooses them, until their error is known.
     static constexpr double increments_at_first = 4;
 
-    // incremental: the load is applied in increments, which may be cut. coarser: how many times longer they
-    // may be than the scene says. begins_in_two: the first one of those that grow is begun by a shorter one,
-    // as what closes within the very first has slipped its whole way, which leaves a spike of shear at its
-    // edge.
-    LoadProgram(const Scene &scene,
-                const bool   incremental,
-                const double coarser       = 1,
-                const bool   begins_in_two = false);
+    // incremental: the load is applied in increments, which may be cut.
+    LoadProgram(const Scene &scene, const bool incremental, const IncrementLengths &lengths = {});
 
     // Before its first increment: all of them end at these times.
     void
@@ -66,6 +73,11 @@ namespace Amontons
     }
     bool
     is_at_breakpoint() const; // time() is a time to land on
+    double
+    first_breakpoint() const
+    {
+      return breakpoints.front();
+    }
     unsigned int
     n_breakpoints() const
     {
@@ -74,6 +86,9 @@ namespace Amontons
     // time() lies within an increment that is begun by a shorter one: they count as one.
     bool
     is_beginning() const;
+    // time() is the end of an increment of a piece that takes a single one.
+    bool
+    is_at_once() const;
     // The path may turn at time(): it starts or bends there.
     bool
     at_corner() const;
@@ -106,18 +121,19 @@ namespace Amontons
     };
     Piece
     piece() const;
-    // Within the piece whose first increment is.
     bool
     is_begun_in_two(const Piece &here) const;
+    bool
+    is_one_of(const std::vector<double> &ends, const double end_of_piece) const;
     double
     first(const Piece &here) const; // end of the first increment
     double
     longest(const Piece &here) const; // increment at time t, as progress in its piece
 
-    bool                incremental, begins_in_two;
+    bool                incremental;
     std::vector<double> breakpoints, corners, followed;
-    double              constant_size;  // 0: increments_by_default in each piece,
-    double              coarser;        // times this
+    IncrementLengths    lengths;
+    double              constant_size;  // times lengths.times; 0: increments_by_default in each piece
     double              smallest;       // as a time
     double              factor     = 1; // present size over longest()
     double              t          = 0;

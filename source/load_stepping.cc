@@ -374,9 +374,12 @@ namespace Amontons
     if (!errors || control.stop.is_there())
       return false;
     report.set_error_of_increments(*errors);
+    const bool are_others = increments.lengths().times != before;
+    if (are_others) // the errors of meshes so far tell nothing of how they fall with these
+      history.meshes = {};
     if (!again)
       save_increments(before, try_these);
-    if (!mesh_is_last && !(evaluation.error.quantity && increments.lengths().times != before))
+    if (!mesh_is_last && !(evaluation.error.quantity && are_others))
       return false;
     repeat_on_mesh();
     return true;

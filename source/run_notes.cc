@@ -131,9 +131,7 @@ namespace Amontons
     if (left >= 0 && by_kinematics <= std::max(left, refinement.target_error / 4))
       return;
     if (by_increments >= by_kinematics)
-      note(missed +
-           "the increments add it is missed; they are as many as 'Increments' say, or the most that a "
-           "target chooses");
+      note(missed + "the increments add it is missed: more of them ('Increments') make that less");
     else
       note(missed + "small strain leaves out it is missed ('Kinematics')");
   }

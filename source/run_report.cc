@@ -87,7 +87,9 @@ namespace Amontons
   void
   RunReport<dim>::note(const std::string &text)
   {
-    summary.notes.push_back(text);
+    auto &notes = summary.notes;
+    if (!text.empty() && std::find(notes.begin(), notes.end(), text) == notes.end())
+      notes.push_back(text);
   }
 
   template <int dim>
@@ -173,8 +175,13 @@ namespace Amontons
     mesh.error_estimate    = summarise_estimate(error, scene.has_friction());
     mesh.energy            = stored_energy(answer);
     if (!scene.probes.empty())
-      mesh.probes = evaluate_probes(
-          answer.discretization, *solve.evaluation.recovery, answer.state.displacement, summary.notes);
+      {
+        std::vector<std::string> notes;
+        mesh.probes = evaluate_probes(
+            answer.discretization, *solve.evaluation.recovery, answer.state.displacement, notes);
+        for (const std::string &text : notes)
+          note(text);
+      }
     if (reference && !answer.interfaces.empty() && solve.program.is_last())
       mesh.reference = reference->compare(answer);
     if (solve.program.is_incremental()) // known when this one is committed
@@ -238,18 +245,13 @@ namespace Amontons
   void
   RunReport<dim>::add_notes(const NewtonReport &newton, const Answer<dim> &answer)
   {
-    auto      &notes = summary.notes;
-    const auto add   = [&](const std::string &text) {
-      if (!text.empty() && std::find(notes.begin(), notes.end(), text) == notes.end())
-        notes.push_back(text);
-    };
-    add(newton.note);
+    note(newton.note);
     if (newton.safeguarded)
-      add("the active set repeated itself; single nodes were changed for a while (Murty's rule)");
+      note("the active set repeated itself; single nodes were changed for a while (Murty's rule)");
     if (newton.frozen)
-      add("the states of friction repeated themselves; its bounds were held for a while (Tresca)");
+      note("the states of friction repeated themselves; its bounds were held for a while (Tresca)");
     if (newton.pivoted)
-      add("states of contact that the iteration did not find were found by pivoting (Lemke's method)");
+      note("states of contact that the iteration did not find were found by pivoting (Lemke's method)");
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       {
         const auto &interface = answer.interfaces[i];
@@ -261,13 +263,13 @@ namespace Amontons
                  << std::lround(slave.sharpest_edge) << " degrees near (" << slave.sharpest_at
                  << "), where its normal is a mean of both sides: results there are not to be trusted; a "
                     "pair for each side is exact";
-            add(text.str());
+            note(text.str());
           }
         if (interface.n_without_multiplier > 0 &&
             closes_beside_held_nodes(interface, answer.state.contact[i]))
-          add("pair '" + interface.pair->name +
-              "': slave nodes that supports or other pairs hold carry no multiplier; their neighbours take "
-              "their share");
+          note("pair '" + interface.pair->name +
+               "': slave nodes that supports or other pairs hold carry no multiplier; their neighbours take "
+               "their share");
       }
   }
 

@@ -3,7 +3,7 @@
 
 path: dots through objects, numbers through arrays ("pairs.0.peak_pressure", "meshes.-1.reference.errors.contact_size"); what follows a slice
 ("newton.1:.iterations") or a choice ("contact.X=1.pressure", "contact.pair=roller,state=slip.tx") holds for every element; peak(path) is the
-largest magnitude, sum(path) the sum, kink(path) the largest second difference over it. "contact" and "history" are the rows of the two tables, "skew" and "slowdown" see below.
+largest magnitude, sum(path) the sum, count(path) how many there are, kink(path) the largest second difference over it. "contact" and "history" are the rows of the two tables, "skew" and "slowdown" see below.
 A '|' in X stands for ';', at which CMake splits.
 OP: <= >= == abs<= is (a word) has (words in a text), or ~ with "value relative-tolerance"; the value may be a path, which must be one number.
 --fails: the program must end with exit code 1.
@@ -42,11 +42,13 @@ def values(node, path):
 
 
 def find(node, text):
-    """The values at a path; peak(path): the largest of their magnitudes; sum(path): their sum; kink(path): of their second differences, relative to the peak."""
+    """The values at a path; peak(path): the largest of their magnitudes; sum(path): their sum; count(path): how many; kink(path): of their second differences, relative to the peak."""
     if text.startswith("peak("):
         return [max(abs(v) for v in find(node, text[5:-1]))]
     if text.startswith("sum("):
         return [math.fsum(find(node, text[4:-1]))]
+    if text.startswith("count("):
+        return [len(find(node, text[6:-1]))]
     if text.startswith("kink("):
         v = find(node, text[5:-1])
         return [max(abs(a - 2 * b + c) for a, b, c in zip(v, v[1:], v[2:])) / max(abs(x) for x in v)]

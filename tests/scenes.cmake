@@ -1089,6 +1089,9 @@ add_scene_test(NAME increments_of_a_contact_that_grows SCENE verification/sheare
                SET "Kinematics=small strain" "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target quantity=contact pressure" "Refinement/Target error=0.1" "Body block/Young modulus=1000"
                    "Boundary condition load/Force=0|0" "Boundary condition load/Displacement=0.001*table(1: 0, 2: 1)|-0.02*table(0: 0, 1: 1)"
                CHECK "status is converged" "increments.number <= 30" "linear_solves <= 90" "error_estimate.shear <= 0.07" "error_estimate.increments <= 0.05" "pairs.0.stick_size ~ 0.1023 0.01")
+# What every mesh and increment would say is said once.
+add_scene_test(NAME probe_outside_is_told_once SCENE nafems_roller_friction.prm SET "Refinement/Cycles=1" "Increments=3" "Probe cylinder centre/Point=0,500"
+               CHECK "notes.0 has lies outside body cylinder" "count(notes.0:) <= 4")
 # Pressed, then pressed and sheared in a ratio below the friction: all sticks, q = 0.2 (p(1200) - p(1000)) (Jaeger; Mindlin and Deresiewicz).
 # No node of the first mesh closes in the second piece, whose increments do nothing there: what closes in a single one slips.
 foreach(landing "1" "2")

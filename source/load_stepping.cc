@@ -1,4 +1,3 @@
-#include <amontons/adaptivity/load_record.h>
 #include <amontons/adaptivity/smallest_cells.h>
 #include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/load_stepping.h>
@@ -319,88 +318,6 @@ namespace Amontons
     return true;
   }
 
-  // Their error is measured on the first mesh that sees slip. It may be too large by far there (rings that
-  // are no wider than cells: 22 % where it was 1.5 %), so that it is measured again where nothing else stands
-  // between the answer and the target.
-  template <int dim>
-  bool
-  LoadStepping<dim>::increments_are_due() const
-  {
-    return measured ? increments_are_due_again()
-                    : sees_slip() || (increments.by_target() && !wants_refinement());
-  }
-
-  template <int dim>
-  bool
-  LoadStepping<dim>::increments_are_due_again() const
-  {
-    if (measured->mesh == model->mesh->n_refinements)
-      return false;
-    if (history.record.closes_beyond(measured->closing))
-      return increments.by_target() || !wants_refinement();
-    const double target = parameters.refinement.target_error;
-    if (!report.error_of_increments() || target == 0)
-      return false;
-    return increments.by_target()
-               ? increments.wants_more() && (evaluation.error.of_target() <= target || !wants_refinement())
-               : report.error_of_increments()->of(parameters.refinement.target_quantity) > target &&
-                     !wants_refinement();
-  }
-
-  // Measures their error; then others for the target. True: the load program is to be run with them on this
-  // mesh, as it is the last one, or to know what of a number changes by them, and what by a finer mesh.
-  template <int dim>
-  bool
-  LoadStepping<dim>::choose_increments()
-  {
-    const bool again = measured.has_value();
-    if (increments.divide(history.record.growing()))
-      {
-        repeat_on_mesh();
-        return true;
-      }
-    measure_increments();
-    if (!increments.by_target() || !report.error_of_increments())
-      return false;
-    const bool mesh_is_last = !wants_refinement();
-    if (again && mesh_is_last && increments.keep(*report.error_of_increments(), evaluation.error.of_target()))
-      return false;
-    const double before    = increments.lengths().times;
-    const auto   try_these = [&](const IncrementLengths &lengths) {
-      return repeat(load_program(lengths), false);
-    };
-    const auto errors =
-        increments.choose(*report.error_of_increments(), history.record, mesh_is_last, try_these);
-    if (!errors || control.stop.is_there())
-      return false;
-    report.set_error_of_increments(*errors);
-    const bool are_others = increments.lengths().times != before;
-    if (are_others) // the errors of meshes so far tell nothing of how they fall with these
-      history.meshes = {};
-    if (!again)
-      save_increments(before, try_these);
-    if (!mesh_is_last && !(evaluation.error.quantity && are_others))
-      return false;
-    repeat_on_mesh();
-    return true;
-  }
-
-  template <int dim>
-  void
-  LoadStepping<dim>::save_increments(const double of_record, const IncrementChoice::Repeat &try_these)
-  {
-    IncrementErrors change;
-    if (!increments.try_at_once(history.record, of_record, try_these, change))
-      return;
-    std::ostringstream text;
-    text << "where pressures hardly change, up to t =";
-    for (const double end : increments.lengths().at_once)
-      text << (end == increments.lengths().at_once.front() ? " " : ", ") << end;
-    text.precision(1);
-    text << ", the load comes in single increments; more of them change the answer by " << change.largest();
-    report.announce(text.str());
-  }
-
   // The last converged state goes along to the refined mesh: the next increment starts from it there.
   template <int dim>
   bool
@@ -486,56 +403,6 @@ namespace Amontons
     set_time(t);
     restore_contact();
     return true;
-  }
-
-  template <int dim>
-  bool
-  LoadStepping<dim>::sees_slip() const
-  {
-    return resolves_friction(model->interfaces, history.state) &&
-           (parameters.refinement.target_quantity != "stick size" || history.record.resolves_stick());
-  }
-
-  // The load program, which has converged on this mesh, once more with half as many increments, where they
-  // are few with twice as many; if that fails, with halves of those that converged.
-  template <int dim>
-  void
-  LoadStepping<dim>::measure_increments()
-  {
-    IncrementLengths lengths = increments.lengths();
-    lengths.begins_in_two    = begins_in_two(lengths);
-    auto         plan        = load_program(lengths);
-    unsigned int n = 0, n_pieces = plan.n_breakpoints() - lengths.at_once.size();
-    while (!plan.finished())
-      {
-        plan.accept(1);
-        n += plan.is_beginning() || plan.is_at_once() ? 0 : 1;
-      }
-    lengths.times *= n < 4 * n_pieces ? 0.5 : 2;
-    lengths.of_each = 2;
-
-    auto record = repeat(load_program(lengths), true);
-    if (!record && !control.stop.is_there())
-      {
-        auto                halved = load_program({1, {}, 1, std::vector<double>()});
-        std::vector<double> times;
-        double              begin = halved.time();
-        for (const double end : history.record.times)
-          {
-            times.insert(times.end(), {(begin + end) / 2, end});
-            begin = end;
-          }
-        halved.follow(times);
-        record = repeat(halved, true);
-        if (record) // what begins the first one does not count
-          {
-            record->n_increments = 2 * history.record.n_increments;
-            record->n_at_once    = 2 * history.record.n_at_once;
-          }
-      }
-    if (record)
-      report.set_error_of_increments(error_of_increments(history.record, *record));
-    measured = {model->mesh->n_refinements, history.record.closing};
   }
 
   template class LoadStepping<2>;

@@ -172,7 +172,7 @@ CHANGES = [
     ("numbers that do not exist", "run_notes.cc", "error.quantity && ending.history.quantity.vanishes()", "false", "scenes/no_such_quantity$"),
     ("ties across gaps", "contact_problem.cc", "gap > 1e-2 * interface.slave", "gap > 1e2 * interface.slave", "scenes/tied_apart$"),
     ("pressure of uneven gaps", "small_strain_check.cc", "return pressures_are_known() && pressure > error_of_mesh &&", "return false &&", "scenes/sliding_pad$"),
-    ("equal steps in space", "adaptivity/mesh_refinement.cc", "part_that_stays(reduction, dim == 2 || has_history)", "part_that_stays(reduction, true)", "^adaptivity/error_estimator$"),
+    ("equal steps in space", "adaptivity/mesh_refinement.cc", "part_that_stays(reduction, dim == 2 || has_history, has_history)", "part_that_stays(reduction, true, has_history)", "^adaptivity/error_estimator$"),
     ("depth of pixels", "output/rasteriser.cc", "if (!(depth > sample.depth))", "if (false)", "^output/rasteriser$"),
     ("where tetrahedra are cut", "output/body_section.cc", "const double s = da / (da - db);", "const double s = 0.5;", "^output/body_picture$"),
     ("faces of one rank", "output/body_surfaces.cc", "for (BodySurfaces &part : parts)", "for (BodySurfaces &part : std::vector<BodySurfaces>(1, parts.empty() ? BodySurfaces() : parts[0]))", "^same_pictures$"),

@@ -1127,6 +1127,8 @@ foreach(quantity "contact pressure" "contact size" "approach")
   add_scene_test(NAME target_beside_a_joint_${name} SCENE verification/tied_bracket.prm SET "Refinement/Target quantity=${quantity}"
                  CHECK "dofs <= 25000" "pairs.0.contact_size ~ 0.034039 0.01" "pairs.0.peak_pressure ~ 374.05 0.01")
 endforeach()
+add_scene_test(NAME target_beside_a_joint_on_the_same_surface SCENE verification/tied_beside_contact.prm SET "Refinement/Target error=-1"
+               CHECK "status is converged" "error_estimate.contact <= 0.02" "error_estimate.shear <= 0.08" "dofs <= 12000" "pairs.1.contact_size ~ 0.272 0.01")
 # A contact smaller than a cell is not one that does not converge.
 add_scene_test(NAME target_from_a_coarse_mesh SCENE verification/two_cylinders.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.03" "Discretization/Degree=1" "Refinement/Initial refinements=0"
                CHECK "error_estimate.contact <= 0.03" "meshes.-1.reference.errors.pressure_l2 <= 0.03")

@@ -147,9 +147,10 @@ namespace Amontons
                     const std::vector<ContactInterface<dim>> &interfaces,
                     const std::vector<SurfaceFields<dim>>    &fields)
   {
-    LA::Vector sum = discretization.make_owned_vector();
+    LA::Vector sum     = discretization.make_owned_vector();
+    const auto weights = pair_weights(interfaces, fields);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      for (unsigned int n = 0; n < interfaces[i].slave->nodes.size(); ++n)
+      for (unsigned int n = 0; weights[i] > 0 && n < interfaces[i].slave->nodes.size(); ++n)
         {
           const auto          &node = interfaces[i].slave->nodes[n];
           const Tensor<1, dim> t    = fields[i].pressure[n] * fields[i].normal[n] - fields[i].traction[n];

@@ -34,6 +34,7 @@ namespace Amontons
   std::vector<std::size_t>
   numbers_of_nodes(const std::vector<ContactInterface<dim>> &interfaces);
 
+  /// Of the pairs that count (pair_weights).
   template <int dim>
   LA::Vector
   surface_tractions(const Discretization<dim>                &discretization,

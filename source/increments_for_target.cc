@@ -13,17 +13,17 @@ namespace Amontons
   bool
   LoadStepping<dim>::increments_are_due() const
   {
-    return measured ? increments_are_due_again()
-                    : sees_slip() || (increments.by_target() && !wants_refinement());
+    return measurement ? increments_are_due_again()
+                       : sees_slip() || (increments.by_target() && !wants_refinement());
   }
 
   template <int dim>
   bool
   LoadStepping<dim>::increments_are_due_again() const
   {
-    if (measured->mesh == model->mesh->n_refinements)
+    if (measurement->mesh == model->mesh->n_refinements)
       return false;
-    if (history.record.closes_beyond(measured->closing))
+    if (history.record.closes_beyond(measurement->closing))
       return increments.by_target() || !wants_refinement();
     const double target = parameters.refinement.target_error;
     if (!report.error_of_increments() || target == 0)
@@ -40,9 +40,10 @@ namespace Amontons
   bool
   LoadStepping<dim>::choose_increments()
   {
-    const bool again = measured.has_value();
+    const bool again = measurement.has_value();
     if (increments.divide(history.record.growing()))
       {
+        report.announce("contact grows on finer meshes where single increments were taken: they are divided");
         repeat_on_mesh();
         return true;
       }
@@ -135,7 +136,7 @@ namespace Amontons
       }
     if (record)
       report.set_error_of_increments(error_of_increments(history.record, *record));
-    measured = {model->mesh->n_refinements, history.record.closing};
+    measurement = {model->mesh->n_refinements, history.record.closing};
   }
 
   template bool

@@ -61,7 +61,7 @@ namespace Amontons
     bool
     has_measured_increments() const
     {
-      return measured.has_value();
+      return measurement.has_value();
     }
 
   private:
@@ -192,18 +192,18 @@ namespace Amontons
     };
 
     // The error of the increments: where.
-    struct Measured
+    struct Measurement
     {
       unsigned int        mesh;
       LoadRecord::Closing closing; // of the program there
     };
 
-    RunReport<dim>         &report;
-    SmallStrainCheck<dim>  *small_strain;
-    const Refinement        refinement;
-    IncrementChoice         increments;
-    std::optional<Measured> measured;
-    bool                    falls_back  = false; // stopped: the state is history.fallback
-    bool                    ended_early = false;
+    RunReport<dim>            &report;
+    SmallStrainCheck<dim>     *small_strain;
+    const Refinement           refinement;
+    IncrementChoice            increments;
+    std::optional<Measurement> measurement;
+    bool                       falls_back  = false; // stopped: the state is history.fallback
+    bool                       ended_early = false;
   };
 } // namespace Amontons

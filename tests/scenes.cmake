@@ -657,7 +657,7 @@ add_scene_test(NAME roller_friction_1_increment SCENE nafems_roller_friction.prm
 foreach(increments 5)
   add_scene_test(NAME punch_friction_${increments}_increments SCENE nafems_punch_friction.prm SET "Increments=${increments}"
                  CHECK ${LAWS} "newton.0:${increments}.iterations <= 10" "newton.${increments}:.iterations <= 5"
-                       "probes.0.points.0.displacement.1 ~ -0.13178 1e-3" "contact.state=stick.X <= 17.2" "contact.state=slip.X >= 16.9" "contact.X=0.tx abs<= 1e-12")
+                       "probes.0.points.0.displacement.1 ~ -0.13178 1e-3" "contact.state=stick.X <= 17.2" "contact.state=slip.X >= 16.9")
 endforeach()
 # The edge of the punch is coarse here, the stick zone finer.
 add_scene_test(NAME punch_friction_stick_zone SCENE nafems_punch_friction.prm
@@ -1187,7 +1187,7 @@ add_scene_test(NAME beam_on_three_rollers SCENE verification/beam_on_rollers.prm
                CHECK "status is converged" "pairs.0.normal_force.1 ~ 0.0060882 1e-3" "dofs <= 45000")
 # Half as many increments do not converge, twice as many tell the error of the increments.
 add_scene_test(NAME rolled_disk SCENE verification/rolled_disk.prm
-               CHECK "increments.repeated_with >= 16" "increments.number >= 50" "energy ~ 0.1548 1e-2" "probes.0.points.0.displacement.0 ~ 1 1e-6")
+               CHECK "increments.measured_with <= 8" "increments.repeated_with >= 14" "increments.number >= 50" "energy ~ 0.1548 1e-2" "probes.0.points.0.displacement.0 ~ 1 1e-6")
 # Cells around a contact that are longer than their distance from it: 2122 and 0.0311 before they counted.
 add_scene_test(NAME flat_cell SCENE verification/flat_cell.prm CHECK "status is converged" "pairs.0.peak_pressure ~ 1870 3e-2" "pairs.0.contact_size ~ 0.0340 2e-2" "dofs <= 12000")
 # Facets longer than the way to the next state: on 20 cells the strip springs back through the pin, on 40 it is followed.

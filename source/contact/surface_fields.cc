@@ -451,17 +451,11 @@ namespace Amontons
     for (unsigned int i = 0; i < was_open.size(); ++i)
       touched_alone[i] = was_open[i] && !interface.pair->tied && fields.state[i] == ContactStatus::stick &&
                          interface.coupling.slivers.count(i) == 0;
-    const auto between      = nodes_between(slave, touched_alone);
-    auto       radial_means = between;
-    if (discretization.scene.kind == ProblemType::axisymmetric)
-      for (unsigned int i = 0; i < n; ++i)
-        if (is_on_axis(slave, i)) // nothing radial is there
-          radial_means[i] = {};
+    const auto between = nodes_between(slave, touched_alone);
     if (interface.pair->tied || interface.pair->has_friction())
       for (unsigned int c = 0; c < dim; ++c)
         {
-          const auto values = control_to_nodal(
-              slave, project(interface, tangential[c], false, c == 0 ? radial_means : between));
+          const auto values = control_to_nodal(slave, project(interface, tangential[c], false, between));
           for (unsigned int i = 0; i < n; ++i)
             fields.traction[i][c] = values[i];
         }

@@ -104,7 +104,7 @@ namespace Amontons
     using Terms                                       = std::vector<std::pair<unsigned int, double>>;
     const auto                              &coupling = interface.coupling;
     const std::function<Terms(unsigned int)> expand   = [&](const unsigned int node) {
-      for (const auto *const known : {&coupling.slivers, &means})
+      for (const auto *const known : {&means, &coupling.slivers})
         if (const auto mean = known->find(node); mean != known->end())
           {
             Terms terms;

@@ -354,6 +354,29 @@ namespace Amontons
             fields.gap[i] = gap;
           }
     }
+    // From the rows' tangential densities, a vector of them per direction. Nothing radial is on the axis.
+    template <int dim>
+    void
+    add_tractions(const Discretization<dim>              &discretization,
+                  const ContactInterface<dim>            &interface,
+                  const std::vector<std::vector<double>> &tangential,
+                  const std::vector<bool>                &touched_alone,
+                  SurfaceFields<dim>                     &fields)
+    {
+      const auto &slave   = *interface.slave;
+      const auto  between = nodes_between(slave, touched_alone);
+      auto        radial  = between;
+      for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+        if (discretization.scene.kind == ProblemType::axisymmetric && is_on_axis(slave, i))
+          radial[i] = {};
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const auto values =
+              control_to_nodal(slave, project(interface, tangential[c], false, c == 0 ? radial : between));
+          for (unsigned int i = 0; i < values.size(); ++i)
+            fields.traction[i][c] = values[i];
+        }
+    }
   } // namespace
 
   template <int dim>
@@ -421,14 +444,15 @@ namespace Amontons
     add_nodal_forces(discretization, interface, contact, fields);
     add_slips(discretization, interface, displacement, fields);
     fill_hanging_nodes(slave, fields);
-    if (discretization.scene.kind == ProblemType::axisymmetric) // nodal traces: no row on the axis
+    const bool axisymmetric = discretization.scene.kind == ProblemType::axisymmetric;
+    if (axisymmetric) // nodal traces: no row on the axis
       for (const auto &[node, others] : interface.coupling.slivers)
         if (is_on_axis(slave, node))
           fields.state[node] = fields.state[others[0]];
     // Resultants need the projection that keeps all moments; what is shown and compared is >= 0 where the
     // multipliers are: the same for tied surfaces and for those that stick.
     fields.pressure = control_to_nodal(slave, project(interface, pressures));
-    if (discretization.scene.kind == ProblemType::axisymmetric) // radial forces cancel over the full turn
+    if (axisymmetric) // radial forces cancel over the full turn
       fields.normal_force[0] = fields.tangential_force[0] = 0;
     add_resultants(discretization, interface, fields);
     fields.pressure      = control_to_nodal(slave, project(interface, pressures, true));
@@ -441,24 +465,17 @@ namespace Amontons
             size_of(interface, is_of_a_point(discretization, fields), fields.stick_centre, unused);
         if (fields.stick_size < 1e-6 * fields.contact_size) // what rounding leaves of bounds
           fields.stick_size = 0;
+        fields.bound = control_to_nodal(slave, project(interface, bounds, true));
       }
-    fields.is_covered = covered_nodes(interface, discretization.scene.kind == ProblemType::axisymmetric);
-    if (interface.pair->has_friction())
-      fields.bound = control_to_nodal(slave, project(interface, bounds, true));
+    fields.is_covered = covered_nodes(interface, axisymmetric);
     // What a node touched at stays with it as long as it sticks; as the edge of the contact passes vertices
     // and middles of faces in other ways, the shear then goes up and down between them on any mesh.
     std::vector<bool> touched_alone(n, false);
     for (unsigned int i = 0; i < was_open.size(); ++i)
       touched_alone[i] = was_open[i] && !interface.pair->tied && fields.state[i] == ContactStatus::stick &&
                          interface.coupling.slivers.count(i) == 0;
-    const auto between = nodes_between(slave, touched_alone);
     if (interface.pair->tied || interface.pair->has_friction())
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          const auto values = control_to_nodal(slave, project(interface, tangential[c], false, between));
-          for (unsigned int i = 0; i < n; ++i)
-            fields.traction[i][c] = values[i];
-        }
+      add_tractions(discretization, interface, tangential, touched_alone, fields);
     return fields;
   }
 

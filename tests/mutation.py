@@ -109,7 +109,7 @@ CHANGES = [
     ("origin of sticking nodes", "../include/amontons/solver/fixed_contact.h", "result[k] = all[k].jump(start.committed);", "result[k] = all[k].jump(start.displacement);", FRICTION),
     ("slip that turns without a bound", "solver/node_states.cc", "!first && slid && limit.value > 0 && q", "!first && slid && q", "^solver/node_states$"),
     ("slip that rests without a bound", "solver/node_states.cc", "slid && (limit.value <= 0 || nodes", "slid && (nodes", "^solver/node_states$"),
-    ("vertices of coarser faces", "contact/pressure_projection.cc", "is_own(j) && linear[face.unknowns[j]]", "linear[face.unknowns[j]]", "^contact/hanging_nodes$"),
+    ("vertices of coarser faces", "contact/shear_smoothness.cc", "is_own(face, j) && linear[face.unknowns[j]]", "linear[face.unknowns[j]]", "^contact/hanging_nodes$"),
     ("all faces are close", "adaptivity/mesh_refinement.cc", "(everywhere && close.size()", "(close.size()", "scenes/ball_on_one_face_small"),
     ("increments that grow", "solver/load_program.cc", "constexpr double growth = 1.5;", "constexpr double growth = 1.;", "^solver/load_program$"),
     ("fewer increments, guided", "increments_for_target.cc", "repeat(load_program(lengths), false)", "repeat(load_program(lengths), true)", "scenes/wedge_self_lock_one_increment"),

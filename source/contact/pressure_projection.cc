@@ -57,54 +57,16 @@ namespace Amontons
   } // namespace
 
   template <int dim>
-  std::map<unsigned int, std::vector<unsigned int>>
-  nodes_between(const ContactSurface<dim> &slave, const std::vector<bool> &linear)
-  {
-    std::map<unsigned int, std::vector<unsigned int>> result;
-    if (slave.degree < 2)
-      return result;
-    const auto place = lattice<dim - 1>(slave.degree);
-    for (const auto &face : slave.faces)
-      for (unsigned int k = 0; k < place.size(); ++k)
-        {
-          // Beside a coarser face the place of a hanging node has an unknown of that one, which may lie
-          // elsewhere. So the vertices around a node are of its own face or of coarser ones, and never means
-          // of the node itself.
-          const auto is_own = [&](const unsigned int j) { return face.unknowns[j] == face.nodes[j]; };
-          if (!linear[face.unknowns[k]] || !is_own(k))
-            continue;
-          // Vertices of the smallest part of the face (edge, face) that the node is in the middle of.
-          std::vector<unsigned int> around;
-          bool                      all_linear = true;
-          for (unsigned int j = 0; j < place.size(); ++j)
-            {
-              bool is_vertex = true;
-              for (unsigned int d = 0; d < dim - 1; ++d)
-                is_vertex =
-                    is_vertex && place[j][d] != 0.5 && (place[k][d] == 0.5 || place[j][d] == place[k][d]);
-              if (is_vertex)
-                {
-                  around.push_back(face.unknowns[j]);
-                  all_linear = all_linear && is_own(j) && linear[face.unknowns[j]];
-                }
-            }
-          if (around.size() > 1 && all_linear)
-            result[face.unknowns[k]] = around;
-        }
-    return result;
-  }
-
-  template <int dim>
   std::vector<double>
-  project(const ContactInterface<dim>                             &interface,
-          const std::vector<double>                               &row_values,
-          const bool                                               nonnegative,
-          const std::map<unsigned int, std::vector<unsigned int>> &means)
+  project(const ContactInterface<dim> &interface,
+          const std::vector<double>   &row_values,
+          const bool                   nonnegative,
+          const Smoothness            &smoothness)
   {
     using Terms                                       = std::vector<std::pair<unsigned int, double>>;
     const auto                              &coupling = interface.coupling;
     const std::function<Terms(unsigned int)> expand   = [&](const unsigned int node) {
-      for (const auto *const known : {&means, &coupling.slivers})
+      for (const auto *const known : {&smoothness.means, &coupling.slivers})
         if (const auto mean = known->find(node); mean != known->end())
           {
             Terms terms;
@@ -124,15 +86,33 @@ namespace Amontons
     if (n == 0)
       return control;
 
-    DynamicSparsityPattern                                      dsp(n, n);
     std::vector<std::tuple<unsigned int, unsigned int, double>> entries;
+    std::vector<double>                                         area(n, 0.);
     for (const auto &[nodes, value] : coupling.trace_mass)
       for (const auto &[i, a] : expand(nodes.first))
         for (const auto &[j, b] : expand(nodes.second))
           {
             entries.emplace_back(unknown[i], unknown[j], a * b * value);
-            dsp.add(unknown[i], unknown[j]);
+            area[unknown[i]] += a * b * value;
           }
+    for (const auto &jump : smoothness.jumps)
+      {
+        constexpr double weight = 0.25;
+        Terms            terms;
+        double           jump_area = 0;
+        for (const auto &[node, coefficient] : jump.terms)
+          for (const auto &[i, a] : expand(node))
+            terms.emplace_back(unknown.at(i), coefficient * a);
+        for (const unsigned int node : jump.edge)
+          for (const auto &[i, a] : expand(node))
+            jump_area += area[unknown.at(i)] / jump.edge.size();
+        for (const auto &[i, a] : terms)
+          for (const auto &[j, b] : terms)
+            entries.emplace_back(i, j, weight * jump_area * a * b);
+      }
+    DynamicSparsityPattern dsp(n, n);
+    for (const auto &entry : entries)
+      dsp.add(std::get<0>(entry), std::get<1>(entry));
     SparsityPattern pattern;
     pattern.copy_from(dsp);
     SparseMatrix<double> mass(pattern);
@@ -176,19 +156,9 @@ namespace Amontons
   }
 
   template std::vector<double>
-  project(const ContactInterface<2> &,
-          const std::vector<double> &,
-          const bool,
-          const std::map<unsigned int, std::vector<unsigned int>> &);
-  template std::map<unsigned int, std::vector<unsigned int>>
-  nodes_between(const ContactSurface<2> &, const std::vector<bool> &);
+  project(const ContactInterface<2> &, const std::vector<double> &, const bool, const Smoothness &);
   template std::vector<double>
-  project(const ContactInterface<3> &,
-          const std::vector<double> &,
-          const bool,
-          const std::map<unsigned int, std::vector<unsigned int>> &);
-  template std::map<unsigned int, std::vector<unsigned int>>
-  nodes_between(const ContactSurface<3> &, const std::vector<bool> &);
+  project(const ContactInterface<3> &, const std::vector<double> &, const bool, const Smoothness &);
   template std::vector<double>
   control_to_nodal(const ContactSurface<2> &, const std::vector<double> &);
   template std::vector<double>

@@ -2,7 +2,7 @@
 #include <amontons/contact/covered_shares.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/contact/face_lattice.h>
-#include <amontons/contact/pressure_projection.h>
+#include <amontons/contact/shear_smoothness.h>
 #include <amontons/contact/surface_fields.h>
 
 namespace Amontons
@@ -354,25 +354,26 @@ namespace Amontons
             fields.gap[i] = gap;
           }
     }
+
     // From the rows' tangential densities, a vector of them per direction. Nothing radial is on the axis.
     template <int dim>
     void
     add_tractions(const Discretization<dim>              &discretization,
                   const ContactInterface<dim>            &interface,
                   const std::vector<std::vector<double>> &tangential,
-                  const std::vector<bool>                &touched_alone,
+                  const std::vector<bool>                &was_open,
                   SurfaceFields<dim>                     &fields)
     {
-      const auto &slave   = *interface.slave;
-      const auto  between = nodes_between(slave, touched_alone);
-      auto        radial  = between;
+      const auto &slave  = *interface.slave;
+      const auto  smooth = shear_smoothness(interface, fields, was_open);
+      auto        radial = smooth;
       for (unsigned int i = 0; i < slave.nodes.size(); ++i)
         if (discretization.scene.kind == ProblemType::axisymmetric && is_on_axis(slave, i))
-          radial[i] = {};
+          radial.means[i] = {};
       for (unsigned int c = 0; c < dim; ++c)
         {
           const auto values =
-              control_to_nodal(slave, project(interface, tangential[c], false, c == 0 ? radial : between));
+              control_to_nodal(slave, project(interface, tangential[c], false, c == 0 ? radial : smooth));
           for (unsigned int i = 0; i < values.size(); ++i)
             fields.traction[i][c] = values[i];
         }
@@ -468,14 +469,8 @@ namespace Amontons
         fields.bound = control_to_nodal(slave, project(interface, bounds, true));
       }
     fields.is_covered = covered_nodes(interface, axisymmetric);
-    // What a node touched at stays with it as long as it sticks; as the edge of the contact passes vertices
-    // and middles of faces in other ways, the shear then goes up and down between them on any mesh.
-    std::vector<bool> touched_alone(n, false);
-    for (unsigned int i = 0; i < was_open.size(); ++i)
-      touched_alone[i] = was_open[i] && !interface.pair->tied && fields.state[i] == ContactStatus::stick &&
-                         interface.coupling.slivers.count(i) == 0;
     if (interface.pair->tied || interface.pair->has_friction())
-      add_tractions(discretization, interface, tangential, touched_alone, fields);
+      add_tractions(discretization, interface, tangential, was_open, fields);
     return fields;
   }
 

@@ -5,7 +5,7 @@
 
 #include <amontons/contact/dual_basis.h>
 #include <amontons/contact/face_basis.h>
-#include <amontons/contact/pressure_projection.h>
+#include <amontons/contact/shear_smoothness.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -150,10 +150,10 @@ check_dual_basis(const ContactSurface<3> &surface,
 }
 
 void
-check_nodes_between(const ContactSurface<3> &surface, const std::string &what)
+check_smoothness(const ContactSurface<3> &surface, const std::string &what)
 {
-  const auto between = nodes_between(surface, std::vector<bool>(surface.nodes.size(), true));
-  for (const auto &[node, around] : between)
+  const auto smoothness = smooth_on(surface, std::vector<bool>(surface.nodes.size(), true));
+  for (const auto &[node, around] : smoothness.means)
     {
       Point<3> middle;
       for (const unsigned int other : around)
@@ -161,8 +161,21 @@ check_nodes_between(const ContactSurface<3> &surface, const std::string &what)
       check::is_close(
           middle.distance(surface.nodes[node].X), 0, 1e-12, what + ": the middle of the vertices", 1);
     }
-  check::is_true(surface.degree == 1 || between.size() > surface.faces.size(),
+  check::is_true(surface.degree == 1 || smoothness.means.size() > surface.faces.size(),
                  what + ": nodes between vertices");
+  for (const auto &jump : smoothness.jumps)
+    {
+      const auto linear = [](const Point<3> &X) { return 0.3 + X[0] - 2 * X[1]; };
+      double     found = 0, largest = 0;
+      for (const auto &[node, coefficient] : jump.terms)
+        {
+          found += coefficient * linear(surface.nodes[node].X);
+          largest = std::max(largest, std::abs(coefficient));
+        }
+      check::is_close(found, 0, 1e-12, what + ": no jump of a linear function", 1);
+      check::is_true(jump.edge.size() == 2 && largest >= 0.5, what + ": jumps across edges");
+    }
+  check::is_true(!smoothness.jumps.empty(), what + ": jumps from face to face");
 }
 
 unsigned int
@@ -182,7 +195,7 @@ check_blocks(const unsigned int degree, const unsigned int seed, const double ga
       for (const auto &node : surface->nodes)
         n_hanging += !node.parents.empty();
       check_traces(*surface, what);
-      check_nodes_between(*surface, what);
+      check_smoothness(*surface, what);
       for (unsigned int f = 0; f < surface->faces.size(); ++f)
         for (const double fraction : {1., 0.3})
           check_dual_basis(*surface, f, fraction, what);

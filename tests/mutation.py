@@ -243,7 +243,7 @@ CHANGES = [
     ("an increment that begins the first one", "solver/load_program.cc", "is_begun_in_two(here) ? here.begin", "false ? here.begin", "^solver/load_program$"),
     ("increments where nothing closed", "increments_for_target.cc", "if (history.record.closes_beyond(measurement->closing))", "if (false)", "scenes/increments_where_nothing_closes_at_first_1$"),
     ("a tied pair on the same surface", "adaptivity/mesh_difference.cc", "weights[i] > 0 && n <", "n <", "scenes/target_beside_a_joint_on_the_same_surface"),
-    ("nothing radial on the axis", "contact/surface_fields.cc", "radial[i] = {};", ";", "scenes/punch_friction_5_increments$"),
+    ("nothing radial on the axis", "contact/surface_fields.cc", "radial.means[i] = {};", ";", "scenes/punch_friction_5_increments$"),
     ("single increments", "adaptivity/increment_choice.cc", "counted(change) <= part_of_allowed", "counted(change) <= 2 * part_of_allowed", "^adaptivity/increment_choice$"),
     ("single increments that are divided", "adaptivity/increment_choice.cc", "return at_once.size() < n;", "return false;", "^adaptivity/increment_choice$"),
     ("where a node touches at finite strain", "solver/increment_slip.cc", "held * (before * z + earlier * z_2)", "0. * z", "scenes/loaded_at_an_angle_finite$"),

@@ -812,7 +812,7 @@ endforeach()
 
 # What is smaller than the faces and lies between their nodes. In space: Hertz, 2.0721e-6.
 add_scene_test(NAME thin_wire SCENE verification/thin_wire.prm
-               CHECK "status is converged" "dofs <= 5000" "reference.errors.peak_pressure <= 0.01" "reference.errors.contact_size <= 0.01")
+               CHECK "status is converged" "dofs <= 5000" "meshes.0.dofs <= 700" "reference.errors.peak_pressure <= 0.01" "reference.errors.contact_size <= 0.01")
 add_scene_test(NAME small_ball SCENE verification/growing_stick_3d.prm
                SET "Contact interface/Friction coefficient=" "Obstacle ball/Radius=0.02" "Obstacle ball/Centre=0.23, 0.31, 0.02" "Obstacle ball/Displacement=0| 0| -0.0001*t" "Increments=1"
                    "Refinement/Cycles=-1" "Refinement/Target error=0.3"
@@ -1088,7 +1088,7 @@ add_scene_test(NAME target_of_more_increments SCENE nafems_roller_friction.prm S
 add_scene_test(NAME increments_of_a_contact_that_grows SCENE verification/sheared_half_disk.prm
                SET "Kinematics=small strain" "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target quantity=contact pressure" "Refinement/Target error=0.1" "Body block/Young modulus=1000"
                    "Boundary condition load/Force=0|0" "Boundary condition load/Displacement=0.001*table(1: 0, 2: 1)|-0.02*table(0: 0, 1: 1)"
-               CHECK "status is converged" "increments.number <= 30" "linear_solves <= 90" "error_estimate.shear <= 0.07" "error_estimate.increments <= 0.05" "pairs.0.stick_size ~ 0.1023 0.01")
+               CHECK "status is converged" "increments.number <= 30" "linear_solves <= 110" "error_estimate.shear <= 0.03" "error_estimate.increments <= 0.05" "pairs.0.stick_size ~ 0.1023 0.01")
 # What every mesh and increment would say is said once.
 add_scene_test(NAME probe_outside_is_told_once SCENE nafems_roller_friction.prm SET "Refinement/Cycles=1" "Increments=3" "Probe cylinder centre/Point=0,500"
                CHECK "notes.0 has lies outside body cylinder" "count(notes.0:) <= 4")
@@ -1533,8 +1533,8 @@ add_scene_test(NAME small_strain_wrapped SCENE verification/beam_on_floor.prm
 # Nothing touches for three quarters of the way: errors of nothing stood still on meshes that did not resolve the contact later ("out of reach", 0.1003).
 add_scene_test(NAME touched_late SCENE verification/disk_above_block.prm
                SET "Boundary condition load/Type=displacement" "Boundary condition load/Value=0|-table(0: 0, 0.75: 0.499, 1: 0.502)" "Contact line/Friction coefficient=0.2" "Increments=4"
-                   "Refinement/Cycles=-1" "Refinement/Target error=0.1" "Reference/Solution="
-               CHECK "status is converged" "error_estimate.shear <= 0.08" "pairs.0.peak_pressure ~ 2.277 5e-3")
+                   "Refinement/Cycles=-1" "Refinement/Target error=0.05" "Reference/Solution="
+               CHECK "status is converged" "error_estimate.shear <= 0.05" "pairs.0.peak_pressure ~ 2.277 5e-3")
 # The last of the meshes, which ended by the smallest cells at the tips, closed two nodes at the clamp: a force of 1.6636 and a size of 15.7. 1.1034 on ten meshes, and with cells 8 times finer.
 add_scene_test(NAME leaf_spring SCENE verification/leaf_spring.prm
                CHECK "status is converged" "pairs.0.normal_force.1 ~ 1.0400 1e-3" "pairs.1.normal_force.1 ~ 1.1034 1e-3" "pairs.1.contact_size <= 0.005" "dofs <= 30000")

@@ -113,6 +113,8 @@ namespace Amontons
               const auto more =
                   corners_of_path([&](const double t) { return expression.value(place, t); }, end_time);
               found.insert(found.end(), more.begin(), more.end());
+              add_variation(
+                  variation_of_path([&](const double t) { return expression.value(place, t); }, end_time));
             }
           catch (const InputError &)
             {
@@ -150,6 +152,17 @@ namespace Amontons
         return result;
       }
 
+      // See Scene::load_progress.
+      std::vector<double>
+      progress() const
+      {
+        constexpr double    of_time = 0.1;
+        std::vector<double> result(varied);
+        for (unsigned int i = 0; i < result.size(); ++i)
+          result[i] = (result[i] / n_varied + of_time * i / (result.size() - 1)) / (1 + of_time);
+        return result;
+      }
+
       // The last point of a table.
       double
       last() const
@@ -158,10 +171,21 @@ namespace Amontons
       }
 
     private:
+      void
+      add_variation(const std::vector<double> &shares)
+      {
+        varied.resize(std::max(varied.size(), shares.size()), 0.);
+        for (unsigned int i = 0; i < shares.size(); ++i)
+          varied[i] += shares[i];
+        n_varied += !shares.empty();
+      }
+
       const bool   looks; // beyond tables: for friction; who says how many increments there are, says where
       const double end_time;
       const std::vector<Point<3>> places;
       std::vector<double>         times, found; // of tables, and by looking
+      std::vector<double>         varied;       // sum over n_varied paths, see variation_of_path()
+      unsigned int                n_varied = 0;
     };
   } // namespace
 
@@ -192,7 +216,8 @@ namespace Amontons
         corners.add(pair.friction);
         corners.add(pair.tresca_bound);
       }
-    scene.corner_times = corners.inside();
+    scene.corner_times  = corners.inside();
+    scene.load_progress = corners.progress();
     if (corners.last() > scene.end_time)
       {
         std::ostringstream text;

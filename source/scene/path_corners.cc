@@ -41,6 +41,19 @@ namespace Amontons
         return times;
       }
 
+      std::vector<double>
+      variation() const
+      {
+        std::vector<double> sums(1, 0.);
+        for (unsigned int i = 0; i < n; ++i)
+          sums.push_back(sums.back() + (i > 0 && jump(i) ? 0. : std::abs(slope(i))));
+        if (is_still || sums.back() == 0)
+          return {};
+        for (double &sum : sums)
+          sum /= sums.back();
+        return sums;
+      }
+
     private:
       static constexpr unsigned int n = 1000;
 
@@ -148,5 +161,11 @@ namespace Amontons
   corners_of_path(const std::function<double(double)> &f, const double end_time)
   {
     return Path(f, end_time).corners();
+  }
+
+  std::vector<double>
+  variation_of_path(const std::function<double(double)> &f, const double end_time)
+  {
+    return Path(f, end_time).variation();
   }
 } // namespace Amontons

@@ -25,7 +25,8 @@ namespace Amontons
     breakpoints.push_back(scene.end_time);
     if (incremental)
       {
-        corners = scene.corner_times;
+        corners       = scene.corner_times;
+        load_progress = scene.load_progress;
         breakpoints.insert(breakpoints.end(), corners.begin(), corners.end());
         if (scene.n_increments == 0)
           constant_size = 0;
@@ -54,16 +55,46 @@ namespace Amontons
     followed = times;
   }
 
+  // Of the whole program.
+  double
+  LoadProgram::Piece::of_loads(const double t) const
+  {
+    const double       at = std::clamp(t / end_time, 0., 1.) * (loads->size() - 1);
+    const unsigned int i  = std::min<unsigned int>(at, loads->size() - 2);
+    return (*loads)[i] + (at - i) * ((*loads)[i + 1] - (*loads)[i]);
+  }
+
   double
   LoadProgram::Piece::progress(const double t) const
   {
-    return std::pow((t - begin) / (end - begin), 1 / exponent);
+    const double share = loads == nullptr
+                             ? (t - begin) / (end - begin)
+                             : (of_loads(t) - of_loads(begin)) / (of_loads(end) - of_loads(begin));
+    return std::pow(share, 1 / exponent);
   }
 
   double
   LoadProgram::Piece::time(const double progress) const
   {
-    return begin + (end - begin) * std::pow(progress, exponent);
+    const double share = std::pow(progress, exponent);
+    if (loads == nullptr)
+      return begin + (end - begin) * share;
+    const double sought = of_loads(begin) + share * (of_loads(end) - of_loads(begin));
+    const auto   after = std::upper_bound(loads->begin() + 1, loads->end() - 1, sought), before = after - 1;
+    const double i = (before - loads->begin()) + (sought - *before) / (*after - *before);
+    return std::clamp(end_time * i / (loads->size() - 1), begin, end);
+  }
+
+  bool
+  LoadProgram::Piece::is_even() const
+  {
+    constexpr double   near = 0.01;
+    constexpr unsigned n    = 64;
+    for (unsigned int i = 1; i < n; ++i)
+      if (const double share = double(i) / n;
+          std::abs(progress(begin + share * (end - begin)) - share) > near)
+        return false;
+    return true;
   }
 
   LoadProgram::Piece
@@ -72,7 +103,16 @@ namespace Amontons
     const auto   end   = std::upper_bound(breakpoints.begin(), breakpoints.end(), t);
     const bool   first = end == breakpoints.begin();
     const double begin = !first ? *(end - 1) : t < 0 ? -breakpoints.back() : 0.;
-    return {begin, *end, incremental && first && constant_size == 0 && t >= 0 ? growth : 1.};
+    Piece        result{begin,
+                 *end,
+                 1.,
+                 load_progress.empty() || t < 0 || constant_size > 0 ? nullptr : &load_progress,
+                 breakpoints.back()};
+    if (result.loads != nullptr && result.is_even())
+      result.loads = nullptr;
+    if (incremental && first && constant_size == 0 && t >= 0)
+      result.exponent = growth;
+    return result;
   }
 
   double
@@ -96,10 +136,10 @@ namespace Amontons
     if (n <= 1)
       return here.end;
     const double equal = t + (here.end - t) / n;
-    const double end   = here.exponent == 1 ? equal : here.time(done + (1 - done) / n);
-    const double most  = is_begun_in_two(here) ? here.begin + std::max(at_most * (t - here.begin),
+    const double end = here.exponent == 1 && here.loads == nullptr ? equal : here.time(done + (1 - done) / n);
+    const double most = is_begun_in_two(here) ? here.begin + std::max(at_most * (t - here.begin),
                                                                       (first(here) - here.begin) / at_most)
-                                               : here.end;
+                                              : here.end;
     return std::min(here.end, std::max(std::min(most, end), t + smallest));
   }
 

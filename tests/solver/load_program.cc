@@ -51,6 +51,29 @@ main(int, char **)
   check::is_close(three.size(), 5, 0, "increments no longer than asked for");
   check::is_true(three.back() == 3 && holds(three, 0.3) && holds(three, 1.), "lands on the same times");
 
+  // Loads that go on unevenly: equal steps of what they do, in the first piece growing ones.
+  {
+    Scene uneven;
+    uneven.end_time     = 2;
+    uneven.corner_times = {1};
+    const auto share    = [](const double t) { return t <= 1 ? t / 2 : 0.5 + (t - 1) * (t - 1) / 2; };
+    for (unsigned int i = 0; i <= 1000; ++i)
+      uneven.load_progress.push_back(share(0.002 * i));
+    const auto times = run(LoadProgram(uneven, true));
+    check::is_close(times.size(), 20, 0, "ten for each piece, however its loads go on");
+    for (unsigned int k = 0; k < 10; ++k)
+      {
+        check::is_close(times[k], std::pow(0.1 * (k + 1), 1.5), 1e-12, "as the time where loads do so");
+        check::is_close(times[10 + k], 1 + std::sqrt(0.1 * (k + 1)), 1e-5, "equal steps of the loads");
+      }
+    uneven.corner_times = {};
+    const auto growing  = run(LoadProgram(uneven, true));
+    for (unsigned int k = 0; k < 10; ++k)
+      check::is_close(share(growing[k]), std::pow(0.1 * (k + 1), 1.5), 1e-5, "growing steps of the loads");
+    uneven.n_increments = 10;
+    check::is_close(run(LoadProgram(uneven, true))[6], 1.4, 1e-12, "given increments: equal times");
+  }
+
   // A piece that takes a single one, or two where that is tried.
   scene.n_increments = 0;
   LoadProgram         saves(scene, true, {1, {1., 3.}});

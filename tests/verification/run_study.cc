@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -237,6 +238,20 @@ namespace
     const std::string script = read_text("out_work/work.gp");
     check::contains(script, "$front_0_3 << END");
     check::contains(script, "0.1 with lines");
+    // The four panels stand beside each other, in the upper part of the picture.
+    double      right = 0;
+    std::size_t at = 0, n_panels = 0;
+    while ((at = script.find("set size ", at + 1)) < script.size())
+      {
+        double wide = 0, high = 0, left = 0, low = 0;
+        std::sscanf(script.c_str() + at, "set size %lf, %lf\nset origin %lf, %lf", &wide, &high, &left, &low);
+        check::is_close(left, right, 1e-7, "a panel begins where the last one ends", 1);
+        check::is_true(high > 0.4 && low > 0 && low + high < 1, "its height");
+        right = left + wide;
+        ++n_panels;
+      }
+    check::is_close(right, 1, 1e-7, "panels as wide as the picture");
+    check::is_true(n_panels == 4, "a panel for each cost");
     const std::string page = read_text("out_work/work.html");
     for (const std::string text :
          {">6 without an answer<",

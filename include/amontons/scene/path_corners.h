@@ -1,4 +1,4 @@
-// Where a function of the time turns, bends or jumps.
+// Where a function of the time turns, bends or jumps, and how far it has come by when.
 #pragma once
 
 #include <functional>
@@ -11,4 +11,9 @@ namespace Amontons
   // what happens within a thousandth of the end time may be missed. Increasing.
   std::vector<double>
   corners_of_path(const std::function<double(double)> &f, const double end_time);
+
+  // How much f has varied by 1001 equidistant times from 0 to end_time, its jumps left out: int_0^t |df| over
+  // the same of the whole path. Empty: it does not vary.
+  std::vector<double>
+  variation_of_path(const std::function<double(double)> &f, const double end_time);
 } // namespace Amontons

@@ -248,19 +248,22 @@ namespace Amontons
 
   struct Scene
   {
-    std::string                  title;
-    std::string                  file; // path as given
-    Units                        units;
-    ProblemType                  kind       = ProblemType::plane_strain;
-    Kinematics                   kinematics = Kinematics::small_strain;
-    std::vector<std::string>     entries; // "Section/Name = value" of all that the answer depends on
-    std::vector<std::string>     notes;   // for the user, of what the scene says
-    bool                         full_model        = false; // nothing is left out, see model_reduction.h
-    double                       end_time          = 1;
-    unsigned int                 n_increments      = 0;    // to start with, over the end time; 0: automatic
-    double                       minimum_increment = 1e-4; // of the end time
-    std::vector<double>          output_times;             // increasing, in (0, end_time]
-    std::vector<double>          corner_times; // in (0, end_time): where loads and motions turn, bend or jump
+    std::string              title;
+    std::string              file; // path as given
+    Units                    units;
+    ProblemType              kind       = ProblemType::plane_strain;
+    Kinematics               kinematics = Kinematics::small_strain;
+    std::vector<std::string> entries; // "Section/Name = value" of all that the answer depends on
+    std::vector<std::string> notes;   // for the user, of what the scene says
+    bool                     full_model        = false; // nothing is left out, see model_reduction.h
+    double                   end_time          = 1;
+    unsigned int             n_increments      = 0;    // to start with, over the end time; 0: automatic
+    double                   minimum_increment = 1e-4; // of the end time
+    std::vector<double>      output_times;             // increasing, in (0, end_time]
+    std::vector<double>      corner_times; // in (0, end_time): where loads and motions turn, bend or jump
+    // How far loads and motions have come, from 0 to 1, by equidistant times from 0 to the end: the mean of
+    // what each has varied by, but for jumps, and a tenth of the time. Empty: not looked at.
+    std::vector<double>          load_progress;
     bool                         is_loaded_at_start = false; // some load or motion is not zero at t = 0
     std::vector<BodyData>        bodies;
     std::vector<ObstacleData>    obstacles;

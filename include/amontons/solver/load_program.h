@@ -108,9 +108,12 @@ namespace Amontons
     // The piece between landings that goes on from time t.
     struct Piece
     {
-      double begin, end, exponent;
+      double                     begin, end, exponent;
+      const std::vector<double> *loads; // Scene::load_progress; nullptr: as the time, within the piece
+      double                     end_time;
 
-      // Increments are equal steps of s in [0, 1] with t = begin + (end - begin) s^exponent. Where contact
+      // Increments are equal steps of s in [0, 1], of which s^exponent is the share of the time of the piece
+      // that is over, or of what loads do in it if they do that unevenly. Where contact
       // begins in a point or a line its size grows as t^(1/2), or more slowly: what closes within the first
       // of equal increments is the inner part of the contact, 1/sqrt(n) of it, and its shear that of a
       // single increment.
@@ -118,6 +121,13 @@ namespace Amontons
       progress(const double t) const;
       double
       time(const double progress) const;
+      // Loads go on as the time does.
+      bool
+      is_even() const;
+
+    private:
+      double
+      of_loads(const double t) const;
     };
     Piece
     piece() const;
@@ -131,7 +141,7 @@ namespace Amontons
     longest(const Piece &here) const; // increment at time t, as progress in its piece
 
     bool                incremental;
-    std::vector<double> breakpoints, corners, followed;
+    std::vector<double> breakpoints, corners, followed, load_progress;
     IncrementLengths    lengths;
     double              constant_size;  // times lengths.times; 0: increments_by_default in each piece
     double              smallest;       // as a time

@@ -19,7 +19,7 @@ namespace Amontons
           return mesh.pairs[i].touched;
         });
         if (!pair.touched && summary.converged)
-          note("warning: pair '" + pair.name + "' touched nothing in the whole run; " +
+          note("warning: pair '" + pair.name + "' touched nothing at any time that was solved; " +
                without_contact(pair));
       }
   }
@@ -61,6 +61,21 @@ namespace Amontons
     text << "warning: the pressure is known to " << 100 * error
          << " % only (estimated). If no edge makes it infinite, the mesh is too coarse for this contact, and "
             "forces that displacements cause are off, too: refine ('Cycles', 'Target error')";
+    note(text.str());
+  }
+
+  template <int dim>
+  void
+  RunReport<dim>::note_small_shear(const Ending &ending)
+  {
+    const auto &error = ending.evaluation.error;
+    if (!ending.converged || error.shear < 1e-3 ||
+        error.shear_norm > noteworthy_shear * error.pressure_norm * (1 + 1e-9))
+      return;
+    std::ostringstream text;
+    text << "the tangential traction is less than " << 100 * noteworthy_shear
+         << " % of the pressure (in the mean square): its error is told relative to these "
+         << 100 * noteworthy_shear << " %, not to itself";
     note(text.str());
   }
 
@@ -173,7 +188,11 @@ namespace Amontons
   template void
   RunReport<2>::note_rough_pressure(const Ending &);
   template void
+  RunReport<2>::note_small_shear(const Ending &);
+  template void
   RunReport<3>::note_rough_pressure(const Ending &);
+  template void
+  RunReport<3>::note_small_shear(const Ending &);
   template void
   RunReport<2>::note_limits(const Answer<2> &, const Ending &);
   template void

@@ -188,6 +188,8 @@ namespace Amontons
     note_facets(const std::vector<ContactInterface<dim>> &interfaces, const ErrorEstimate<dim> &error);
     void
     note_rough_pressure(const Ending &ending);
+    void
+    note_small_shear(const Ending &ending);
     std::string
     missed_target(const Discretization<dim> &discretization, const Ending &ending) const;
     void

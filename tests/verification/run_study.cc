@@ -241,7 +241,7 @@ namespace
     // The four panels stand beside each other, in the upper part of the picture.
     double      right = 0;
     std::size_t at = 0, n_panels = 0;
-    while ((at = script.find("set size ", at + 1)) < script.size())
+    while (n_panels < 4 && (at = script.find("set size ", at + 1)) < script.size()) // then the legend
       {
         double wide = 0, high = 0, left = 0, low = 0;
         std::sscanf(script.c_str() + at, "set size %lf, %lf\nset origin %lf, %lf", &wide, &high, &left, &low);

@@ -23,7 +23,8 @@ namespace Amontons
   /// Control values c, by slave node, of the projection (doc/introduction.md, (7)): sum_j int B_i B_j c_j =
   /// sum_rows int psi_row B_i value_row over the overlap; `nonnegative`: with c >= 0 where no value around is
   /// negative (tied), which is closer to any pressure >= 0. Nodes of which next to nothing is covered take
-  /// the mean of the others of their face.
+  /// the mean of the others of their face. Of jumps a quarter of the square, times the area of the vertices
+  /// of the edge, adds to what is least (doc/introduction.md, *Shear where a contact has grown*).
   template <int dim>
   std::vector<double>
   project(const ContactInterface<dim> &interface,

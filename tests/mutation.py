@@ -249,7 +249,6 @@ CHANGES = [
     ("increments by what loads do", "solver/load_program.cc", "load_progress.empty() || ", "true || ", "scenes/microslip_bar_bound_dips$|^solver/load_program$"),
     ("jumps are no way of a load", "scene/path_corners.cc", "i > 0 && jump(i) ? 0.", "false ? 0.", "^scene/path_corners$"),
     ("height of panels", "verification/work_chart.cc", "<< \", \" << high / height", "<< \", \" << high * height", "^verification/run_study$"),
-    ("cylinders are small obstacles, too", "geometry/small_obstacles.cc", "obstacle.type == ObstacleData::Type::cylinder;", "obstacle.type != ObstacleData::Type::cylinder;", "scenes/thin_wire$"),
     ("single increments", "adaptivity/increment_choice.cc", "counted(change) <= part_of_allowed", "counted(change) <= 2 * part_of_allowed", "^adaptivity/increment_choice$"),
     ("single increments that are divided", "adaptivity/increment_choice.cc", "return at_once.size() < n;", "return false;", "^adaptivity/increment_choice$"),
     ("where a node touches at finite strain", "solver/increment_slip.cc", "held * (before * z + earlier * z_2)", "0. * z", "scenes/loaded_at_an_angle_finite$"),

@@ -110,11 +110,10 @@ namespace Amontons
         for (const Point<3> &place : expression.depends_on_place() ? places : std::vector<Point<3>>(1))
           try
             {
-              const auto more =
-                  corners_of_path([&](const double t) { return expression.value(place, t); }, end_time);
-              found.insert(found.end(), more.begin(), more.end());
-              add_variation(
-                  variation_of_path([&](const double t) { return expression.value(place, t); }, end_time));
+              const auto course =
+                  course_of_path([&](const double t) { return expression.value(place, t); }, end_time);
+              found.insert(found.end(), course.corners.begin(), course.corners.end());
+              add_variation(course.variation);
             }
           catch (const InputError &)
             {
@@ -184,7 +183,7 @@ namespace Amontons
       const double end_time;
       const std::vector<Point<3>> places;
       std::vector<double>         times, found; // of tables, and by looking
-      std::vector<double>         varied;       // sum over n_varied paths, see variation_of_path()
+      std::vector<double>         varied;       // sum over n_varied paths, see PathCourse
       unsigned int                n_varied = 0;
     };
   } // namespace

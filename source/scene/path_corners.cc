@@ -157,15 +157,10 @@ namespace Amontons
     };
   } // namespace
 
-  std::vector<double>
-  corners_of_path(const std::function<double(double)> &f, const double end_time)
+  PathCourse
+  course_of_path(const std::function<double(double)> &f, const double end_time)
   {
-    return Path(f, end_time).corners();
-  }
-
-  std::vector<double>
-  variation_of_path(const std::function<double(double)> &f, const double end_time)
-  {
-    return Path(f, end_time).variation();
+    const Path path(f, end_time);
+    return {path.corners(), path.variation()};
   }
 } // namespace Amontons

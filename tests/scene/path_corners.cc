@@ -16,7 +16,7 @@ check_corners(const std::string                   &what,
               const std::vector<double>           &expected,
               const double                         tolerance = 1e-12)
 {
-  const auto         found = corners_of_path(f, 2);
+  const auto         found = course_of_path(f, 2).corners;
   std::ostringstream text;
   text.precision(12);
   for (const double t : found)
@@ -74,14 +74,15 @@ main(int, char **)
   check_corners(
       "beside a large constant", [](double t) { return 1e3 + std::min(t, 1.); }, {1}, 1e-9);
 
-  const auto pulse = variation_of_path([](double t) { return std::exp(-std::pow((t - 1) / 0.03, 2)); }, 2);
+  const auto pulse =
+      course_of_path([](double t) { return std::exp(-std::pow((t - 1) / 0.03, 2)); }, 2).variation;
   check::is_true(pulse.size() == 1001 && pulse[0] == 0, "values of the variation");
   check::is_close(pulse[400], 0, 1e-12, "before the pulse", 1);
   check::is_close(pulse[500], 0.5, 1e-12, "up and down count alike");
   check::is_close(pulse[1000], 1, 1e-12, "all of it");
-  const auto step = variation_of_path([](double t) { return t > 0.7 ? 1 + t : t; }, 2);
+  const auto step = course_of_path([](double t) { return t > 0.7 ? 1 + t : t; }, 2).variation;
   check::is_close(step[600], 0.6, 2e-3, "without the jump");
-  check::is_true(variation_of_path([](double) { return 3.; }, 2).empty(), "nothing varies");
+  check::is_true(course_of_path([](double) { return 3.; }, 2).variation.empty(), "nothing varies");
   return check::result();
 }
 } // namespace test_path_corners

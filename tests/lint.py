@@ -57,7 +57,7 @@ def main():
             if "headers" in arguments.what and re.search(arguments.only, name):
                 jobs.append(pool.submit(compile_header, flags, name))
         for source in sorted(by_source):
-            if "tidy" in arguments.what and re.search(arguments.only, source) and source.startswith(str(ROOT)):
+            if "tidy" in arguments.what and re.search(arguments.only, source) and source.startswith(str(ROOT / "source")):
                 jobs.append(pool.submit(tidy, folder, source))
         found = 0
         for job in concurrent.futures.as_completed(jobs):

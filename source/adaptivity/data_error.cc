@@ -147,6 +147,7 @@ namespace Amontons
       return;
     const QGauss<1> line = samples_along<dim>(
         Utilities::MPI::sum<unsigned int>(faces->size(), discretization.geometry.communicator));
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): a product in 3D
     const Quadrature<dim - 1>   points(line);
     FEFaceValues<dim>           values(discretization.mapping,
                              discretization.fe,

@@ -14,6 +14,7 @@ namespace Amontons
       explicit NearestFacet(const std::vector<Facet<dim>> &facets) : facets(facets)
       {
         std::vector<std::pair<Point<dim>, unsigned int>> centres;
+        centres.reserve(facets.size());
         for (const auto &facet : facets)
           centres.emplace_back(facet.centre, centres.size());
         tree = pack_rtree(centres);

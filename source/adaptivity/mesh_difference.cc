@@ -136,6 +136,7 @@ namespace Amontons
   numbers_of_nodes(const std::vector<ContactInterface<dim>> &interfaces)
   {
     std::vector<std::size_t> numbers;
+    numbers.reserve(interfaces.size());
     for (const auto &interface : interfaces)
       numbers.push_back(interface.slave->nodes.size());
     return numbers;
@@ -174,7 +175,8 @@ namespace Amontons
             const CoarserTractions<dim>              &before)
     {
       const LA::Vector now     = surface_tractions(discretization, interfaces, fields);
-      const auto       weights = pair_weights(interfaces, fields), numbers = numbers_of_nodes(interfaces);
+      const auto       weights = pair_weights(interfaces, fields);
+      const auto       numbers = numbers_of_nodes(interfaces);
       Squares          squares;
       for (unsigned int i = 0; i < interfaces.size(); ++i)
         {

@@ -243,9 +243,9 @@ namespace Amontons
     std::vector<bool> closed(moved[i].slave->nodes.size(), false);
     for (const Node &node : place.nodes[i])
       closed[node.node] = node.closed;
-    const auto now = gaps_by_node(moved[i], closed);
     if (!has_declared_gap(*moved[i].pair))
-      return now;
+      return gaps_by_node(moved[i], closed);
+    const auto                     now    = gaps_by_node(moved[i], closed);
     const auto                     before = gaps_by_node(at_rest[i], closed);
     std::map<unsigned int, double> gaps;
     for (const Node &node : place.nodes[i])

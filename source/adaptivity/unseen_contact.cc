@@ -178,6 +178,7 @@ namespace Amontons
                      const std::vector<SurfaceFields<dim>>    &fields)
     {
       std::vector<double> forces;
+      forces.reserve(interfaces.size());
       for (unsigned int i = 0; i < interfaces.size(); ++i)
         forces.push_back(
             interfaces[i].pair->tied ? 0. : (fields[i].normal_force + fields[i].tangential_force).norm());

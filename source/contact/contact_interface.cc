@@ -50,6 +50,7 @@ namespace Amontons
           names.push_back(first_is_slave[i] ? *pair.second : pair.first);
       }
     std::vector<OwnedFaces<dim>> own;
+    own.reserve(names.size());
     for (const auto &name : names)
       own.emplace_back(discretization, name);
 

@@ -4,6 +4,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <deal.II/lac/vector.h>
+
 #include <algorithm>
 
 namespace Amontons

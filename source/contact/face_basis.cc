@@ -92,7 +92,7 @@ namespace Amontons
   std::vector<std::vector<double>>
   control_matrix(const unsigned int degree, const unsigned int fdim)
   {
-    const std::vector<std::vector<double>> T1 =
+    std::vector<std::vector<double>> T1 =
         degree == 1 ? std::vector<std::vector<double>>{{1, 0}, {0, 1}}
                     : std::vector<std::vector<double>>{{1, 0, 0}, {-0.5, 2, -0.5}, {0, 0, 1}};
     if (fdim == 1)

@@ -186,6 +186,7 @@ namespace Amontons
       const auto                 &nodes = face.unknowns;
       const auto                  basis = dual_basis_of(slave, points, carries, nodal);
       std::vector<RowSums<dim> *> rows;
+      rows.reserve(nodes.size());
       for (const unsigned int node : nodes)
         rows.push_back(carries[node] ? &sums.rows[node] : nullptr);
 

@@ -286,6 +286,7 @@ namespace Amontons
     {
       const auto                 &rows = interface.coupling.rows;
       std::vector<Tensor<1, dim>> slips;
+      slips.reserve(rows.size());
       for (const auto &row : rows)
         slips.push_back(jump(row, displacement));
       if (interface.slave->moved)

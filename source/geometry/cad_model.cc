@@ -53,6 +53,7 @@ namespace Amontons
     box_of(const std::vector<Sample> &samples)
     {
       std::vector<Point<3>> points;
+      points.reserve(samples.size());
       for (const Sample &sample : samples)
         points.push_back(sample.x);
       return BoundingBox<3>(points);

@@ -166,6 +166,7 @@ namespace Amontons
     strip(const Situation &situation, const std::vector<Instant> &instants)
     {
       std::vector<const BodySurfaces *> all;
+      all.reserve(instants.size());
       for (const Instant &instant : instants)
         all.push_back(instant.surfaces);
       const Camera camera = camera_of(all, situation.view.view, situation.warp, small_width, small_height);

@@ -178,6 +178,7 @@ namespace Amontons
               forces.back()[d] = force[d];
           }
     std::vector<Point<dim>> places;
+    places.reserve(vertices.size());
     for (const auto &vertex : vertices)
       places.push_back(vertex.place);
     const double             largest = largest_deformation(vertices);

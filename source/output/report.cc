@@ -178,6 +178,7 @@ namespace Amontons
                  const std::map<std::string, double> &values)
     {
       std::vector<HtmlRow> rows;
+      rows.reserve(values.size());
       for (const auto &[name, value] : values)
         rows.push_back({name, short_number(value)});
       return rows.empty() ? "" : html_table({what, unit}, rows);

@@ -11,6 +11,7 @@ namespace Amontons
     names_of(const std::vector<Data> &items)
     {
       std::vector<std::string> names;
+      names.reserve(items.size());
       for (const Data &item : items)
         names.push_back(item.name);
       return names;

@@ -378,6 +378,7 @@ namespace Amontons
       if (moves[i / modes_per_body])
         scale = std::max(scale, magnitude[i]);
     std::vector<double> result;
+    result.reserve(motions.size());
     for (const auto &q : motions)
       result.push_back(scale > 0 ? work(q) / scale : 0.);
     return result;
@@ -423,6 +424,7 @@ namespace Amontons
       return;
     const auto        plane = rough_planes(scene, discretization.geometry);
     std::vector<bool> rolls;
+    rolls.reserve(plane.size());
     for (const auto *p : plane)
       rolls.push_back(p != nullptr);
     if (std::none_of(rolls.begin(), rolls.end(), [](const bool does) { return does; }))

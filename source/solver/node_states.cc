@@ -208,6 +208,7 @@ namespace Amontons
       for (const auto &equation : resistance_of(nodes[k], states[k], by_sticking ? SlipLaw<dim>() : laws[k]))
         all.push_back(equation);
     std::vector<const LinearEquation *> pointers;
+    pointers.reserve(all.size());
     for (const auto &equation : all)
       pointers.push_back(&equation);
     return floating.free_rigid_modes(pointers);

@@ -128,6 +128,7 @@ namespace Amontons
     {
       const auto &method = problem.parameters.method;
       if (method == "augmented Lagrangian")
+        // NOLINTNEXTLINE(clang-analyzer-core.NonNullParamChecker): that method has one
         return AugmentedLagrangian<dim>(problem, newton, *penalty).run();
       if (method == "fixed-point friction")
         return FixedPointFriction<dim>(problem, newton).run();

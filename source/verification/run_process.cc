@@ -74,6 +74,7 @@ namespace Amontons
     pointers(std::vector<std::string> &texts)
     {
       std::vector<char *> result;
+      result.reserve(texts.size() + 1);
       for (std::string &text : texts)
         result.push_back(text.data());
       result.push_back(nullptr);

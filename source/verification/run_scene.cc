@@ -30,7 +30,7 @@ namespace Amontons
           all.insert(all.end(), reduced.notes.begin(), reduced.notes.end());
           try
             {
-              const RunSummary summary =
+              RunSummary summary =
                   ContactProblem<dim>(reduced.scene, parameters, run.folder, run.quiet, control).run(all);
               if (summary.converged || control.stop.is_there())
                 return summary;
@@ -97,10 +97,10 @@ namespace Amontons
     const auto save = [&]() { control.checkpoint.flush(); };
     try
       {
-        const RunSummary summary   = scene.kind == ProblemType::three_dimensional
-                                         ? solve<3>(scene, parameters, run, notes, control)
-                                         : solve<2>(scene, parameters, run, notes, control);
-        const bool       has_ended = !control.stop.is_there() && control.stop.own_reason().empty();
+        RunSummary summary   = scene.kind == ProblemType::three_dimensional
+                                   ? solve<3>(scene, parameters, run, notes, control)
+                                   : solve<2>(scene, parameters, run, notes, control);
+        const bool has_ended = !control.stop.is_there() && control.stop.own_reason().empty();
         if (has_ended)
           control.checkpoint.remove();
         else

@@ -204,9 +204,10 @@ namespace Amontons
         << 10 / height << " center font ',9' tc rgb '#606060'\n";
     for (unsigned int i = 0; i < panels.size(); ++i)
       {
+        const unsigned int row = i / n_columns, column = i % n_columns;
         out << "set size " << wide / canvas << ", " << high / height << "\nset origin "
-            << ((i % n_columns) * wide + (canvas - wide * n_columns) / 2) / canvas << ", "
-            << (legend + high * (n_rows - 1 - i / n_columns)) / height << '\n';
+            << (column * wide + (canvas - wide * n_columns) / 2) / canvas << ", "
+            << (legend + high * (n_rows - 1 - row)) / height << '\n';
         write_map(study, panels[i], i, out);
         if (i == 0)
           out << "unset label\n";

@@ -203,7 +203,7 @@ namespace Amontons
   std::string
   StudyEntries::choice(const std::string &name, const std::vector<std::string> &allowed) const
   {
-    const std::string value = text(name, allowed[0]);
+    std::string value = text(name, allowed[0]);
     if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
       throw InputError(where("", name), "found '" + value + "'", join(allowed, ", "));
     return value;
@@ -232,8 +232,10 @@ namespace Amontons
   std::vector<std::string>
   StudyEntries::overrides(const std::string &section) const
   {
-    const OutlineEntry *const      entry  = outline.find_entry(section, "Overrides");
-    const std::vector<std::string> result = split(entry != nullptr ? entry->value : "", '|');
+    const OutlineEntry *const entry = outline.find_entry(section, "Overrides");
+    if (entry == nullptr)
+      return {};
+    std::vector<std::string> result = split(entry->value, '|');
     for (const std::string &text : result)
       if (text.find('=') == std::string::npos)
         throw InputError(entry->where, "found '" + text + "'", "Section/Name = value | ...");

@@ -40,6 +40,6 @@ namespace Amontons
                   const std::vector<dealii::Point<fdim>> &points,
                   const std::vector<double>              &weights,
                   const std::vector<bool>                &carries_multiplier,
-                  const dealii::FullMatrix<double>       &subdivision = {},
-                  const dealii::FullMatrix<double>       &change      = {});
+                  const dealii::FullMatrix<double>       &subdivision = dealii::FullMatrix<double>(),
+                  const dealii::FullMatrix<double>       &change      = dealii::FullMatrix<double>());
 } // namespace Amontons

@@ -156,7 +156,7 @@ namespace Amontons
     static Vector
     corner(const FaceAD<3, Number> &face, const unsigned int v)
     {
-      return face.position(Point<2>(v % 2, v / 2));
+      return face.position(Point<2>(v % 2, v < 2 ? 0 : 1));
     }
 
     Components<2, Number>

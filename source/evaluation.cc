@@ -84,10 +84,12 @@ namespace Amontons
     add_error_of_peaks(model.discretization(), model.interfaces, fields, error);
     pressure_norm = error.pressure_norm;
     shear_norm    = error.shear_norm;
+    energy_norm   = error.energy_norm;
     if (!of_history)
       return;
     error.worst_pressure = kept.worst_pressure;
     error.worst_shear    = kept.worst_shear;
+    error.worst_bulk     = kept.worst_bulk;
     keep_largest(kept.cell_indicators, error.cell_indicators);
     keep_largest(kept.contact_indicators, error.contact_indicators);
     keep_largest(kept.pollution_indicators, error.pollution_indicators);
@@ -101,10 +103,12 @@ namespace Amontons
   void
   Evaluation<dim>::judge_by_history()
   {
-    constexpr double little = 0.05;
-    error.worst_pressure    = std::max(error.worst_pressure, error.contact * pressure_norm);
-    error.worst_shear       = std::max(error.worst_shear, error.shear * shear_norm);
-    if (pressure_norm >= little * error.pressure_norm)
+    error.worst_pressure = std::max(error.worst_pressure, error.contact * pressure_norm);
+    error.worst_shear    = std::max(error.worst_shear, error.shear * shear_norm);
+    error.worst_bulk     = std::max(error.worst_bulk, error.bulk * energy_norm);
+    if (of_history && energy_norm < little * error.energy_norm)
+      error.bulk = error.worst_bulk / error.energy_norm;
+    if (!is_judged_by_history())
       return;
     error.contact = error.worst_pressure / error.pressure_norm;
     error.shear   = error.shear_norm > 0 ? error.worst_shear / error.shear_norm : 0;

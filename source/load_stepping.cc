@@ -208,7 +208,11 @@ namespace Amontons
     if (follows_work()) // of which this increment is a part now
       follow_target();
     if (refinement == Refinement::between_replays && may_refine())
-      remember_path();
+      {
+        remember_path();
+        if (evaluation.presses_most())
+          history.pressed_most = tractions_now();
+      }
     if (small_strain != nullptr)
       small_strain->neglected.add(model->discretization(),
                                   *evaluation.recovery,
@@ -222,6 +226,32 @@ namespace Amontons
     if (may_transfer())
       store_contact();
     begin_next(program);
+  }
+
+  template <int dim>
+  CoarserTractions<dim>
+  LoadStepping<dim>::tractions_now() const
+  {
+    CoarserTractions<dim> result;
+    result.place     = {history.state.t, increments.lengths().times};
+    result.traction  = surface_tractions(model->discretization(), model->interfaces, evaluation.fields);
+    result.n_nodes   = numbers_of_nodes(model->interfaces);
+    result.recovered = evaluation.error.recovered;
+    return result;
+  }
+
+  // What the next mesh compares itself with: the end, or, where that is unloaded, the largest pressure.
+  template <int dim>
+  void
+  LoadStepping<dim>::remember_tractions()
+  {
+    const bool            is_unloaded = evaluation.is_judged_by_history() && history.pressed_most.place.t > 0;
+    CoarserTractions<dim> kept        = is_unloaded ? std::move(history.pressed_most) : tractions_now();
+    kept.pressure                     = history.coarser.pressure;
+    kept.shear                        = history.coarser.shear;
+    history.coarser                   = std::move(kept);
+    history.pressed_most              = {};
+    history.coarser_forces            = target_quantity("total force", answer(), history.work);
   }
 
   template <int dim>
@@ -340,12 +370,7 @@ namespace Amontons
       }
     store_contact();
     history.work.leave_mesh(answer());
-    history.coarser.place = {history.state.t, increments.lengths().times};
-    history.coarser.traction =
-        surface_tractions(model->discretization(), model->interfaces, evaluation.fields);
-    history.coarser.n_nodes   = numbers_of_nodes(model->interfaces);
-    history.coarser.recovered = evaluation.error.recovered;
-    history.coarser_forces    = target_quantity("total force", answer(), history.work);
+    remember_tractions();
     if (small_strain != nullptr)
       small_strain->leave_mesh(*model, *evaluation.recovery, history.state, report.energy(), timer, control);
     if (parameters.refinement.target_error > 0) // else the answer is that of this mesh

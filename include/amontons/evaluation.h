@@ -54,9 +54,19 @@ namespace Amontons
 
     /// After the estimate of a state that converged. Of a history: one with less than a twentieth of the
     /// largest pressure so far (unloaded, or open) is not what a target is about: the largest errors so far
-    /// count, against that pressure.
+    /// count, against that pressure. So with the stress, against the largest energy.
     void
     judge_by_history();
+    bool
+    is_judged_by_history() const
+    {
+      return of_history && pressure_norm < little * error.pressure_norm;
+    }
+    bool
+    presses_most() const
+    {
+      return pressure_norm > 0 && pressure_norm >= error.pressure_norm;
+    }
 
     /// The error of the target quantity, by its values on the meshes so far and by what the fields say.
     void
@@ -89,9 +99,11 @@ namespace Amontons
     }
 
   private:
-    const bool         of_history;
-    ErrorEstimate<dim> kept;                              // of the last increment
-    double             pressure_norm = 0, shear_norm = 0; // of the state, what its errors count against
+    static constexpr double little = 0.05;
+    const bool              of_history;
+    ErrorEstimate<dim>      kept; // of the last increment
+    // Of the state, what its errors count against.
+    double pressure_norm = 0, shear_norm = 0, energy_norm = 0;
 
     /// Of the pair that has most.
     unsigned int

@@ -31,6 +31,7 @@ namespace Amontons
     };
     std::vector<PathPoint> path;
     CoarserTractions<dim>  coarser;
+    CoarserTractions<dim>  pressed_most;   // replay: of this mesh, where its pressure was largest
     std::vector<double>    coarser_forces; // total ones by pair, likewise
     MeshSequence           meshes;         // with the error of the last solve on each
     QuantitySequence       quantity;       // `Target quantity`, by pair

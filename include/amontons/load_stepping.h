@@ -182,6 +182,10 @@ namespace Amontons
     sees_slip() const;
     void
     remember_path();
+    CoarserTractions<dim>
+    tractions_now() const;
+    void
+    remember_tractions();
 
     // When meshes are refined.
     enum class Refinement

@@ -188,8 +188,13 @@ namespace Amontons
             const auto &node   = state.contact[i][row.node];
             const bool  closed = node.state != ContactStatus::open;
             place.nodes.back().push_back({row.node, closed, row.area, node.pressure, row.gap, node.gap});
+            if (closed)
+              place.pressure += row.area * node.pressure * node.pressure;
           }
       }
+    place.pressure   = std::sqrt(place.pressure);
+    if (discretization.scene.has_friction()) // else the end counts, whatever was before
+      largest_pressure = std::max(largest_pressure, place.pressure);
     last.reset();
     (!farthest || place.motion >= farthest->motion ? farthest : last) = std::move(place);
 
@@ -296,7 +301,7 @@ namespace Amontons
                 farthest_overlap = std::max(farthest_overlap, size);
               }
           }
-        if (force > 0)
+        if (force > 0 && !is_unloaded(place))
           {
             work += force / area * overlap;
             other = std::max(other, lost / force);
@@ -410,10 +415,11 @@ namespace Amontons
             at_rest = at(discretization.make_relevant_vector(), **place);
           const auto moved = at((*place)->displacement, **place);
           terms.contact    = std::max(terms.contact, neglected_contact(**place, at_rest, moved));
-          if (pressures)
+          if (pressures && !is_unloaded(**place))
             terms.pressure =
                 std::max(terms.pressure, pressure_of_uneven_gaps(**place, discretization, at_rest, moved));
-          terms.turn = std::max(terms.turn, turned_force(**place, interfaces, moved));
+          if (!is_unloaded(**place))
+            terms.turn = std::max(terms.turn, turned_force(**place, interfaces, moved));
           place->reset();
         }
   }

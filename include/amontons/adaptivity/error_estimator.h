@@ -33,9 +33,9 @@ namespace Amontons
     double        bulk = 0; // sqrt(sum eta_K^2) / energy norm of the recovered stress: relative
     double        contact =
         0; // relative L2 error of the contact pressure, estimated: see estimate_error; 0 without contact
-    double shear          = 0;                  // of the tangential traction, with friction
-    double worst_pressure = 0, worst_shear = 0; // not relative, of a load history so far
-    double facets        = 0;                   // the part of `contact` that facets cause
+    double shear          = 0;                                  // of the tangential traction, with friction
+    double worst_pressure = 0, worst_shear = 0, worst_bulk = 0; // not relative, of a load history so far
+    double facets        = 0;                                   // the part of `contact` that facets cause
     double pollution     = 0; // part of `contact`: what coarse cells around the contact cause
     double data          = 0; // part of `contact`: lost between the nodes, where recovery sees nothing
     double peak          = 0; // difference of the peak pressure from that of the recovered stress, relative

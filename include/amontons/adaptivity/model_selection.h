@@ -119,13 +119,23 @@ namespace Amontons
     {
       LA::Vector                     displacement;
       double                         motion = 0, energy = 0, t = 0;
-      std::vector<std::vector<Node>> nodes; // by pair
+      double                         pressure = 0; // in the mean square, not relative
+      std::vector<std::vector<Node>> nodes;        // by pair
     };
 
+    // Has less than a twentieth of the largest pressure: what is left out there is not told relative to what
+    // is left, see Evaluation::judge_by_history().
+    bool
+    is_unloaded(const Place &place) const
+    {
+      return place.pressure < 0.05 * largest_pressure;
+    }
+
     NeglectedTerms       terms;
-    double               largest_energy  = 0; // twice the stored one
-    double               measured_motion = 0; // of places that are gone
-    bool                 has_come_back   = false;
+    double               largest_energy   = 0; // twice the stored one
+    double               largest_pressure = 0;
+    double               measured_motion  = 0; // of places that are gone
+    bool                 has_come_back    = false;
     std::optional<Place> farthest, last; // last: unless it is the farthest
   };
 } // namespace Amontons

@@ -148,7 +148,7 @@ namespace Amontons
   SmallStrainCheck<dim>::gives_way(const StressRecovery<dim> &recovery, const double energy)
   {
     has_given_way = scene.kinematics == Kinematics::automatic &&
-                    recovery.energy_of_quadratic_strain() > 2 * std::abs(energy);
+                    recovery.energy_of_neglected_stress() > 2 * std::abs(energy);
     return has_given_way;
   }
 

@@ -1019,14 +1019,14 @@ add_scene_test(NAME rubber_indentation_at_once SCENE verification/rubber_indenta
 
 # Kinematics = auto: nothing to look at, a look that says no, and one that says yes.
 add_scene_test(NAME auto_harmless SCENE verification/patch_finite.prm SET "Kinematics=auto" "Boundary condition top/Value=free|-1e-4"
-               CHECK "checks.neglected_strain ~ 1.7e-5 0.05" "checks.neglected_contact <= 1e-12" "notes.0 has small strain is enough"
+               CHECK "checks.neglected_strain ~ 2.18e-5 0.05" "checks.neglected_contact <= 1e-12" "notes.0 has small strain is enough"
                      "pairs.0.normal_force.1 ~ -0.06682577565632486 1e-8")
 add_scene_test(NAME auto_small SCENE hertz_cylinder.prm SET "Kinematics=auto"
                CHECK ${HERTZ} "checks.neglected_strain ~ 6.9e-3 0.1" "checks.neglected_contact ~ 7.2e-4 0.1" "notes.0 has small strain is enough")
 add_scene_test(NAME auto_tried SCENE hertz_sphere_axisymmetric.prm SET "Kinematics=auto"
                CHECK "checks.neglected_strain ~ 0.0139 0.1" "checks.change_of_answer <= 0.01" "notes.0 has small strain is enough")
 add_scene_test(NAME auto_finite SCENE verification/patch_finite.prm SET "Kinematics=auto"
-               CHECK ${EXACT_FINITE} "checks.neglected_strain ~ 0.16 0.1" "checks.change_of_answer ~ 0.22 0.1" "notes.0 has finite strain is used")
+               CHECK ${EXACT_FINITE} "checks.neglected_strain ~ 0.196 0.1" "checks.change_of_answer ~ 0.22 0.1" "notes.0 has finite strain is used")
 # Slip is what motions differ by: small strain that is enough for a pressure to 15 % is not for the stick size.
 add_scene_test(NAME stick_size_by_finite_strain SCENE nafems_roller_friction.prm
                SET Kinematics=auto Increments=3 "Refinement/Target error=0.15" "Refinement/Cycles=0" "Refinement/Target quantity=stick size"
@@ -1193,7 +1193,7 @@ add_scene_test(NAME flat_cell SCENE verification/flat_cell.prm CHECK "status is 
 # Facets longer than the way to the next state: on 20 cells the strip springs back through the pin, on 40 it is followed.
 add_scene_test(NAME swept_strip SCENE verification/swept_strip.prm CHECK "status is converged" "pairs.0.normal_force.0 ~ 0.014302 1e-2" "pairs.0.normal_force.1 ~ -0.023894 1e-2")
 # What is neglected on the way is measured on the mesh of then: the motion of the first increment was read on the last mesh.
-add_scene_test(NAME hertz_with_output_time SCENE hertz_cylinder.prm SET "Output times=0.5" CHECK "status is converged" "checks.neglected_contact <= 2e-3" "checks.neglected_strain ~ 8.39e-3 1e-2")
+add_scene_test(NAME hertz_with_output_time SCENE hertz_cylinder.prm SET "Output times=0.5" CHECK "status is converged" "checks.neglected_contact <= 2e-3" "checks.neglected_strain ~ 7.48e-3 1e-2")
 add_scene_test(NAME hertz_that_comes_back SCENE hertz_cylinder.prm SET "Output times=0.5" "Obstacle cylinder/Force=0|-(500*sin(pi*t)+10)"
                CHECK "status is converged" "checks.neglected_contact <= 2e-3" "pairs.0.normal_force.1 ~ -10 1e-9")
 # What has no meaning, and what ties do to a lever, is said.
@@ -1489,16 +1489,16 @@ add_scene_test(NAME punch_by_gap_turned SCENE verification/flat_punch_axisymmetr
 
 # ---- What small strain leaves out
 
-# Closed forms: half of a uniaxial strain; in simple shear g sqrt((1 - nu)/(2 (1 - 2 nu))), with g = 1e-3; over a history its largest strain.
+# Closed forms: r = (lambda/2, lambda/2, -lambda/2 - mu) s^2 of a uniaxial strain s, r:C^-1:r against (lambda + 2 mu) s^2: 0.7721 s; in simple shear g/2, with g = 1e-3; over a history its largest strain.
 set(UNIAXIAL "Body upper/Young modulus=100" "Body lower/Poisson ratio=0.3" "Reference/Solution=")
 add_scene_test(NAME small_strain_uniaxial SCENE verification/patch_confined.prm SET ${UNIAXIAL} "Boundary condition top/Value=free|-0.01"
-               CHECK "checks.neglected_strain ~ 0.0016666666666666667 1e-9" "checks.neglected_contact <= 1e-9"
+               CHECK "checks.neglected_strain ~ 0.00257369998716 1e-9" "checks.neglected_contact <= 1e-9"
                      "error_estimate.kinematics ~ checks.neglected_strain 1e-12")
 add_scene_test(NAME small_strain_shear SCENE verification/simple_shear_finite.prm SET "Kinematics=small strain" "Boundary condition sides/Value=1e-3*t*y|0"
-               CHECK "checks.neglected_strain ~ 9.354143466934853e-4 1e-9")
+               CHECK "checks.neglected_strain ~ 5e-4 1e-9")
 add_scene_test(NAME small_strain_history SCENE verification/patch_confined.prm
                SET ${UNIAXIAL} "Boundary condition top/Value=free|-table(0: 0, 1: 0.03, 2: 0.01)" "End time=2" "Output times=1"
-               CHECK "checks.neglected_strain ~ 0.005 1e-9" "meshes.-1.t == 2")
+               CHECK "checks.neglected_strain ~ 0.00772109996149 1e-9" "meshes.-1.t == 2")
 # The cylinder has moved to the left by s = 0.6: the nodes that carry it have gaps of (s^2/2 + s x)/R, whose work is F (s^2/2 + 4 a s/(3 pi))/R,
 # against twice the energy of 3.030.
 # Half of Euler's load; 3 (tan k - k)/k^3 3.64e-3 at the tip.
@@ -1542,7 +1542,7 @@ add_scene_test(NAME leaf_spring SCENE verification/leaf_spring.prm
 add_scene_test(NAME small_strain_turned_freely SCENE verification/tied_column.prm
                SET "Kinematics=small strain" "Boundary condition load/Type=platen" "Boundary condition load/Value=" "Boundary condition load/Force=0|0" "Boundary condition load/Displacement=free|free"
                    "Boundary condition load/Rotation=free" "Boundary condition load/Moment=0.012*t" "Boundary condition load/Reference point=0.5, 10" "Body lower/Young modulus=10"
-               CHECK "status is converged" "checks.neglected_strain ~ 0.0775 0.02" "probes.0.points.0.displacement.0 ~ -0.4194 5e-3")
+               CHECK "status is converged" "checks.neglected_strain ~ 0.0749 0.02" "probes.0.points.0.displacement.0 ~ -0.4194 5e-3")
 foreach(half_width 1.01 1.03)
   add_scene_test(NAME edge_beyond_nodes_${half_width} SCENE verification/edge_beyond_nodes.prm SET "Obstacle support/Half width=${half_width}"
                  CHECK "status is converged" "pairs.0.peak_pressure <= 5" "pairs.0.normal_force.1 ~ 1 1e-8")
@@ -1556,12 +1556,23 @@ add_scene_test(NAME small_strain_moved_away SCENE hertz_cylinder.prm FAILS SET "
 
 # A mesh that is too coarse for its contact says so (peak pressure 45 and 5 % off).
 add_scene_test(NAME coarse_contact_warning SCENE hertz_sphere.prm SET "Refinement/Cycles=0"
-               CHECK "status is converged" "notes.1 has warning: the pressure is known to" "reference.errors.peak_pressure >= 0.2")
+               CHECK "status is converged" "notes.0 has warning: the pressure is known to" "reference.errors.peak_pressure >= 0.2")
 add_scene_test(NAME fine_contact_no_warning SCENE hertz_sphere.prm SET "Refinement/Cycles=2" CHECK "status is converged" "notes.-1 has symmetry planes")
 
+# Homogeneous: told 0.0578 of a force that is 0.0576 off (0.0453 were told); with nu = -0.5 told 0.11 of 0.082 (0.0385, so that 5 % were taken for kept).
+set(SHORTENED "Body lower/Young modulus=1000" "Boundary condition top/Value=free|-0.225" "Reference/Solution=")
+add_scene_test(NAME kinematics_of_blocks SCENE patch_test.prm SET ${SHORTENED} "Body lower/Poisson ratio=0.3"
+               CHECK "status is converged" "error_estimate.kinematics ~ 0.0578 2e-3" "checks.change_of_answer ~ 0.0612 0.02")
+add_scene_test(NAME auto_of_widening_blocks SCENE patch_test.prm SET ${SHORTENED} "Body lower/Poisson ratio=-0.5" "Body upper/Poisson ratio=-0.5" Kinematics=auto "Refinement/Target error=0.05"
+               CHECK "status is converged" "notes.0 has finite strain is used" "pairs.0.normal_force.1 abs<= 1000")
+# Two meshes had a peak 0.9 % too high alike: 0.25 % were told.
+add_scene_test(NAME peak_by_chance SCENE verification/sheared_half_disk.prm
+               SET "Kinematics=small strain" "End time=1" "Contact sheared/Friction coefficient=0" "Body block/Young modulus=1000" "Body block/Lower corner=-1,-1" "Body block/Upper corner=1,0" "Body block/Cells=4,2"
+                   "Body disk/Refinements=0" "Boundary condition load/Force=0|-4*t" "Boundary condition load/Rotation=0" "Refinement/Cycles=-1" "Refinement/Target quantity=peak pressure" "Refinement/Target error=0.003"
+               CHECK "status is converged" "pairs.0.peak_pressure ~ 26.548 4.5e-3")
 # Above the target a warning, above 10 % no answer; 'auto' finds the one of finite strain.
 add_scene_test(NAME small_strain_warning SCENE hertz_sphere_axisymmetric.prm
-               CHECK "status is converged" "notes.0 has warning: small strain leaves out 0.014" "error_estimate.kinematics ~ 0.0139 0.1")
+               CHECK "status is converged" "notes.0 has warning: small strain leaves out 0.013" "error_estimate.kinematics ~ 0.0128 0.02")
 add_scene_test(NAME small_strain_compression SCENE patch_test.prm FAILS SET "Boundary condition top/Value=free|-0.9"
                CHECK "status has not converged" "message has kinematics: small strain leaves out" "pairs.0.normal_force.1 ~ -89.5 0.01")
 add_scene_test(NAME small_strain_rubber SCENE verification/rubber_indentation.prm FAILS SET "Kinematics=small strain"
@@ -1682,11 +1693,11 @@ add_scene_test(NAME growing_interference_finite SCENE verification/growing_inter
 # A polygon in place of a circle: the estimate has its error, refined or not. As a mesh of second order, or with the circle declared, there are no facets.
 foreach(cycles 0 3)
   add_scene_test(NAME facets_${cycles} SCENE verification/polygon_roller.prm SET "Refinement/Cycles=${cycles}"
-                 CHECK "error_estimate.facets ~ reference.errors.pressure_l2 0.15" "error_estimate.contact >= 0.1" "notes.1 has touches on facets")
+                 CHECK "error_estimate.facets ~ reference.errors.pressure_l2 0.15" "error_estimate.contact >= 0.1" "notes.0 has touches on facets")
 endforeach()
 # Long arcs of second order meet at kinks, too: 2.3 % were told of a half disk where 9.2 were true.
 add_scene_test(NAME kinks_of_second_order SCENE verification/polygon_roller.prm SET "Body roller/Mesh=coarse_round_roller.geo" "Refinement/Cycles=6"
-               CHECK "error_estimate.facets ~ reference.errors.pressure_l2 0.25" "notes.1 has touches on arcs of second order")
+               CHECK "error_estimate.facets ~ reference.errors.pressure_l2 0.25" "notes.0 has touches on arcs of second order")
 set(ROUND "error_estimate.facets == 0" "reference.errors.nodal_peak_pressure <= 0.01" "error_estimate.contact <= 0.02" "reference.errors.pressure_l2 <= 0.015")
 add_scene_test(NAME second_order_mesh SCENE verification/polygon_roller.prm SET "Body roller/Mesh=round_roller.geo" CHECK ${ROUND})
 add_scene_test(NAME declared_circle SCENE verification/polygon_roller.prm SET "Body roller/Curved boundaries=arc = circle(0, 10)" CHECK ${ROUND})
@@ -1712,7 +1723,7 @@ add_scene_test(NAME microslip_bar_bound_dips SCENE microslip_bar.prm
                CHECK "status is converged" "meshes.-1.dissipation ~ 0.108 0.01" "increments.number <= 20")
 # Unstable: the trial by finite strain followed the motion on the finest mesh, and four increments did on the first one (2,334 solves).
 add_scene_test(NAME column_of_disks SCENE verification/column_of_disks.prm
-               CHECK "status is converged" "linear_solves <= 800" "pairs.2.normal_force.1 ~ -100 1e-6" "pairs.2.peak_pressure ~ 1874.8 2e-3" "notes.1 has finite strain failed" "error_estimate.kinematics ~ 0.0098 0.02")
+               CHECK "status is converged" "linear_solves <= 800" "pairs.2.normal_force.1 ~ -100 1e-6" "pairs.2.peak_pressure ~ 1874.8 2e-3" "notes.1 has finite strain failed" "error_estimate.kinematics ~ 0.00896 0.02")
 # Increments that were never tried: two of them, where eight tell another story. Finer meshes began each increment with the states of the mesh before, and the
 # wedge jumped out when nothing pulled at it any more.
 add_scene_test(NAME wedge_self_lock SCENE verification/wedge_self_lock.prm SET "Refinement/Target error=0.1"

@@ -89,7 +89,7 @@ namespace Amontons
       return turns;
     }
 
-    // The quadratic strain without what bodies turn as a whole, or that turn. energy: what its square counts
+    // The neglected stress without what bodies turn as a whole, or that turn. energy: what its square counts
     // against.
     template <int dim>
     double
@@ -102,7 +102,7 @@ namespace Amontons
       FEValues<dim> values(discretization.mapping,
                            discretization.fe,
                            QGauss<dim>(discretization.fe.degree + 1),
-                           update_values | update_gradients | update_quadrature_points | update_JxW_values);
+                           elasticity.needed_flags());
       double        quadratic = 0, largest = 0;
       for (const auto &turn : turns)
         largest = std::max(largest, turn.norm() / std::sqrt(2.));
@@ -110,7 +110,8 @@ namespace Amontons
         if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
           {
             values.reinit(cell);
-            quadratic += elasticity.energy_of_quadratic_strain(values, cell, u, turns[cell->material_id()]);
+            quadratic += elasticity.energy_of_neglected_stress(
+                values, cell, u, elasticity.stresses(values, cell, u), turns[cell->material_id()]);
           }
       quadratic = Utilities::MPI::sum(quadratic, discretization.geometry.communicator);
       return std::max(largest, std::sqrt(quadratic / energy));
@@ -166,7 +167,7 @@ namespace Amontons
                                     const double                              energy)
   {
     largest_energy = std::max(largest_energy, 2 * std::abs(energy)); // that of rounding has any sign
-    if (const double quadratic = recovery.energy_of_quadratic_strain(); largest_energy > 0)
+    if (const double quadratic = recovery.energy_of_neglected_stress(); largest_energy > 0)
       {
         double strain = std::sqrt(quadratic / largest_energy);
         if (!holds_all_rotations(discretization))
@@ -192,7 +193,7 @@ namespace Amontons
               place.pressure += row.area * node.pressure * node.pressure;
           }
       }
-    place.pressure   = std::sqrt(place.pressure);
+    place.pressure = std::sqrt(place.pressure);
     if (discretization.scene.has_friction()) // else the end counts, whatever was before
       largest_pressure = std::max(largest_pressure, place.pressure);
     last.reset();

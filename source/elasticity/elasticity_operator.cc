@@ -382,18 +382,53 @@ namespace Amontons
     return result;
   }
 
+  namespace
+  {
+    template <int dim>
+    Tensor<2, 3>
+    as_3d(const Voigt<dim> &stress)
+    {
+      Tensor<2, 3> sigma;
+      for (unsigned int d = 0; d < 3; ++d)
+        sigma[d][d] = stress[d];
+      constexpr std::array<std::array<unsigned int, 2>, 3> shears = {{{{0, 1}}, {{0, 2}}, {{1, 2}}}};
+      for (unsigned int k = 3; k < stress.size(); ++k)
+        sigma[shears[k - 3][0]][shears[k - 3][1]] = sigma[shears[k - 3][1]][shears[k - 3][0]] = stress[k];
+      return sigma;
+    }
+
+    // The stress with no more pressure than 3/4 |dev sigma| (of one stress in plane strain, nu = 1/2, it is
+    // 0.71), or than there were with 2 mu for lambda. A larger one is that of confined matter, and where it
+    // is even no force comes of it: the cofactors of 1 + H have no divergence.
+    Tensor<2, 3>
+    less_confined(const Tensor<2, 3> &sigma, const double lambda, const double mu)
+    {
+      const Tensor<2, 3> I    = unit_symmetric_tensor<3>();
+      const double       mean = trace(sigma) / 3, most_lambda = std::min(lambda, 2 * mu),
+                   most = std::max(0.75 * (sigma - mean * I).norm(),
+                                   std::abs(mean) * (3 * most_lambda + 2 * mu) / (3 * lambda + 2 * mu));
+      return sigma + (std::clamp(mean, -most, most) - mean) * I;
+    }
+  } // namespace
+
   template <int dim>
   double
-  ElasticityOperator<dim>::energy_of_quadratic_strain(
+  ElasticityOperator<dim>::energy_of_neglected_stress(
       const FEValues<dim>                                  &values,
       const typename DoFHandler<dim>::active_cell_iterator &cell,
       const LA::Vector                                     &u,
+      const std::vector<Voigt<dim>>                        &stress,
       const Tensor<2, dim>                                 &turn) const
   {
-    const auto                          &fe   = discretization.fe;
-    const ProblemType                    kind = discretization.scene.kind;
-    const auto                          &law  = materials[cell->material_id()];
-    const double                         bulk = std::min(law.lambda, 2 * law.mu);
+    const auto       &fe           = discretization.fe;
+    const ProblemType kind         = discretization.scene.kind;
+    const auto       &law          = materials[cell->material_id()];
+    const bool        plane_stress = kind == ProblemType::plane_stress;
+    const bool        is_neo_hookean =
+        discretization.scene.bodies[cell->material_id()].material.law == Law::neo_hookean;
+    const double lambda    = std::min(law.lambda, 2 * law.mu);
+    const double thickness = law.lambda / (2 * law.mu), // plane stress: lambda/(lambda + 2 mu)
+        of_trace = plane_stress ? thickness / (1 + 2 * thickness) : lambda / (3 * lambda + 2 * law.mu);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     cell->get_dof_indices(dofs);
     std::vector<double> local(dofs.size());
@@ -401,21 +436,36 @@ namespace Amontons
     double energy = 0;
     for (const unsigned int q : values.quadrature_point_indices())
       {
-        Tensor<2, dim> H      = -turn;
-        double         radial = 0;
+        Tensor<2, 3> H;
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            H[c][d] = -turn[c][d];
+        const Point<dim> &X = values.quadrature_point(q);
         for (unsigned int j = 0; j < fe.base_element(0).n_dofs_per_cell(); ++j)
           {
             const unsigned int   first    = fe.component_to_system_index(0, j);
             const Tensor<1, dim> gradient = values.shape_grad(first, q);
             for (unsigned int c = 0; c < dim; ++c)
-              H[c] += local[fe.component_to_system_index(c, j)] * gradient;
-            radial += local[first] * values.shape_value(first, q);
+              for (unsigned int d = 0; d < dim; ++d)
+                H[c][d] += local[fe.component_to_system_index(c, j)] * gradient[d];
+            if (kind == ProblemType::axisymmetric)
+              H[2][2] += local[first] * values.shape_value(first, q) / X[0];
           }
-        const Point<dim> &X = values.quadrature_point(q);
-        const double hoop = kind == ProblemType::axisymmetric ? radial / X[0] : 0, out = 0.5 * hoop * hoop;
-        const Tensor<2, dim> e  = 0.5 * transpose(H) * H;
-        const double         tr = trace(e) + out;
-        energy += (2 * law.mu * (e.norm_square() + out * out) + bulk * tr * tr) * values.JxW(q) *
+        if (plane_stress)
+          H[2][2] = -thickness * (H[0][0] + H[1][1]);
+        const Tensor<2, 3> e       = 0.5 * (H + transpose(H)),
+                           sigma   = plane_stress ? as_3d<dim>(stress[q])
+                                                  : less_confined(as_3d<dim>(stress[q]), law.lambda, law.mu),
+                           product = 0.5 * (sigma * e + e * sigma);
+        Tensor<2, 3> quadratic     = 0.5 * transpose(H) * H;
+        const double change        = is_neo_hookean ? trace(e) * trace(e) - scalar_product(e, e) : 0.;
+        if (plane_stress) // no stress across
+          quadratic[2][2] = -thickness * (quadratic[0][0] + quadratic[1][1] + change);
+        const double pressure =
+            plane_stress ? -2 * law.mu * quadratic[2][2] : lambda * (trace(quadratic) + change);
+        const Tensor<2, 3> r = 2 * law.mu * quadratic + pressure * unit_symmetric_tensor<3>() +
+                               (is_neo_hookean ? -1. : 1.) * product;
+        energy += (r.norm_square() - of_trace * trace(r) * trace(r)) / (2 * law.mu) * values.JxW(q) *
                   measure<dim>(kind, X);
       }
     return energy;

@@ -126,7 +126,7 @@ namespace Amontons
               const ElasticityOperator<dim> &elasticity,
               const LA::Vector              &displacement,
               GaussStresses                 &at_gauss_points,
-              double                        &quadratic_energy)
+              double                        &neglected_energy)
           : discretization(discretization), degree(discretization.fe.degree),
             gauss(Polynomials::generate_complete_Lagrange_basis(QGauss<1>(degree).get_points())),
             nodes(discretization.fe.base_element(0).get_unit_support_points()),
@@ -135,7 +135,7 @@ namespace Amontons
             samples(discretization.geometry.triangulation.n_active_cells()),
             outer(discretization.geometry.triangulation.n_vertices(), false), polynomials(outer.size())
       {
-        take_samples(elasticity, displacement, at_gauss_points, quadratic_energy);
+        take_samples(elasticity, displacement, at_gauss_points, neglected_energy);
         find_outer_vertices();
         fit_patches();
       }
@@ -170,7 +170,7 @@ namespace Amontons
       take_samples(const ElasticityOperator<dim> &elasticity,
                    const LA::Vector              &displacement,
                    GaussStresses                 &at_gauss_points,
-                   double                        &quadratic_energy)
+                   double                        &neglected_energy)
       {
         const QGauss<dim> full(degree + 1), reduced(degree);
         FEValues<dim>     values(discretization.mapping, discretization.fe, full, elasticity.needed_flags());
@@ -197,7 +197,7 @@ namespace Amontons
                 continue;
               at_gauss_points[cell->active_cell_index()] = stress;
               if (!elasticity.finite_strain())
-                quadratic_energy += elasticity.energy_of_quadratic_strain(values, cell, displacement);
+                neglected_energy += elasticity.energy_of_neglected_stress(values, cell, displacement, stress);
             }
       }
 
@@ -330,8 +330,8 @@ namespace Amontons
       sum.reinit(owned, relevant, comm, true);
 
     gauss_stresses.assign(discretization.geometry.triangulation.n_active_cells(), {});
-    quadratic_energy = 0;
-    Patches<dim> patches(discretization, elasticity, displacement, gauss_stresses, quadratic_energy);
+    neglected_energy = 0;
+    Patches<dim> patches(discretization, elasticity, displacement, gauss_stresses, neglected_energy);
     std::vector<types::global_dof_index> dofs(scalar_dofs.get_fe().n_dofs_per_cell());
     std::vector<double>                  component(dofs.size());
     const std::vector<double>            ones(dofs.size(), 1.);
@@ -366,9 +366,9 @@ namespace Amontons
 
   template <int dim>
   double
-  StressRecovery<dim>::energy_of_quadratic_strain() const
+  StressRecovery<dim>::energy_of_neglected_stress() const
   {
-    return Utilities::MPI::sum(quadratic_energy, discretization.geometry.communicator);
+    return Utilities::MPI::sum(neglected_energy, discretization.geometry.communicator);
   }
 
   template <int dim>

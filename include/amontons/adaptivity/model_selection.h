@@ -11,9 +11,10 @@ namespace Amontons
   // Relative; the largest of the load program.
   struct NeglectedTerms
   {
-    // |1/2 H^T H| / |sym H|, H = grad u, in the energy norm of small strain: the quadratic part of Green's
-    // strain, which a rotation alone has, too. Where finite strain cannot be tried, as rotations are free: no
-    // more than that of H less the mean rotation of each body, or that rotation, by which its arms change.
+    // The quadratic terms of the stress, in the energy norm, against the stress of small strain, see
+    // ElasticityOperator::energy_of_neglected_stress(); a rotation alone has them, too. Where finite strain
+    // cannot be tried, as rotations are free: no more than that of H less the mean rotation of each body, or
+    // that rotation, by which its arms change.
     double strain = 0;
     // The largest of: the work of the contact forces on the gaps that their nodes have where the surfaces
     // really are (they should be 0), against twice the stored energy (doc/introduction.md, (28)); the part of

@@ -136,14 +136,19 @@ namespace Amontons
              const typename DoFHandler<dim>::active_cell_iterator &cell,
              const LA::Vector                                     &u) const;
 
-    // What small strain leaves out: int 2 mu e:e + lambda (tr e)^2 over the cell, of the quadratic part e =
-    // 1/2 H^T H of Green's strain, H = grad u less `turn`, a rotation that the body makes as a whole
-    // (`values` as above). A change of volume counts with 2 mu at most: a displacement could undo it at that
-    // price.
+    // What small strain leaves out: int r : C^-1 : r over the cell, of the quadratic terms r of the first
+    // Piola-Kirchhoff stress without the rotation that it has at finite strain. With H = grad u less `turn`,
+    // a rotation that the body makes as a whole, e = sym H, q = 1/2 H^T H, and the stress sigma of small
+    // strain, as stresses() has it at the points of `values`,
+    //   r = C:q - sym(sigma e) + lambda ((tr e)^2 - e:e) I   (neo-Hookean),   C:q + sym(sigma e)
+    // (St. Venant-Kirchhoff). Here and in C, lambda is 2 mu at most: a displacement could undo a change of
+    // volume at that price; nor has sigma more pressure than matter that is not confined. Plane stress: q_33
+    // so that r_33 = 0.
     double
-    energy_of_quadratic_strain(const FEValues<dim>                                  &values,
+    energy_of_neglected_stress(const FEValues<dim>                                  &values,
                                const typename DoFHandler<dim>::active_cell_iterator &cell,
                                const LA::Vector                                     &u,
+                               const std::vector<Voigt<dim>>                        &stress,
                                const Tensor<2, dim> &turn = Tensor<2, dim>()) const;
 
     static UpdateFlags

@@ -56,9 +56,9 @@ namespace Amontons
       return gauss_stresses[active_cell];
     }
 
-    // Small strain: ElasticityOperator::energy_of_quadratic_strain, of all bodies. Collective.
+    // Small strain: ElasticityOperator::energy_of_neglected_stress, of all bodies. Collective.
     double
-    energy_of_quadratic_strain() const;
+    energy_of_neglected_stress() const;
 
   private:
     const Discretization<dim>     &discretization;
@@ -68,6 +68,6 @@ namespace Amontons
     std::vector<LA::Vector>        components;
 
     std::vector<std::vector<Voigt<dim>>> gauss_stresses;       // by active cell
-    double                               quadratic_energy = 0; // of this rank's cells
+    double                               neglected_energy = 0; // of this rank's cells
   };
 } // namespace Amontons

@@ -397,6 +397,27 @@ namespace Amontons
       return sigma;
     }
 
+    // Of the displacement whose nodal values of the cell are u.
+    template <int dim>
+    Tensor<2, 3>
+    gradient(const FEValues<dim>       &values,
+             const unsigned int         q,
+             const std::vector<double> &u,
+             const ProblemType          kind)
+    {
+      const auto  &fe = values.get_fe();
+      Tensor<2, 3> H;
+      for (unsigned int i = 0; i < u.size(); ++i)
+        {
+          const unsigned int c = fe.system_to_component_index(i).first;
+          for (unsigned int d = 0; d < dim; ++d)
+            H[c][d] += u[i] * values.shape_grad(i, q)[d];
+          if (kind == ProblemType::axisymmetric && c == 0)
+            H[2][2] += u[i] * values.shape_value(i, q) / values.quadrature_point(q)[0];
+        }
+      return H;
+    }
+
     // The stress with no more pressure than 3/4 |dev sigma| (of one stress in plane strain, nu = 1/2, it is
     // 0.71), or than there were with 2 mu for lambda. A larger one is that of confined matter, and where it
     // is even no force comes of it: the cofactors of 1 + H have no divergence.
@@ -436,21 +457,10 @@ namespace Amontons
     double energy = 0;
     for (const unsigned int q : values.quadrature_point_indices())
       {
-        Tensor<2, 3> H;
+        Tensor<2, 3> H = gradient<dim>(values, q, local, kind);
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
-            H[c][d] = -turn[c][d];
-        const Point<dim> &X = values.quadrature_point(q);
-        for (unsigned int j = 0; j < fe.base_element(0).n_dofs_per_cell(); ++j)
-          {
-            const unsigned int   first    = fe.component_to_system_index(0, j);
-            const Tensor<1, dim> gradient = values.shape_grad(first, q);
-            for (unsigned int c = 0; c < dim; ++c)
-              for (unsigned int d = 0; d < dim; ++d)
-                H[c][d] += local[fe.component_to_system_index(c, j)] * gradient[d];
-            if (kind == ProblemType::axisymmetric)
-              H[2][2] += local[first] * values.shape_value(first, q) / X[0];
-          }
+            H[c][d] -= turn[c][d];
         if (plane_stress)
           H[2][2] = -thickness * (H[0][0] + H[1][1]);
         const Tensor<2, 3> e       = 0.5 * (H + transpose(H)),
@@ -466,7 +476,7 @@ namespace Amontons
         const Tensor<2, 3> r = 2 * law.mu * quadratic + pressure * unit_symmetric_tensor<3>() +
                                (is_neo_hookean ? -1. : 1.) * product;
         energy += (r.norm_square() - of_trace * trace(r) * trace(r)) / (2 * law.mu) * values.JxW(q) *
-                  measure<dim>(kind, X);
+                  measure<dim>(kind, values.quadrature_point(q));
       }
     return energy;
   }

@@ -174,8 +174,10 @@ namespace Amontons
   bool
   LoadProgram::is_beginning() const
   {
+    if (finished()) // there is no piece
+      return false;
     const Piece here = piece();
-    return !finished() && is_begun_in_two(here) && t < first(here) * (1 - 1e-9);
+    return is_begun_in_two(here) && t < first(here) * (1 - 1e-9);
   }
 
   bool

@@ -187,7 +187,7 @@ namespace Amontons
           text << " in the pressure, by " << change->without_pressures << " else";
       }
     else if (tried)
-      text << "; the iteration with finite strain does not converge from there";
+      text << "; the iteration with finite strain does not converge from there at once";
     return text.str();
   }
 

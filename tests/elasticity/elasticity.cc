@@ -393,7 +393,11 @@ check_neglected_stress(const ProblemType  kind,
   H[0][0] = a;
   H[1][1] = -0.5 * a;
   if (dim == 3)
-    H[2][2] = 0.2 * a;
+    {
+      H[2][2] = 0.2 * a;
+      H[0][2] = H[2][0] = -0.4 * a;
+      H[1][2] = H[2][1] = 0.7 * a;
+    }
   if (kind == ProblemType::axisymmetric)
     H[2][2] = a;
   else
@@ -423,6 +427,8 @@ check_neglected_stress(const ProblemType  kind,
   for (unsigned int d = 0; d < 3; ++d)
     kirchhoff[d][d] = tau[d];
   kirchhoff[0][1] = kirchhoff[1][0] = tau[3];
+  kirchhoff[0][2] = kirchhoff[2][0] = tau[4];
+  kirchhoff[1][2] = kirchhoff[2][1] = tau[5];
   const Tensor<2, 3> I              = unit_symmetric_tensor<3>();
   const Tensor<2, 3> r = kirchhoff * invert(I + H) - 2 * mu * strain - lambda * trace(strain) * I;
   const double density = (r.norm_square() - lambda / (3 * lambda + 2 * mu) * trace(r) * trace(r)) / (2 * mu);

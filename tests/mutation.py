@@ -121,7 +121,7 @@ CHANGES = [
     ("shift along the surface that slip does not see", "solver/increment_slip.cc", "weights[c][dofs[c]] -= gamma * jump;", ";", "^solver/slip$"),
     ("motion that is lost goes on", "solver/pseudo_transient.cc", "!newton.put(start) || !steps->reject()", "!newton.put(start)", "scenes/(wall_buckling|snap_away).*"),
     # ---- adaptivity
-    ("hoop strain that is left out", "elasticity/elasticity_operator.cc", "H[2][2] += u[i] *", "H[2][2] += 2 * u[i] *", "^elasticity/elasticity$"),
+    ("hoop strain that is left out", "elasticity/elasticity_operator.cc", "H[2][2] += u[first] *", "H[2][2] += 2 * u[first] *", "^elasticity/elasticity$"),
     ("stress of large strain", "elasticity/elasticity_operator.cc", "(is_neo_hookean ? -1. : 1.) * product", "(is_neo_hookean ? -1. : -1.) * product", "^elasticity/elasticity$"),
     ("volume of large strain", "elasticity/elasticity_operator.cc", "trace(e) * trace(e) - scalar_product(e, e) : 0.", "trace(e) * trace(e) : 0.", "^elasticity/elasticity$"),
     ("comparison where nothing is left", "load_stepping.cc", "evaluation.is_judged_by_history() && history.pressed_most.place.t > 0", "false", "scenes/unloaded_to_nothing"),

@@ -407,13 +407,15 @@ namespace Amontons
     {
       const auto  &fe = values.get_fe();
       Tensor<2, 3> H;
-      for (unsigned int i = 0; i < u.size(); ++i)
+      for (unsigned int j = 0; j < fe.base_element(0).n_dofs_per_cell(); ++j)
         {
-          const unsigned int c = fe.system_to_component_index(i).first;
-          for (unsigned int d = 0; d < dim; ++d)
-            H[c][d] += u[i] * values.shape_grad(i, q)[d];
-          if (kind == ProblemType::axisymmetric && c == 0)
-            H[2][2] += u[i] * values.shape_value(i, q) / values.quadrature_point(q)[0];
+          const unsigned int   first = fe.component_to_system_index(0, j);
+          const Tensor<1, dim> grad  = values.shape_grad(first, q);
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int d = 0; d < dim; ++d)
+              H[c][d] += u[fe.component_to_system_index(c, j)] * grad[d];
+          if (kind == ProblemType::axisymmetric)
+            H[2][2] += u[first] * values.shape_value(first, q) / values.quadrature_point(q)[0];
         }
       return H;
     }

@@ -106,7 +106,7 @@ namespace Amontons
     error.worst_pressure = std::max(error.worst_pressure, error.contact * pressure_norm);
     error.worst_shear    = std::max(error.worst_shear, error.shear * shear_norm);
     error.worst_bulk     = std::max(error.worst_bulk, error.bulk * energy_norm);
-    if (of_history && energy_norm < little * error.energy_norm)
+    if (of_history && energy_norm < unloaded_part * error.energy_norm)
       error.bulk = error.worst_bulk / error.energy_norm;
     if (!is_judged_by_history())
       return;

@@ -125,7 +125,7 @@ CHANGES = [
     ("stress of large strain", "elasticity/elasticity_operator.cc", "(is_neo_hookean ? -1. : 1.) * product", "(is_neo_hookean ? -1. : -1.) * product", "^elasticity/elasticity$"),
     ("volume of large strain", "elasticity/elasticity_operator.cc", "trace(e) * trace(e) - scalar_product(e, e) : 0.", "trace(e) * trace(e) : 0.", "^elasticity/elasticity$"),
     ("comparison where nothing is left", "load_stepping.cc", "evaluation.is_judged_by_history() && history.pressed_most.place.t > 0", "false", "scenes/unloaded_to_nothing"),
-    ("stress of rounding", "evaluation.cc", "of_history && energy_norm < little * error.energy_norm", "false", "scenes/unloaded_to_nothing"),
+    ("stress of rounding", "evaluation.cc", "of_history && energy_norm < unloaded_part * error.energy_norm", "false", "scenes/unloaded_to_nothing"),
     ("kinematics of rounding", "adaptivity/model_selection.cc", "if (pressures && !is_unloaded(**place))", "if (pressures)", "scenes/unloaded_to_nothing"),
     ("peaks that agree by chance", "evaluation.cc", "error.peak, error.contact / 3}", "error.peak}", "scenes/peak_by_chance"),
     ("stick size by small strain", "output/target_quantity.cc", "return 2;", "return 1;", "scenes/stick_size_by_finite_strain"),

@@ -60,7 +60,7 @@ namespace Amontons
     bool
     is_judged_by_history() const
     {
-      return of_history && pressure_norm < little * error.pressure_norm;
+      return of_history && pressure_norm < unloaded_part * error.pressure_norm;
     }
     bool
     presses_most() const
@@ -99,9 +99,8 @@ namespace Amontons
     }
 
   private:
-    static constexpr double little = 0.05;
-    const bool              of_history;
-    ErrorEstimate<dim>      kept; // of the last increment
+    const bool         of_history;
+    ErrorEstimate<dim> kept; // of the last increment
     // Of the state, what its errors count against.
     double pressure_norm = 0, shear_norm = 0, energy_norm = 0;
 

@@ -1,4 +1,5 @@
 #include <amontons/elasticity/elasticity_operator.h>
+#include <amontons/elasticity/kirchhoff.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -384,19 +385,6 @@ namespace Amontons
 
   namespace
   {
-    template <int dim>
-    Tensor<2, 3>
-    as_3d(const Voigt<dim> &stress)
-    {
-      Tensor<2, 3> sigma;
-      for (unsigned int d = 0; d < 3; ++d)
-        sigma[d][d] = stress[d];
-      constexpr std::array<std::array<unsigned int, 2>, 3> shears = {{{{0, 1}}, {{0, 2}}, {{1, 2}}}};
-      for (unsigned int k = 3; k < stress.size(); ++k)
-        sigma[shears[k - 3][0]][shears[k - 3][1]] = sigma[shears[k - 3][1]][shears[k - 3][0]] = stress[k];
-      return sigma;
-    }
-
     // Of the displacement whose nodal values of the cell are u.
     template <int dim>
     Tensor<2, 3>
@@ -466,8 +454,8 @@ namespace Amontons
         if (plane_stress)
           H[2][2] = -thickness * (H[0][0] + H[1][1]);
         const Tensor<2, 3> e       = 0.5 * (H + transpose(H)),
-                           sigma   = plane_stress ? as_3d<dim>(stress[q])
-                                                  : less_confined(as_3d<dim>(stress[q]), law.lambda, law.mu),
+                           sigma   = plane_stress ? as_tensor(stress[q])
+                                                  : less_confined(as_tensor(stress[q]), law.lambda, law.mu),
                            product = 0.5 * (sigma * e + e * sigma);
         Tensor<2, 3> quadratic     = 0.5 * transpose(H) * H;
         const double change        = is_neo_hookean ? trace(e) * trace(e) - scalar_product(e, e) : 0.;

@@ -2,6 +2,7 @@
 #include <amontons/verification/reference_errors.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/surface_fields.h>
+#include <amontons/elasticity/kirchhoff.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -29,23 +30,6 @@ namespace Amontons
       for (const unsigned int i : nodes)
         radius = std::max(radius, (surface.nodes[i].X - mean).norm());
       return (mean - centre).norm() > reference.pressure_range + 1.2 * radius;
-    }
-
-    // Stress components in the order of Voigt<dim> (kinematics.h) as a tensor.
-    template <int dim>
-    SymmetricTensor<2, 3>
-    as_tensor(const Voigt<dim> &s)
-    {
-      SymmetricTensor<2, 3> t;
-      for (unsigned int i = 0; i < 3; ++i)
-        t[i][i] = s[i];
-      t[0][1] = s[3];
-      if (dim == 3)
-        {
-          t[0][2] = s[n_voigt<dim> - 2];
-          t[1][2] = s[n_voigt<dim> - 1];
-        }
-      return t;
     }
 
     // Twice the density of the complementary energy: (1+nu)/E s:s - nu/E tr(s)^2
@@ -176,7 +160,7 @@ namespace Amontons
               if (reference.stress)
                 {
                   const auto exact_stress = reference.stress(body.name, X);
-                  sums[4] += weight * energy(as_tensor<dim>(stress[q]) - exact_stress, body.material);
+                  sums[4] += weight * energy(symmetrize(as_tensor(stress[q])) - exact_stress, body.material);
                   sums[5] += weight * energy(exact_stress, body.material);
                 }
             }

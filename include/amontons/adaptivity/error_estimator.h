@@ -14,6 +14,10 @@ namespace Amontons
   // Errors of the tangential traction are relative to it or to this part of the pressure, if that is larger.
   constexpr double noteworthy_shear = 0.05;
 
+  // With less than this part of its largest pressure, a load program with friction has unloaded: errors are
+  // told relative to what it had.
+  constexpr double unloaded_part = 0.05;
+
   // By recovery alone, relative L2 errors of the pressure and, with friction, of the tangential traction.
   struct RecoveredErrors
   {

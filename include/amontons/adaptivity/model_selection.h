@@ -1,6 +1,7 @@
 // What small strain leaves out.
 #pragma once
 
+#include <amontons/adaptivity/error_estimator.h>
 #include <amontons/contact/contact_interface.h>
 #include <amontons/elasticity/elasticity_operator.h>
 #include <amontons/elasticity/stress_recovery.h>
@@ -124,12 +125,11 @@ namespace Amontons
       std::vector<std::vector<Node>> nodes;        // by pair
     };
 
-    // Has less than a twentieth of the largest pressure: what is left out there is not told relative to what
-    // is left, see Evaluation::judge_by_history().
+    // What is left out there is not told relative to what is left, see Evaluation::judge_by_history().
     bool
     is_unloaded(const Place &place) const
     {
-      return place.pressure < 0.05 * largest_pressure;
+      return place.pressure < unloaded_part * largest_pressure;
     }
 
     NeglectedTerms       terms;

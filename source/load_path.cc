@@ -347,7 +347,7 @@ namespace Amontons
     LoadPath<dim>      repeat(parameters, model->at_rest(program.next()), timer, control);
     if (is_guided) // first guesses for both
       repeat.history.path.swap(history.path);
-    const bool success = repeat.run(program);
+    const bool success = repeat.run(program, is_guided ? std::max(2u, history.record.n_increments / 20) : 0);
     if (is_guided)
       repeat.history.path.swap(history.path);
     if (!success || repeat.history.record.n_increments == history.record.n_increments)

@@ -81,7 +81,8 @@ namespace Amontons
     begin_next(const LoadProgram &program);
     /// What a load program leaves on this mesh; nothing if it fails or has as many increments. is_guided: by
     /// the states of `path`. Where states are several these lead longer increments to an answer that they do
-    /// not find on another mesh: what is to be taken must find its way alone.
+    /// not find on another mesh: what is to be taken must find its way alone. (What only measures may cut
+    /// some increments back: their number hardly changes.)
     std::optional<LoadRecord>
     repeat(LoadProgram program, const bool is_guided);
     void

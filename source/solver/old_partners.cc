@@ -4,6 +4,8 @@
 
 #include <deal.II/base/geometry_info.h>
 
+#include <algorithm>
+
 namespace Amontons
 {
   namespace
@@ -52,15 +54,38 @@ namespace Amontons
   }
 
   template <int dim>
+  Point<dim>
+  OldPartners<dim>::other_side(const ContactInterface<dim> &interface, const Partners &of)
+  {
+    return interface.master.obstacle != nullptr
+               ? interface.master.motion(of.on_obstacle)
+               : interface.master_surface->position(of.master_face, of.xi_master);
+  }
+
+  template <int dim>
   typename OldPartners<dim>::Distance
   OldPartners<dim>::distance(const ContactInterface<dim> &interface, const Partners &of)
   {
     const auto           x   = interface.slave->position(of.slave_face, of.xi_slave);
-    const auto           y   = interface.master.obstacle != nullptr
-                                   ? interface.master.motion(of.on_obstacle)
-                                   : interface.master_surface->position(of.master_face, of.xi_master);
-    const Tensor<1, dim> way = y - x, n = interface.slave->face_normal(of.slave_face, of.xi_slave);
+    const Tensor<1, dim> way = other_side(interface, of) - x,
+                         n   = interface.slave->face_normal(of.slave_face, of.xi_slave);
     return {way * n, (way - (way * n) * n).norm()};
+  }
+
+  // And does not penetrate on average: beyond the edge of the contact a gap that grows fast may be negative
+  // at the node itself (MovingContact::open_gap).
+  template <int dim>
+  bool
+  OldPartners<dim>::is_still_opposite(const ContactInterface<dim> &interface,
+                                      const unsigned int           node,
+                                      const Partners              &old)
+  {
+    const auto *const p    = nearest_points(interface)[node];
+    const auto       &rows = interface.coupling.rows;
+    const auto        row =
+        std::find_if(rows.begin(), rows.end(), [&](const auto &row) { return row.node == node; });
+    return p != nullptr && row != rows.end() && std::max(row->gap, row->mean_gap) >= 0 &&
+           p->x_master.distance(other_side(interface, old)) < interface.slave->mean_size;
   }
 
   template <int dim>
@@ -78,7 +103,7 @@ namespace Amontons
           const auto   now    = distance(interfaces[i], *partners[i][n]);
           const double before = partners[i][n]->gap, h = interfaces[i].slave->mean_size;
           if (before > -0.02 * h && now.gap < -0.05 * h - partners[i][n]->of_facets &&
-              before - now.gap > now.sideways)
+              before - now.gap > now.sideways && !is_still_opposite(interfaces[i], n, *partners[i][n]))
             result.push_back(interfaces[i].slave->nodes[n].X);
         }
     return result;

@@ -42,8 +42,14 @@ namespace Amontons
     {
       double gap, sideways;
     };
+    static Point<dim>
+    other_side(const ContactInterface<dim> &interface, const Partners &partners);
     static Distance
     distance(const ContactInterface<dim> &interface, const Partners &partners);
+
+    // Whether contact sees the node outside of where its partner of old is now.
+    static bool
+    is_still_opposite(const ContactInterface<dim> &interface, const unsigned int node, const Partners &old);
 
     // Nodes of one side, and points that move with the faces of the other.
     struct Places

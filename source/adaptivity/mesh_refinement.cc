@@ -293,8 +293,6 @@ namespace Amontons
       return levels;
     }
 
-    constexpr double largest_step = 0.4;
-
     // Of the squared error, by the cells that stay. At once: half of what may be left, and of coarse meshes,
     // which do not know more, a quarter; a load program that is repeated for little should not be once more.
     // Else the part l of them and the rest, refined once, leave l + (1 -
@@ -305,7 +303,7 @@ namespace Amontons
       constexpr double most_with_history = 0.7;
       if (at_once)
         return 0.5 * std::pow(std::clamp(reduction, 0.25, has_history ? most_with_history : 1.), 2);
-      constexpr double safety = 0.93, least = 0.05;
+      constexpr double largest_step = 0.4, safety = 0.93, least = 0.05;
       const double     whole = std::clamp(reduction, 1e-6, 1.),
                    n_steps   = std::max(1., std::ceil(std::log(whole) / std::log(largest_step)));
       return std::max(least,
@@ -335,12 +333,11 @@ namespace Amontons
     const SquaredErrors errors(discretization, indicators);
     if (errors.largest == 0)
       return false;
-    const Levels levels = levels_for(
-        errors,
-        part_that_stays(reduction, dim == 2 || (has_history && reduction > largest_step), has_history),
-        affordable_cells(discretization, max_dofs),
-        geometry.triangulation.n_global_active_cells(),
-        GeometryInfo<dim>::max_children_per_cell);
+    const Levels levels = levels_for(errors,
+                                     part_that_stays(reduction, dim == 2 || has_history, has_history),
+                                     affordable_cells(discretization, max_dofs),
+                                     geometry.triangulation.n_global_active_cells(),
+                                     GeometryInfo<dim>::max_children_per_cell);
 
     deeper.clear();
     const bool any = mark(discretization, geometry, indicators, levels, deeper);

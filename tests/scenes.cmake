@@ -1257,6 +1257,12 @@ set(SOUND "checks.tension <= 1e-9" "checks.penetration <= 1e-9" "checks.force_ba
 add_scene_test(NAME ironing SCENE ironing.prm SET "End time=1.1" "Increments=110" "Body block/Cells=48,8" "Contact ironing/Slave=second"
                CHECK ${SOUND} "checks.coulomb_cone <= 1e-9" "newton.:.iterations <= 6" "pairs.0.n_slip >= 5" "pairs.0.normal_force.1 ~ -50.907 0.01"
                      "pairs.0.tangential_force.0 ~ 15.163 0.01")
+# An open node beside the edge whose gap is negative at the node itself has not passed through the other side.
+add_scene_test(NAME ironing_open_on_average SCENE ironing.prm SET "End time=1.1" "Increments=60" "Body block/Cells=48,8" "Contact ironing/Slave=second"
+               CHECK ${SOUND} "cut_backs == 0" "linear_solves <= 450")
+# Half as many increments, of which one is cut back: no more of them are needed to see what they are worth.
+add_scene_test(NAME ironing_measured_with_cuts SCENE ironing.prm SET "End time=1.3" "Increments=80" "Body block/Cells=24,4"
+               CHECK ${SOUND} "error_estimate.increments <= 0.02" "cut_backs == 0" "linear_solves <= 530")
 add_scene_test(NAME ironing_stiff_slave SCENE ironing.prm SET "End time=1.05" "Increments=105" "Body block/Cells=48,8" "Contact ironing/Slave=first"
                CHECK ${SOUND} "checks.coulomb_cone <= 1e-9" "newton.:.iterations <= 8" "pairs.0.normal_force.1 ~ 48.285 0.01"
                      "pairs.0.tangential_force.0 ~ -14.228 0.01")
@@ -1499,6 +1505,9 @@ add_scene_test(NAME small_strain_shear SCENE verification/simple_shear_finite.pr
 add_scene_test(NAME small_strain_history SCENE verification/patch_confined.prm
                SET ${UNIAXIAL} "Boundary condition top/Value=free|-table(0: 0, 1: 0.03, 2: 0.01)" "End time=2" "Output times=1"
                CHECK "checks.neglected_strain ~ 0.00772109996149 1e-9" "meshes.-1.t == 2")
+# Behind planes of symmetry bodies go on: what is stout is stout when it is cut.
+add_scene_test(NAME small_strain_of_a_quarter SCENE hertz_sphere.prm SET "Refinement/Cycles=2" "Refinement/Target error=0"
+               CHECK "checks.neglected_stiffening == 0" "checks.neglected_strain >= 1e-3")
 # The cylinder has moved to the left by s = 0.6: the nodes that carry it have gaps of (s^2/2 + s x)/R, whose work is F (s^2/2 + 4 a s/(3 pi))/R,
 # against twice the energy of 3.030.
 # Half of Euler's load; 3 (tan k - k)/k^3 3.64e-3 at the tip.

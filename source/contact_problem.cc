@@ -107,7 +107,9 @@ namespace Amontons
     if (success && scene.has_friction())
       add_error_of_increments();
     success = success && !is_stopped();
-    if (success && parameters.refinement.target_error > 0 && !scene.full_model)
+    if (success && small_strain.may_lose_symmetry())
+      warn_of_halves();
+    else if (success && parameters.refinement.target_error > 0 && !scene.full_model)
       for (const auto &plane : mirror_planes(
                steps->answer(), parameters.refinement.target_error / 10, steps->history.record.breakpoints))
         report.note("model: the scene is its own mirror image at " + plane +
@@ -385,6 +387,21 @@ namespace Amontons
         steps->evaluation.refined = refined;
       }
     return steps->run();
+  }
+
+  // A half sees no motion that is not its own mirror image.
+  template <int dim>
+  void
+  ContactProblem<dim>::warn_of_halves()
+  {
+    for (const auto &condition : scene.conditions)
+      if (condition.type == ConditionData::Type::symmetry)
+        return report.announce(
+            "warning: slender bodies bear more than a cantilever of their size does before it buckles, and "
+            "'Boundary condition " +
+            condition.name +
+            "' (symmetry) lets them move to both sides alike only: whether the whole scene buckles sideways "
+            "shows in a run of the whole");
   }
 
   template <int dim>

@@ -149,11 +149,13 @@ namespace Amontons
     const auto  &interfaces = model.interfaces;
     const double doubt      = std::max(height_in_doubt(interfaces, fields),
                                   error.bulk > target ? error.bulk * state.displacement.linfty_norm() : 0.);
-    return (!touches() && error.data >= 1) ||
+    // What is left of the only pair in an unloaded end was seen when it pressed.
+    const bool was_seen = interfaces.size() == 1 && is_judged_by_history();
+    return (!was_seen && !touches() && error.data >= 1) ||
            (error.quantity && !small_contacts_are_resolved(interfaces, fields)) ||
            (quantity == "contact size" && !sizes_are_resolved(interfaces, fields, target)) ||
            (quantity == "stick size" && is_zero && may_hide_stick(interfaces, state)) ||
-           smallest_gap_of_untouched(interfaces, fields) < doubt;
+           (!was_seen && smallest_gap_of_untouched(interfaces, fields) < doubt);
   }
 
   template struct Evaluation<2>;

@@ -1505,6 +1505,10 @@ add_scene_test(NAME small_strain_shear SCENE verification/simple_shear_finite.pr
 add_scene_test(NAME small_strain_history SCENE verification/patch_confined.prm
                SET ${UNIAXIAL} "Boundary condition top/Value=free|-table(0: 0, 1: 0.03, 2: 0.01)" "End time=2" "Output times=1"
                CHECK "checks.neglected_strain ~ 0.00772109996149 1e-9" "meshes.-1.t == 2")
+# Half of a cantilever, 2 thick, under 2.1 times Euler's load along it: it does not buckle, cut by its axis.
+add_scene_test(NAME half_of_what_buckles SCENE verification/beam_on_floor.prm SET "Boundary condition sym/Boundaries=b/bottom" "Boundary condition p/Boundaries=b/right" "Boundary condition p/Value=100"
+                   "Obstacle floor/Centre=0, 1.2" "Obstacle floor/Normal=0, -1" "Contact c/First=b/top"
+               CHECK "status is converged" "notes.0 has shows in a run of the whole" "checks.neglected_stiffening <= 0.05")
 # Behind planes of symmetry bodies go on: what is stout is stout when it is cut.
 add_scene_test(NAME small_strain_of_a_quarter SCENE hertz_sphere.prm SET "Refinement/Cycles=2" "Refinement/Target error=0"
                CHECK "checks.neglected_stiffening == 0" "checks.neglected_strain >= 1e-3")
@@ -1745,6 +1749,10 @@ add_scene_test(NAME wedge_self_lock_one_increment SCENE verification/wedge_self_
 add_scene_test(NAME unloaded_to_nothing SCENE verification/small_shear.prm
                SET "Boundary condition load/Force=0|-1000*table(0:0, 1:1, 2:0)" "Boundary condition load/Displacement=0|free" "Body l/Young modulus=60000" "Refinement/Target error=0.2"
                CHECK "status is converged" "dofs <= 10000" "error_estimate.shear <= 0.2" "error_estimate.bulk <= 0.05" "error_estimate.kinematics <= 0.02" "notes.0 has less than 5 %" "pairs.0.normal_force.1 abs<= 1e-9")
+# Twice, and to where both just touch: what is left there is no contact that meshes do not see.
+add_scene_test(NAME pressed_twice_and_unloaded SCENE verification/small_shear.prm
+               SET "End time=4" "Boundary condition load/Force=" "Boundary condition load/Displacement=0.002*table(0:0, 1:1, 2:-1, 3:1, 4:-1)|-0.01*table(0:0, 1:1, 2:0, 3:1, 4:0)" "Body l/Young modulus=60000" "Refinement/Target error=0.2"
+               CHECK "status is converged" "dofs <= 10000" "error_estimate.shear <= 0.2")
 add_scene_test(NAME small_shear SCENE verification/small_shear.prm CHECK ${LAWS} "status is converged" "pairs.0.tangential_force.0 ~ 0.03 1e-6")
 # The way there was far beyond small strain, the end is not.
 add_scene_test(NAME auto_comes_back SCENE verification/press_finite.prm

@@ -42,6 +42,8 @@ namespace Amontons
     run_with_finite_strain(const bool small_strain_converged);
     bool
     go_on_with_finite_strain();
+    void
+    warn_of_halves();
     bool
     judge_small_strain();
     void

@@ -93,6 +93,13 @@ namespace Amontons
     {
       return rotations_are_held && !parameters.newton.collocates();
     }
+    /// Where slender bodies bear more than a cantilever of their size, which is the least that buckles: what
+    /// is the same on both sides of a plane of symmetry may not be all that there is. (A bound.)
+    bool
+    may_lose_symmetry() const
+    {
+      return neglected.largest().stiffening > 1;
+    }
     /// For sentences.
     std::string
     description() const;

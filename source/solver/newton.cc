@@ -364,8 +364,10 @@ namespace Amontons
              !at.states.frozen() && at.report.has_stalled(1e3 * problem.parameters.tolerance))
       {
         std::ostringstream text;
-        text << "the residual stays at " << last.residual << " of the forces where "
-             << problem.parameters.tolerance << " is asked for: rounding leaves no more";
+        // (A power of ten: else each increment would say it anew.)
+        text << "the residual stays below " << std::pow(10, std::ceil(std::log10(last.residual)))
+             << " of the forces where " << problem.parameters.tolerance
+             << " is asked for: rounding leaves no more";
         at.report.add_note(text.str());
         at.report.converged = true;
       }

@@ -320,8 +320,7 @@ namespace Amontons
   std::string
   FloatingBodies<dim>::describe(const std::vector<double> &q) const
   {
-    static const std::vector<std::string> axes    = {"x", "y", "z"};
-    double                                largest = 0;
+    double largest = 0;
     for (const double value : q)
       largest = std::max(largest, std::abs(value));
     std::string text;
@@ -331,7 +330,7 @@ namespace Amontons
         {
           const unsigned int owner = i / modes_per_body, mode = i % modes_per_body;
           const std::string  motion = modes_per_body == 1 ? "axial motion"
-                                      : mode < dim        ? "motion along " + axes[mode]
+                                      : mode < dim        ? std::string("motion along ") + "xyz"[mode]
                                                           : "rotation";
           const std::string  part =
               motion + " of " +
@@ -482,16 +481,18 @@ namespace Amontons
     const auto free_rigid_modes = null_space(with_equations(all_equations), 1e-12);
     if (free_rigid_modes.m() == 0)
       return "";
-    std::string note;
+    std::vector<double> moves(n_modes); // in any of them, whatever basis they have
     for (unsigned int k = 0; k < free_rigid_modes.n(); ++k)
       {
         std::vector<double> q(n_modes);
         for (unsigned int i = 0; i < n_modes; ++i)
           q[i] = free_rigid_modes(i, k);
         check(q);
-        note += (note.empty() ? "" : "; ") + describe(q);
+        for (unsigned int i = 0; i < n_modes; ++i)
+          moves[i] = std::hypot(moves[i], q[i]);
       }
-    return "no support and no contact holds the rigid " + note + "; no load drives it, so it is kept at rest";
+    return "no support and no contact holds the rigid " + describe(moves) +
+           "; no load drives it, so it is kept at rest";
   }
 
   template class FloatingBodies<2>;

@@ -186,6 +186,20 @@ check_guided_block()
   check::is_true(contains(Problem(scene).check_loads(), "thrown"), "and the load drives it");
 }
 
+// Beside the origin the basis of its motions mixes them; each is named once, whatever that is.
+void
+check_free_block()
+{
+  Scene scene               = two_blocks();
+  scene.pairs               = {};
+  scene.bodies[1].lower     = {20, 3, 0};
+  scene.bodies[1].upper     = {30, 7, 0};
+  const std::string note    = Problem(scene).check_loads(),
+                    motions = "rigid motion along x of body 'upper', motion along y of body 'upper', "
+                              "rotation of body 'upper'; no load";
+  check::is_true(contains(note, motions), "all three, once: " + note);
+}
+
 void
 check_held_blocks()
 {
@@ -292,6 +306,7 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_sliding_block();
   check_guided_block();
+  check_free_block();
   check_held_blocks();
   check_platen();
   check_axisymmetric();

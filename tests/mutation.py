@@ -129,7 +129,7 @@ CHANGES = [
     ("kinematics of rounding", "adaptivity/model_selection.cc", "if (pressures && !is_unloaded(**place))", "if (pressures)", "scenes/unloaded_to_nothing"),
     ("measuring without cuts", "load_path.cc", "is_guided ? std::max(2u, history.record.n_increments / 20) : 0", "0", "scenes/ironing_measured_with_cuts"),
     ("passing of what is open on average", "solver/old_partners.cc", "&& !is_still_opposite(interfaces[i], n, *partners[i][n]))", ")", "scenes/ironing_open_on_average"),
-    ("surfaces of symmetry", "adaptivity/slenderness.cc", "&& cuts.count(face->boundary_id()) == 0", "", "scenes/small_strain_of_a_quarter"),
+    ("surfaces of symmetry", "adaptivity/slenderness.cc", "&& !is_mirror(face)", "", "scenes/small_strain_of_a_quarter"),
     ("contact that was seen", "evaluation.cc", "interfaces.size() == 1 && is_judged_by_history()", "false", "scenes/pressed_twice_and_unloaded"),
     ("halves that may buckle", "contact_problem.cc", "if (success && small_strain.may_lose_symmetry())", "if (false)", "scenes/half_of_what_buckles"),
     ("peaks that agree by chance", "evaluation.cc", "error.peak, error.contact / 3}", "error.peak}", "scenes/peak_by_chance"),

@@ -1,6 +1,7 @@
 #include <amontons/base/gather.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/contact_surface.h>
+#include <amontons/discretization/mirror_faces.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/contact/face_lattice.h>
 
@@ -103,23 +104,6 @@ namespace Amontons
       for (const auto &further : name.more)
         boundaries.insert(discretization.geometry.boundary({name.body, further, name.where}, scene).id);
       return boundaries;
-    }
-
-    // Symmetry, and the axis of revolution.
-    template <int dim>
-    IsMirror<dim>
-    planes_of_symmetry(const Discretization<dim> &discretization)
-    {
-      const auto                  &scene = discretization.scene;
-      std::set<types::boundary_id> boundaries;
-      for (const auto &condition : scene.conditions)
-        if (condition.type == ConditionData::Type::symmetry)
-          for (const auto &name : condition.boundaries)
-            boundaries.insert(discretization.geometry.boundary(name, scene).id);
-      return [boundaries, on_axis = scene.kind == ProblemType::axisymmetric](const auto &face) {
-        return boundaries.count(face->boundary_id()) > 0 ||
-               (on_axis && std::abs(face->center()[0]) < 1e-10 * face->diameter());
-      };
     }
   } // namespace
 

@@ -141,19 +141,26 @@ namespace Amontons
                                              const KinematicsErrors     &kinematics)
   {
     const auto   or_none       = [](const double part) { return std::isnan(part) ? 0. : part; };
-    const double by_increments = summary.increments ? summary.increments->of(refinement.target_quantity) : 0.;
+    const double by_increments = error_by_increments(refinement.target_quantity);
     const double by_kinematics = error.quantity
                                      ? or_none(kinematics.target)
                                      : std::max(or_none(kinematics.answer), or_none(kinematics.shear));
-    const std::string missed =
-        "warning: the target error was not reached: the mesh alone reaches it, with what ";
-    const double left = refinement.target_error - error.of_target() - by_increments;
-    if (left >= 0 && by_kinematics <= std::max(left, refinement.target_error / 4))
+    const double target = refinement.target_error, left = target - error.of_target() - by_increments;
+    if (left >= 0 && by_kinematics <= std::max(left, target / 4))
       return;
-    if (by_increments >= by_kinematics)
-      note(missed + "the increments add it is missed: more of them ('Increments') make that less");
-    else
-      note(missed + "small strain leaves out it is missed ('Kinematics')");
+    const bool         by_these = by_increments > std::min(target / 4, by_kinematics),
+               by_strain        = by_kinematics > std::min(target / 4, by_increments);
+    std::ostringstream text;
+    text.precision(2);
+    text << "warning: the target error was not reached: the mesh alone reaches it, with what";
+    if (by_these)
+      text << " the increments add (" << by_increments << ")" << (by_strain ? " and" : "");
+    if (by_strain)
+      text << " small strain leaves out (" << by_kinematics << ")";
+    text << " it is missed: " << (by_these ? "more of them ('Increments') make that less" : "")
+         << (by_these && by_strain ? ", and so does " : "")
+         << (by_strain ? "finite strain ('Kinematics')" + std::string(by_these ? "" : " leaves out less") : "");
+    note(text.str());
   }
 
   // What the answer is not, or not the whole of.

@@ -1753,6 +1753,11 @@ add_scene_test(NAME unloaded_to_nothing SCENE verification/small_shear.prm
 add_scene_test(NAME pressed_twice_and_unloaded SCENE verification/small_shear.prm
                SET "End time=4" "Boundary condition load/Force=" "Boundary condition load/Displacement=0.002*table(0:0, 1:1, 2:-1, 3:1, 4:-1)|-0.01*table(0:0, 1:1, 2:0, 3:1, 4:0)" "Body l/Young modulus=60000" "Refinement/Target error=0.2"
                CHECK "status is converged" "dofs <= 10000" "error_estimate.shear <= 0.2")
+# Mesh, increments and small strain keep their shares, their sum does not: the warning named the largest alone.
+add_scene_test(NAME parts_miss_together SCENE verification/small_shear.prm
+               SET "Boundary condition load/Force=" "Boundary condition load/Displacement=0.01*table(0:0, 1:1, 2:0)|-0.03*table(0:0, 1:1, 2:0.5)" "Refinement/Target error=0.1"
+                   "Body l/Young modulus=70000" "Contact c/Initial gap=x^2/20"
+               CHECK "status is converged" "notes.0 has and small strain leaves out (0.03" "notes.0 has and so does finite strain")
 add_scene_test(NAME small_shear SCENE verification/small_shear.prm CHECK ${LAWS} "status is converged" "pairs.0.tangential_force.0 ~ 0.03 1e-6")
 # The way there was far beyond small strain, the end is not.
 add_scene_test(NAME auto_comes_back SCENE verification/press_finite.prm

@@ -154,6 +154,12 @@ namespace Amontons
     {
       return summary.increments;
     }
+    /// Of that quantity; 0: not known.
+    double
+    error_by_increments(const std::string &quantity) const
+    {
+      return summary.increments ? summary.increments->of(quantity) : 0.;
+    }
 
     /// Ends the summary, and writes the files.
     struct Ending

@@ -172,7 +172,8 @@ namespace Amontons
         auto values = target_quantity(name, answer(), history.work);
         if ((name == "energy" ? error.energy_norm : error.pressure_norm) == 0) // no more than rounding
           std::fill(values.begin(), values.end(), 0.);
-        const bool has_size = name != "contact size" || sizes_are_seen(model->interfaces, evaluation.fields);
+        const bool has_size =
+            name.find(" size") == std::string::npos || sizes_are_seen(model->interfaces, evaluation.fields);
         if (is_resolved && has_size)
           history.quantity.add(n_dofs, values, noteworthy_value(name, answer(), history.work));
         else // meshes before did not see all that touches

@@ -1,4 +1,5 @@
 // RunReport: what its answer is not.
+#include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/run_report.h>
 #include <amontons/scene/text.h>
 
@@ -66,15 +67,19 @@ namespace Amontons
 
   template <int dim>
   void
-  RunReport<dim>::note_small_tractions(const Ending &ending)
+  RunReport<dim>::note_small_tractions(const Answer<dim> &answer, const Ending &ending)
   {
     constexpr double small = 1e-3; // errors of which nobody asks what they are relative to
     const auto      &error = ending.evaluation.error;
     if (!ending.converged || std::max(error.contact, error.shear) < small)
       return;
     if (ending.evaluation.touches() && ending.evaluation.is_judged_by_history())
-      note("at the end the pressure is less than 5 % of the largest of the load program (in the mean "
-           "square): the estimated errors are the largest of the program, relative to that pressure");
+      note(std::string(
+               "at the end the pressure is less than 5 % of the largest of the load program (in the mean "
+               "square): the estimated errors are the largest of the program, relative to that pressure") +
+           (sizes_are_seen(answer.interfaces, answer.fields)
+                ? ""
+                : "; the contact is smaller than cells then, and its size is not known"));
     if (error.shear < small || error.shear_norm > noteworthy_shear * error.pressure_norm * (1 + 1e-9))
       return;
     std::ostringstream text;
@@ -148,8 +153,8 @@ namespace Amontons
     const double target = refinement.target_error, left = target - error.of_target() - by_increments;
     if (left >= 0 && by_kinematics <= std::max(left, target / 4))
       return;
-    const bool         by_these = by_increments > std::min(target / 4, by_kinematics),
-               by_strain        = by_kinematics > std::min(target / 4, by_increments);
+    const bool by_these  = by_increments > std::min(target / 4, by_kinematics),
+               by_strain = by_kinematics > std::min(target / 4, by_increments);
     std::ostringstream text;
     text.precision(2);
     text << "warning: the target error was not reached: the mesh alone reaches it, with what";
@@ -159,7 +164,8 @@ namespace Amontons
       text << " small strain leaves out (" << by_kinematics << ")";
     text << " it is missed: " << (by_these ? "more of them ('Increments') make that less" : "")
          << (by_these && by_strain ? ", and so does " : "")
-         << (by_strain ? "finite strain ('Kinematics')" + std::string(by_these ? "" : " leaves out less") : "");
+         << (by_strain ? "finite strain ('Kinematics')" + std::string(by_these ? "" : " leaves out less")
+                       : "");
     note(text.str());
   }
 
@@ -200,11 +206,11 @@ namespace Amontons
   template void
   RunReport<2>::note_rough_pressure(const Ending &);
   template void
-  RunReport<2>::note_small_tractions(const Ending &);
+  RunReport<2>::note_small_tractions(const Answer<2> &, const Ending &);
   template void
   RunReport<3>::note_rough_pressure(const Ending &);
   template void
-  RunReport<3>::note_small_tractions(const Ending &);
+  RunReport<3>::note_small_tractions(const Answer<3> &, const Ending &);
   template void
   RunReport<2>::note_limits(const Answer<2> &, const Ending &);
   template void

@@ -329,7 +329,7 @@ namespace Amontons
     if (has_answer())
       add_answer(answer, ending);
     note_rough_pressure(ending);
-    note_small_tractions(ending);
+    note_small_tractions(answer, ending);
     note_untouched_pairs();
     note_facets(answer.interfaces, ending.evaluation.error);
     note_limits(answer, ending);

@@ -1758,6 +1758,15 @@ add_scene_test(NAME parts_miss_together SCENE verification/small_shear.prm
                SET "Boundary condition load/Force=" "Boundary condition load/Displacement=0.01*table(0:0, 1:1, 2:0)|-0.03*table(0:0, 1:1, 2:0.5)" "Refinement/Target error=0.1"
                    "Body l/Young modulus=70000" "Contact c/Initial gap=x^2/20"
                CHECK "status is converged" "notes.0 has and small strain leaves out (0.03" "notes.0 has and so does finite strain")
+# What is left of a contact that was ten times as large (and more) is smaller than cells: no size of it is known there (the
+# stick size was 0, and told right to 3.8 %).
+add_scene_test(NAME stick_size_of_what_is_left SCENE verification/small_shear.prm
+               SET "End time=3" "Boundary condition load/Force=150*table(1:0, 2:1, 3:0)|-1000*table(0:0, 1:1, 2:1, 3:0.01)" "Contact c/Initial gap=x^2/20"
+                   "Refinement/Target error=0.1" "Refinement/Target quantity=stick size"
+               CHECK "status is converged" "pairs.0.stick_size ~ 0.0341 0.1")
+add_scene_test(NAME size_of_what_is_left SCENE verification/small_shear.prm
+               SET "End time=3" "Boundary condition load/Force=150*table(1:0, 2:1, 3:0)|-1000*table(0:0, 1:1, 2:1, 3:0.001)" "Contact c/Initial gap=x^2/20" "Refinement/Target error=0.1"
+               CHECK "status is converged" "notes.0 has smaller than cells then, and its size is not known")
 add_scene_test(NAME small_shear SCENE verification/small_shear.prm CHECK ${LAWS} "status is converged" "pairs.0.tangential_force.0 ~ 0.03 1e-6")
 # The way there was far beyond small strain, the end is not.
 add_scene_test(NAME auto_comes_back SCENE verification/press_finite.prm

@@ -195,7 +195,7 @@ namespace Amontons
     void
     note_rough_pressure(const Ending &ending);
     void
-    note_small_tractions(const Ending &ending);
+    note_small_tractions(const Answer<dim> &answer, const Ending &ending);
     std::string
     missed_target(const Discretization<dim> &discretization, const Ending &ending) const;
     void

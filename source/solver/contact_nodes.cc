@@ -110,6 +110,20 @@ namespace Amontons
   }
 
   template <int dim>
+  Tensor<2, dim>
+  SlaveNode<dim>::across(const Tensor<1, dim> &direction) const
+  {
+    Tensor<2, dim> result;
+    for (unsigned int a = 0; a < dim; ++a)
+      {
+        Tensor<1, dim> axis;
+        axis[a]   = 1;
+        result[a] = tangential(axis) - direction[a] * direction;
+      }
+    return result;
+  }
+
+  template <int dim>
   ContactEquation
   SlaveNode<dim>::held(const unsigned int k) const
   {
@@ -254,16 +268,15 @@ namespace Amontons
           further.rows.push_back(dof);
           terms.emplace_back(c, weight);
         }
-    further.columns        = further.rows;
-    const Tensor<1, dim> n = node.normal / node.normal.norm(), d = law.direction;
+    further.columns             = further.rows;
+    const Tensor<2, dim> across = node.across(law.direction);
     further.matrix.reinit(terms.size(), terms.size());
     for (unsigned int i = 0; i < terms.size(); ++i)
       for (unsigned int j = 0; j < terms.size(); ++j)
         {
           const auto [a, weight_a] = terms[i];
           const auto [b, weight_b] = terms[j];
-          further.matrix(i, j) =
-              node.area * law.stiffness * weight_a * weight_b * (double(a == b) - n[a] * n[b] - d[a] * d[b]);
+          further.matrix(i, j)     = node.area * law.stiffness * weight_a * weight_b * across[a][b];
         }
     return further;
   }
@@ -314,7 +327,7 @@ namespace Amontons
     if constexpr (dim == 3)
       if (node.frictional && state == ContactStatus::slip && law.stiffness > 0)
         {
-          const auto across = cross_product_3d(node.normal, law.direction);
+          const auto across = node.tangential(cross_product_3d(node.normal, law.direction));
           all.emplace_back();
           for (unsigned int c = 0; c < dim; ++c)
             for (const auto &[dof, weight] : node.components[c].equation.coefficients)

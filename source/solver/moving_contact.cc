@@ -282,12 +282,11 @@ namespace Amontons
       }
     if (law.stiffness > 0)
       {
-        const Rows dv = slip_gradient(k, u);
+        const Rows           dv     = slip_gradient(k, u);
+        const Tensor<2, dim> across = node.across(law.direction);
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
-            add(dt[c],
-                law.stiffness * (double(c == d) - n[c] * n[d] - law.direction[c] * law.direction[d]),
-                dv[d]);
+            add(dt[c], law.stiffness * across[c][d], dv[d]);
       }
 
     return stiffness_of_traction(jump_terms(node, false), node.area, {dt.begin(), dt.end()});

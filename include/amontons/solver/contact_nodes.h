@@ -41,6 +41,9 @@ namespace Amontons
     // Of a vector, what lies in the surface and in the planes.
     Tensor<1, dim>
     tangential(const Tensor<1, dim> &vector) const;
+    // Of vectors, the part of that across a direction in it.
+    Tensor<2, dim>
+    across(const Tensor<1, dim> &direction) const;
     Tensor<1, dim>
     tangent() const; // plane problems: unit vector along the surface
   };
@@ -92,7 +95,8 @@ namespace Amontons
   ContactEquation
   all_components(const SlaveNode<dim> &node);
 
-  // area stiffness (1 - n n^T - d d^T) on the jump (3D): the forces of the shear across the slip.
+  // area stiffness (1 - n n^T - d d^T) on the jump, in planes of symmetry without what is across them (3D):
+  // the forces of the shear across the slip.
   template <int dim>
   LocalMatrix
   slip_stiffness(const SlaveNode<dim> &node, const SlipLaw<dim> &law);

@@ -151,7 +151,7 @@ namespace Amontons
   ContactProblem<dim>::make_mesh()
   {
     TimerOutput::Scope scope(report.timer(), "mesh");
-    mesh             = std::make_shared<BodyMesh<dim>>(scene, parameters.discretization.degree);
+    mesh             = std::make_shared<BodyMesh<dim>>(scene, parameters.discretization);
     mesh->collocated = parameters.newton.collocates();
   }
 

@@ -9,12 +9,15 @@
 namespace Amontons
 {
   template <int dim>
-  BodyMesh<dim>::BodyMesh(const Scene &scene, const unsigned int degree) : geometry(MPI_COMM_WORLD)
+  BodyMesh<dim>::BodyMesh(const Scene &scene, const DiscretizationParameters &parameters)
+      : geometry(MPI_COMM_WORLD)
   {
     make_geometry(scene, geometry);
     refine_below_small_obstacles(scene, geometry);
     refine_rims_of_rigid_bodies(scene, geometry);
-    discretization = std::make_unique<Discretization<dim>>(scene, geometry, degree);
+    discretization =
+        std::make_unique<Discretization<dim>>(scene, geometry, parameters.degree_for(scene, geometry));
+    discretization->degree_is_chosen = parameters.degree == "automatic";
     discretization->distribute_dofs();
     first_is_slave = choose_slaves(*discretization);
   }

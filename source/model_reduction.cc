@@ -149,7 +149,7 @@ namespace Amontons
     public:
       FirstAnswer(const Scene &scene, const Parameters &parameters, RunControl &control)
           : scene(scene), timer(std::cout, TimerOutput::never, TimerOutput::wall_times),
-            mesh(std::make_shared<BodyMesh<dim>>(scene, parameters.discretization.degree))
+            mesh(std::make_shared<BodyMesh<dim>>(scene, parameters.discretization))
       {
         const bool  finite_strain = scene.kinematics == Kinematics::finite_strain;
         LoadProgram program(scene,

@@ -174,8 +174,9 @@ namespace Amontons
   void
   RunReport<dim>::note_limits(const Answer<dim> &answer, const Ending &ending)
   {
-    const auto  &error  = ending.evaluation.error;
-    const double target = control.stop.is_there() ? 0. : ending.refinement.target_error; // not the end of it
+    const auto &error = ending.evaluation.error;
+    // A run that was stopped or has failed is not at its end: that is said.
+    const double target = control.stop.is_there() || !ending.converged ? 0. : ending.refinement.target_error;
     if (target > 0 && error.quantity && ending.history.quantity.vanishes())
       note("the target error has no meaning: there is no " + ending.refinement.target_quantity +
            ", or it is 0 on all meshes");
@@ -187,6 +188,10 @@ namespace Amontons
     else if (target > 0)
       note_what_adds_to_the_mesh(error, ending.refinement, ending.kinematics);
     note_free_motions(answer.discretization);
+    if (answer.discretization.degree_is_chosen && answer.discretization.fe.degree == 1)
+      note("model: linear elements ('Discretization/Degree'): in space they take less time to this target of "
+           "the "
+           "pressure");
     if (scene.kind == ProblemType::axisymmetric)
       note("axisymmetric: forces are for the full turn");
     if (std::any_of(answer.fields.begin(), answer.fields.end(), [](const auto &fields) {

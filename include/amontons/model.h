@@ -19,7 +19,7 @@ namespace Amontons
   struct BodyMesh
   {
     /// Throws InputError. Collective.
-    BodyMesh(const Scene &scene, const unsigned int degree);
+    BodyMesh(const Scene &scene, const DiscretizationParameters &parameters);
 
     Geometry<dim>                        geometry;
     std::unique_ptr<Discretization<dim>> discretization;

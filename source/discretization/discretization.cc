@@ -6,19 +6,6 @@
 
 namespace Amontons
 {
-  void
-  DiscretizationParameters::declare(ParameterHandler &prm)
-  {
-    prm.enter_subsection("Discretization");
-    prm.add_parameter(
-        "Degree",
-        degree,
-        "Polynomial degree of the displacement: 1 or 2. Quadratic elements reach a given accuracy "
-        "of force and contact size with far fewer unknowns.",
-        Patterns::Integer(1, 2));
-    prm.leave_subsection();
-  }
-
   template <int dim>
   Discretization<dim>::Discretization(const Scene         &scene,
                                       const Geometry<dim> &geometry,

@@ -92,6 +92,9 @@ namespace Amontons
         run.scene, run.overrides, parameters.groups(), {make_displacement_field, displacement_field_corners});
     parameters.refinement.choose_target(scene.has_friction() ||
                                         scene.kinematics == Kinematics::finite_strain);
+    const auto &refinement                 = parameters.refinement;
+    parameters.discretization.for_pressure = refinement.target_quantity == "contact pressure" &&
+                                             refinement.target_error >= 5e-3 && refinement.most_cycles() > 0;
     auto notes = prepare_checkpoint(run, scene, parameters, control.checkpoint);
     notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
     const auto save = [&]() { control.checkpoint.flush(); };

@@ -17,12 +17,19 @@ namespace Amontons
 {
   struct DiscretizationParameters : ParameterGroup
   {
-    // Quadratic by default: at equal error in contact force and half-width it needs about a tenth of the
-    // unknowns of linear elements (doc/results: half-plane box).
-    unsigned int degree = 2;
+    std::string degree = "automatic"; // 1 | 2 | automatic: see degree_for()
+    // A target asks for the contact pressure, and not too exactly.
+    bool for_pressure = false;
 
     void
     declare(ParameterHandler &prm) override;
+
+    // Quadratic elements need about a tenth of the unknowns of linear ones at equal error in contact force
+    // and half-width (doc/results: half-plane box), and bend. In space, where a solve costs much, linear ones
+    // take less time to the pressure of compact bodies, however near its edge limits both (doc/benchmarks).
+    template <int dim>
+    unsigned int
+    degree_for(const Scene &scene, const Geometry<dim> &geometry) const;
   };
 
   // Global DoF indices of the corners A, B, C(, D) of a carrier cell (see geometry.h), by component.
@@ -64,6 +71,7 @@ namespace Amontons
     const Geometry<dim> &geometry;
     // Given rotations are finite, and surfaces move. As the scene has it; `auto` begins without.
     bool            finite_strain;
+    bool            degree_is_chosen = false; // by degree_for()
     FESystem<dim>   fe;
     MappingQ<dim>   mapping;
     MappingQ<dim>   load_mapping; // curved where linear elements have facets

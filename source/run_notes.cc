@@ -153,8 +153,8 @@ namespace Amontons
     const double target = refinement.target_error, left = target - error.of_target() - by_increments;
     if (left >= 0 && by_kinematics <= std::max(left, target / 4))
       return;
-    const bool by_these  = by_increments > std::min(target / 4, by_kinematics),
-               by_strain = by_kinematics > std::min(target / 4, by_increments);
+    const bool by_these  = by_increments >= std::min(target / 4, by_kinematics),
+               by_strain = by_kinematics >= std::min(target / 4, by_increments);
     std::ostringstream text;
     text.precision(2);
     text << "warning: the target error was not reached: the mesh alone reaches it, with what";
@@ -189,9 +189,9 @@ namespace Amontons
       note_what_adds_to_the_mesh(error, ending.refinement, ending.kinematics);
     note_free_motions(answer.discretization);
     if (answer.discretization.degree_is_chosen && answer.discretization.fe.degree == 1)
-      note("model: linear elements ('Discretization/Degree'): in space they take less time to this target of "
-           "the "
-           "pressure");
+      note(
+          "model: linear elements ('Discretization/Degree'): in space they reach this target of the pressure "
+          "in less time");
     if (scene.kind == ProblemType::axisymmetric)
       note("axisymmetric: forces are for the full turn");
     if (std::any_of(answer.fields.begin(), answer.fields.end(), [](const auto &fields) {

@@ -208,6 +208,7 @@ def scenes():
     for name, solution, words in [("unknown", "hertz_lin(P = 1)", "did you mean 'hertz_line'"),
                                   ("missing parameter", "hertz_line(P = 1, R = 1, E1 = 1)", "'nu1' is missing"),
                                   ("unknown parameter", "hertz_line(P = 1, R = 1, E1 = 1, nu1 = 0.3, Q = 1)", "the parameter 'Q'"),
+                                  ("of points in the plane", "hertz_point(P = 1, R = 1, E1 = 1, nu1 = 0.3)", "hertz_point.*in a plane scene.*axisymmetric"),
                                   ("negative", "hertz_line(P = -1, R = 1, E1 = 1, nu1 = 0.3)", "P = -1.*positive"),
                                   ("sliding", "cattaneo_mindlin(P = 1, R = 1, E1 = 1, nu1 = 0.3, friction = 0.3, Q = 0.4)", "friction cannot carry"),
                                   ("no shear force", "mindlin_sphere(P = 1, R = 1, E1 = 1, nu1 = 0.3, friction = 0.3)", "'Q' is missing"),

@@ -44,6 +44,7 @@ namespace Amontons
       explicit ClosedFormReference(const Scene &scene)
           : data(*scene.reference), solution(make_reference_solution(data.solution, scene))
       {
+        refuse_points_in_plane(data.solution, scene.kind);
       }
 
       ReferenceSummary

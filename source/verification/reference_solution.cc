@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace Amontons
 {
@@ -257,6 +258,24 @@ namespace Amontons
         names.push_back(form.declaration.name);
       }
     refuse_unknown(data, names);
+  }
+
+  void
+  refuse_points_in_plane(const FieldData &data, const ProblemType kind)
+  {
+    static const std::set<std::string> of_points = {"cone",
+                                                    "flat_punch_axisymmetric",
+                                                    "half_space_box",
+                                                    "hertz_elliptic",
+                                                    "hertz_point",
+                                                    "mindlin_sphere",
+                                                    "shrink_fit_spheres"};
+    if ((kind == ProblemType::plane_strain || kind == ProblemType::plane_stress) &&
+        of_points.count(data.name) > 0)
+      throw InputError(data.where,
+                       "found '" + data.name +
+                           "', of a contact in a point or between balls, in a plane scene",
+                       "it in 3D and axisymmetric scenes");
   }
 
   DisplacementField

@@ -55,6 +55,10 @@ namespace Amontons
   ReferenceSolution
   make_reference_solution(const FieldData &data, const Scene &scene);
 
+  // Throws InputError for contacts in points, which no plane scene has.
+  void
+  refuse_points_in_plane(const FieldData &data, const ProblemType kind);
+
   // Displacement field `data` for a body of the given material, to be imposed as boundary values at time t.
   // The kind says which axis is normal to the surface of a half space. A field without friction does not
   // depend on t.

@@ -3,11 +3,34 @@
 #include <amontons/run_report.h>
 #include <amontons/scene/text.h>
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 
 namespace Amontons
 {
+  namespace
+  {
+    // Of pair i, whether its obstacle may leave a plane of symmetry that cuts the contact: the other half of
+    // the scene would take it the other way.
+    template <int dim>
+    bool
+    leaves_plane(const Answer<dim> &answer, const unsigned int i)
+    {
+      const auto &obstacles = answer.discretization.scene.obstacles;
+      const auto  obstacle  = std::find_if(obstacles.begin(), obstacles.end(), [&](const auto &candidate) {
+        return candidate.name == answer.interfaces[i].pair->obstacle;
+      });
+      if (obstacle == obstacles.end())
+        return false;
+      for (const auto &plane : answer.fields[i].symmetry_planes)
+        for (unsigned int d = 0; d < dim; ++d)
+          if (std::abs(plane[d]) > 1e-6 && !obstacle->motion.displacement[d])
+            return true;
+      return false;
+    }
+  } // namespace
+
   // Nothing that touches at the end may have touched before.
   template <int dim>
   void
@@ -188,6 +211,12 @@ namespace Amontons
     else if (target > 0)
       note_what_adds_to_the_mesh(error, ending.refinement, ending.kinematics);
     note_free_motions(answer.discretization);
+    for (unsigned int i = 0; i < answer.fields.size(); ++i)
+      if (leaves_plane(answer, i))
+        note(
+            "warning: '" + answer.interfaces[i].pair->obstacle +
+            "' is free across a plane of symmetry that cuts its contact, and its mirror image would move the "
+            "other way: let it not ('Displacement')");
     if (answer.discretization.degree_is_chosen && answer.discretization.fe.degree == 1)
       note(
           "model: linear elements ('Discretization/Degree'): in space they reach this target of the pressure "

@@ -132,6 +132,7 @@ CHANGES = [
     ("surfaces of symmetry", "adaptivity/slenderness.cc", "&& !is_mirror(face)", "", "scenes/small_strain_of_a_quarter"),
     ("size of what is left", "load_stepping.cc", 'name.find(" size") == std::string::npos ||', 'name != "contact size" ||', "scenes/stick_size_of_what_is_left"),
     ("slip across planes", "solver/contact_nodes.cc", "result[a] = tangential(axis) - direction", "result[a] = axis - (axis * normal) / normal.norm_square() * normal - direction", "scenes/free_across_plane"),
+    ("obstacles that leave planes", "run_notes.cc", "if (leaves_plane(answer, i))", "if (false)", "scenes/free_across_plane"),
     ("degree of plates", "discretization/degree.cc", "slenderness[b] > slender || ", "", "scenes/degree_of_plates"),
     ("degree of rubber", "discretization/degree.cc", " || body.material.poisson >= nearly_incompressible", "", "scenes/degree_of_rubber"),
     ("contact that was seen", "evaluation.cc", "interfaces.size() == 1 && is_judged_by_history()", "false", "scenes/pressed_twice_and_unloaded"),

@@ -172,8 +172,7 @@ namespace Amontons
         auto values = target_quantity(name, answer(), history.work);
         if ((name == "energy" ? error.energy_norm : error.pressure_norm) == 0) // no more than rounding
           std::fill(values.begin(), values.end(), 0.);
-        const bool has_size =
-            name.find(" size") == std::string::npos || sizes_are_seen(model->interfaces, evaluation.fields);
+        const bool has_size = !is_size(name) || sizes_are_seen(model->interfaces, evaluation.fields);
         if (is_resolved && has_size)
           history.quantity.add(n_dofs, values, noteworthy_value(name, answer(), history.work));
         else // meshes before did not see all that touches
@@ -302,7 +301,7 @@ namespace Amontons
                  estimate = is_first ? std::max(mendable, error.bulk) : mendable;
     const bool may_hide =
         evaluation.may_hide(*model, history.state, quantity, target, history.quantity.is_zero());
-    const bool may_appear = quantity.find(" size") != std::string::npos && error.contact > target;
+    const bool may_appear = is_size(quantity) && error.contact > target;
     const bool is_enough =
         target > 0 &&
         ((estimate <= believed && !may_hide) ||

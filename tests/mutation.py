@@ -130,7 +130,7 @@ CHANGES = [
     ("measuring without cuts", "load_path.cc", "is_guided ? std::max(2u, history.record.n_increments / 20) : 0", "0", "scenes/ironing_measured_with_cuts"),
     ("passing of what is open on average", "solver/old_partners.cc", "&& !is_still_opposite(interfaces[i], n, *partners[i][n]))", ")", "scenes/ironing_open_on_average"),
     ("surfaces of symmetry", "adaptivity/slenderness.cc", "&& !is_mirror(face)", "", "scenes/small_strain_of_a_quarter"),
-    ("size of what is left", "load_stepping.cc", 'name.find(" size") == std::string::npos ||', 'name != "contact size" ||', "scenes/stick_size_of_what_is_left"),
+    ("size of what is left", "load_stepping.cc", '!is_size(name) || sizes_are_seen', 'name != "contact size" || sizes_are_seen', "scenes/stick_size_of_what_is_left"),
     ("slip across planes", "solver/contact_nodes.cc", "result[a] = tangential(axis) - direction", "result[a] = axis - (axis * normal) / normal.norm_square() * normal - direction", "scenes/free_across_plane"),
     ("obstacles that leave planes", "run_notes.cc", "if (leaves_plane(answer, i))", "if (false)", "scenes/free_across_plane"),
     ("degree of plates", "discretization/degree.cc", "slenderness[b] > slender || ", "", "scenes/degree_of_plates"),

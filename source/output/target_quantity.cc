@@ -57,6 +57,12 @@ namespace Amontons
   }
 
   bool
+  is_size(const std::string &name)
+  {
+    return name == "contact size" || name == "stick size";
+  }
+
+  bool
   always_converges(const std::string &name)
   {
     return name == "total force" || name == "approach" || name == "energy";

@@ -12,6 +12,10 @@ namespace Amontons
   std::vector<double>
   target_quantity(const std::string &name, const Answer<dim> &answer, const WorkDone<dim> &work);
 
+  /// The contact size or the stick size.
+  bool
+  is_size(const std::string &name);
+
   /// Whether it has a limit however sharp an edge presses: works, and forces that displacements cause.
   bool
   always_converges(const std::string &name);

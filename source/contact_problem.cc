@@ -116,7 +116,7 @@ namespace Amontons
                     ": half of it, with 'Type = symmetry' on the cut, has the same answer");
     Checks checks;
     if (report.has_answer() && !steps->is_carried())
-      checks = check_physics(steps->answer());
+      checks = check_physics(steps->answer(), report.largest_pressure());
     success = success && obeys_laws(checks);
     if (steps->ends_early())
       report.note("results are those of t = " + short_number(steps->history.state.t));

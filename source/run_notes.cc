@@ -192,6 +192,29 @@ namespace Amontons
     note(text.str());
   }
 
+  // Forces, and what follows from them, are off by that. (The edge of a punch has little of it.)
+  template <int dim>
+  void
+  RunReport<dim>::note_corner_forces(const Ending &ending)
+  {
+    const auto   check  = ending.checks.find("corner_forces");
+    const auto  &error  = ending.evaluation.error;
+    const double target = error.quantity ? ending.refinement.target_error : 0;
+    if (!ending.converged || check == ending.checks.end() ||
+        check->second <= (target > 0 ? target / 4 : 0.01))
+      return;
+    std::ostringstream text;
+    text.precision(2);
+    text << "warning: where a slave surface ends or has an edge it presses along the normals of its own faces, "
+            "not along those of the other side: that adds "
+         << check->second << " of the force along a wrong direction"
+         << (target > 0 && error.of_target() <= target && error.of_target() + check->second > target
+                 ? ", and the target error was not reached"
+                 : "")
+         << "; make the other side the slave, make a pair of each face at the corner, or round it";
+    note(text.str());
+  }
+
   // What the answer is not, or not the whole of.
   template <int dim>
   void
@@ -210,6 +233,11 @@ namespace Amontons
                : missed_target(answer.discretization, ending));
     else if (target > 0)
       note_what_adds_to_the_mesh(error, ending.refinement, ending.kinematics);
+    note_corner_forces(ending);
+    if (target > 0 && !scene.has_friction() && !scene.output_times.empty() &&
+        scene.output_times.front() < scene.end_time)
+      note("without friction meshes are refined at the end: at the 'Output times' before, forces and pressures "
+           "are those of the first mesh (a run that ends there keeps the target there)");
     note_free_motions(answer.discretization);
     for (unsigned int i = 0; i < answer.fields.size(); ++i)
       if (leaves_plane(answer, i))

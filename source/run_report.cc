@@ -223,6 +223,17 @@ namespace Amontons
       announce(text);
   }
 
+  template <int dim>
+  double
+  RunReport<dim>::largest_pressure() const
+  {
+    double largest = 0;
+    for (const auto &mesh : summary.meshes)
+      for (const auto &pair : mesh.pairs)
+        largest = std::max(largest, pair.peak_pressure);
+    return largest;
+  }
+
   namespace
   {
     // Whether nodes are closed in faces where others carry no multiplier.

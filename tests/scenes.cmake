@@ -1120,6 +1120,19 @@ add_scene_test(NAME single_increments_where_pressures_stay SCENE verification/sh
                SET "Kinematics=small strain" "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target quantity=contact pressure" "Refinement/Target error=0.05"
                    "Body block/Young modulus=1000" "Boundary condition load/Force=0|0" "Boundary condition load/Displacement=0.001*table(1: 0, 2: 1)|-0.02*table(0: 0, 1: 1)"
                CHECK "status is converged" "increments.number <= 20" "linear_solves <= 115" "notes.0 has up to t = 2, the load comes in single increments" "pairs.0.stick_size ~ 0.1023 0.01")
+# Half of a punch whose edge cuts a face: the pressure swings about it (size sqrt 2 a, and the plane of symmetry is seen).
+add_scene_test(NAME target_half_punch SCENE verification/flat_punch_line.prm
+               SET "Body block/Lower corner=0, -400" "Body block/Upper corner=400, 0" "Body block/Cells=4, 4" "Body block/Grading=1, 1" "Refinement/Cycles=-1" "Refinement/Target error=0.03" "Refinement/Target quantity=approach"
+               CHECK "status is converged" "pairs.0.contact_size ~ 14.142 0.01" "notes.-1 has symmetry planes cut the contact")
+# A punch that covers a thousandth of the first mesh's face: 2 E* a delta, and what the block is stiffer by than a half space (0.8 a/H).
+add_scene_test(NAME target_narrow_punch SCENE verification/flat_punch_axisymmetric.prm
+               SET "Body block/Lower corner=0, -1000" "Body block/Upper corner=1000, 0" "Body block/Cells=4, 4" "Body block/Grading=1, 1" "Refinement/Cycles=-1" "Refinement/Target error=0.03" "Refinement/Target quantity=total force"
+               CHECK "status is converged" "meshes.-1.reference.errors.normal_force <= 0.02")
+# Systems are solved as far as the target in space needs, or as is asked for.
+add_scene_test(NAME target_and_tolerance SCENE hertz_sphere.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.03"
+               CHECK "status is converged" "newton.-1.residual <= 1e-6" "newton.-1.residual >= 1e-9" "pairs.0.normal_force.2 ~ -250 1e-6")
+add_scene_test(NAME target_and_given_tolerance SCENE hertz_sphere.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.03" "Contact solver/Tolerance=1e-9"
+               CHECK "status is converged" "newton.-1.residual <= 1e-9" "pairs.0.normal_force.2 ~ -250 1e-9")
 add_scene_test(NAME target_at_a_sharp_edge SCENE verification/flat_punch_line.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01"
                CHECK "status is converged" "notes.1 has out of reach" "notes.1 has (10 " "dofs <= 5000" "pairs.0.normal_force.1 ~ -5000 1e-8")
 # Numbers of each pair, whatever its load is beside that of others (from a run to 0.2 %).

@@ -90,6 +90,10 @@ namespace Amontons
       return !summary.meshes.empty();
     }
 
+    /// Of all solves.
+    double
+    largest_pressure() const;
+
     /// Why the run is not converged, until the next solve. The last one counts. `kind`: where the last solve
     /// did not fail.
     void
@@ -198,6 +202,8 @@ namespace Amontons
     note_small_tractions(const Answer<dim> &answer, const Ending &ending);
     std::string
     missed_target(const Discretization<dim> &discretization, const Ending &ending) const;
+    void
+    note_corner_forces(const Ending &ending);
     void
     note_free_motions(const Discretization<dim> &discretization);
     void

@@ -36,8 +36,9 @@ namespace Amontons
     prm.add_parameter(
         "Tolerance",
         tolerance,
-        "Residual, relative to the forces, to which systems are solved once the contact set is found.",
-        Patterns::Double(1e-15, 1e-2));
+        "Residual, relative to the forces, to which systems are solved once the contact set is found. 0: a "
+        "tenth of 'Contact solver/Tolerance'.",
+        Patterns::Double(0, 1e-2));
     prm.add_parameter("Maximum iterations", max_iterations, "Of the Krylov solver.", Patterns::Integer(1));
     prm.leave_subsection();
   }
@@ -247,7 +248,7 @@ namespace Amontons
     list.set("eigen-analysis: type", "cg"); // ML's power method ends too early on large matrices
     list.set("smoother: type", "Chebyshev");
     list.set("smoother: sweeps", 2);
-    list.set("coarse: max size", 2000);
+    list.set("coarse: max size", 500);
     list.set("coarse: type", "Amesos-KLU");
     list.set("PDE equations", dim);
     std::unique_ptr<Epetra_MultiVector> null_space;
@@ -271,7 +272,7 @@ namespace Amontons
     ML_set_random_seed(std::numeric_limits<int>::max() * (1 - share));
     amg->initialize(matrix, list);
     amg_is_old = false;
-    n_changed  = 0;
+    n_lost     = 0;
   }
 
   namespace
@@ -359,19 +360,21 @@ namespace Amontons
       return abandoned(report);
     if (is_direct(matrix.m()) || multigrid_fails)
       return solve_directly(matrix, x, rhs);
-    // Measured with friction in 3D: an old hierarchy needs twice as many steps once some nodes have changed
-    // in all their components; a new one costs about 25 steps.
-    const bool   far     = tolerance < 3e-4 * rhs.l2_norm();
-    const double decades = std::max(1., std::log10(rhs.l2_norm() / tolerance));
-    amg_is_old           = amg_is_old || (!symmetric && far && n_changed > 2);
+    if (rhs.l2_norm() <= tolerance)
+      return report;
+    // Once an old hierarchy has cost as many steps more than a new one would have as making that takes, it is
+    // made: never more than twice what the best choice costs.
+    constexpr double new_hierarchy = 20; // steps, measured in 3D: 15 to 28
+    const double     decades       = std::max(1., std::log10(rhs.l2_norm() / tolerance));
     for (const bool retry : {false, true})
       {
         const bool fresh = amg_is_old || !amg || retry;
         if (fresh)
           build_preconditioner(eliminated != nullptr ? *eliminated->matrix : matrix);
-        SolverControl control(fresh && symmetric ? parameters.max_iterations
-                                                 : std::min(parameters.max_iterations, 300u),
-                              tolerance);
+        const double  most = !fresh      ? decades * steps_per_decade + 3 * new_hierarchy
+                             : symmetric ? parameters.max_iterations
+                                         : 300;
+        SolverControl control(std::min<double>(parameters.max_iterations, most), tolerance);
         try
           {
             x = 0;
@@ -385,9 +388,9 @@ namespace Amontons
                               control.last_step() > 150 && matrix.m() <= 30000;
             if (fresh)
               steps_per_decade = control.last_step() / decades;
-            else if (all_values_are_new) // a new hierarchy costs about 15 steps
-              amg_is_old = control.last_step() > 8 + decades * steps_per_decade;
-            all_values_are_new = false;
+            else
+              n_lost += std::max(0., control.last_step() - decades * steps_per_decade);
+            amg_is_old = n_lost > new_hierarchy;
             break;
           }
         catch (const SolverControl::NoConvergence &failure)

@@ -361,8 +361,15 @@ namespace Amontons
     const bool                 axisymmetric = discretization.scene.kind == ProblemType::axisymmetric;
     const auto                 coverage     = covered_shares(slave, points_of, axisymmetric, communicator);
     auto                       carries      = carries_multiplier;
+    double largest_share = 0;
     for (unsigned int i = 0; i < carries.size(); ++i)
-      carries[i] = carries_multiplier[i] && coverage.shares[i] > smallest_share(slave.moved, carried, i);
+      if (carries_multiplier[i])
+        largest_share = std::max(largest_share, coverage.shares[i]);
+    // (Where the other side is small beside all faces, those that it covers most will be refined.)
+    const double most = slave.moved ? 1. : largest_share / 2;
+    for (unsigned int i = 0; i < carries.size(); ++i)
+      carries[i] = carries_multiplier[i] &&
+                   coverage.shares[i] > std::min(most, smallest_share(slave.moved, carried, i));
     coupling.whole_faces = coverage.whole_faces;
     coupling.slivers     = find_slivers(slave, points_of, carries_multiplier, carries);
     const auto nodal     = stays ? find_nodal_traces(slave, coverage.positive_faces)

@@ -23,9 +23,10 @@ namespace Amontons
       std::vector<double> forces;
       for (const auto &p : interface.coupling.points)
         {
-          forces.push_back(
-              std::max(0., value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave)) *
-              p.weight);
+          const double pressure =
+              value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave);
+          // (Signed: where an edge cuts a face, only all of it together has the right moments.)
+          forces.push_back((interface.pair->tied ? std::max(0., pressure) : pressure) * p.weight);
           force += forces.back();
           centre += forces.back() * p.x_slave;
         }
@@ -33,7 +34,7 @@ namespace Amontons
         centre /= force;
       for (unsigned int q = 0; q < forces.size(); ++q)
         spread += forces[q] * centre.distance_square(interface.coupling.points[q].x_slave);
-      spread = force > 0 ? std::sqrt(spread / force) : 0;
+      spread = force > 0 ? std::sqrt(std::max(0., spread / force)) : 0;
 
       // A plane cuts the contact if it is as near as an end of half a contact is (1.6 spreads for half of a
       // Hertz pressure), and something presses there (not so where a pin that fits its hole presses to one

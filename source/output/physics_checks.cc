@@ -1,5 +1,6 @@
 #include <amontons/algebra/eliminated_system.h>
 #include <amontons/base/points.h>
+#include <amontons/contact/face_lattice.h>
 #include <amontons/contact/shared_nodes.h>
 #include <amontons/contact/surface_rim.h>
 #include <amontons/contact/surface_search.h>
@@ -14,12 +15,13 @@ namespace Amontons
   namespace
   {
     // What is no pressure: that of a strain of 1e-10 (scenes without load compare rounding with itself else),
-    // and a millionth of the largest anywhere (forces balance to a part of all, also where little touches).
+    // and a millionth of the largest anywhere (forces balance to a part of all, also where little touches)
+    // and so far (what loads have left behind that are gone is rounding).
     template <int dim>
     double
-    pressure_of_rounding(const Answer<dim> &answer, const unsigned int i)
+    pressure_of_rounding(const Answer<dim> &answer, const unsigned int i, const double largest_so_far)
     {
-      double largest = 0;
+      double largest = largest_so_far;
       for (const auto &contacts : answer.state.contact)
         for (const auto &node : contacts)
           largest = std::max(largest, node.pressure);
@@ -30,10 +32,10 @@ namespace Amontons
     // How far shears exceed the bound of friction, relative to the largest bound.
     template <int dim>
     double
-    cone_excess(const Answer<dim> &answer, const unsigned int i)
+    cone_excess(const Answer<dim> &answer, const unsigned int i, const double largest_so_far)
     {
       const auto &interface = answer.interfaces[i];
-      double      excess = 0, largest = pressure_of_rounding(answer, i);
+      double      excess = 0, largest = pressure_of_rounding(answer, i, largest_so_far);
       for (unsigned int n = 0; interface.pair->has_friction() && n < interface.slave->nodes.size(); ++n)
         if (const auto &node = answer.state.contact[i][n]; node.state != ContactStatus::open)
           {
@@ -75,41 +77,81 @@ namespace Amontons
       return projection ? projection->normal : -p.normal;
     }
 
-    // Sine of the angle between the normals of the two sides where nodes press at which the slave ends, by
-    // their part of the force, if they bear most of it. Both sides fit where they touch, and where a corner
-    // of the master presses on the slave, the normal is the slave's; but a corner of the slave has the
-    // normals of its own faces. (The edge of a punch has a part of its force, where the other side is steep.)
+    // Nodes whose forces do not act along a normal of the body: where the surface ends, they have that of the
+    // last face, beside an edge what is a mean of both sides there has a part in theirs.
     template <int dim>
-    double
-    normal_mismatch(const Answer<dim> &answer, const unsigned int i)
+    std::vector<bool>
+    corner_nodes(const ContactSurface<dim> &surface)
     {
-      const auto &interface = answer.interfaces[i];
-      const auto &slave     = *interface.slave;
-      const auto  nearest   = nearest_points(interface);
-      const auto  is_end    = rim_nodes(slave);
-      double      force = 0, at_ends = 0, off = 0;
+      constexpr double  cosine = 0.866; // half of an edge of 60 degrees
+      std::vector<bool> result = rim_nodes(surface);
+      const auto        place  = lattice<dim - 1>(surface.degree);
+      for (unsigned int f = 0; surface.sharpest_edge > 60 && f < surface.faces.size(); ++f)
+        for (unsigned int k = 0; k < place.size(); ++k)
+          {
+            const unsigned int node = surface.faces[f].nodes[k];
+            if (surface.face_normal(f, place[k]) * surface.nodes[node].normal < cosine)
+              for (const unsigned int beside : surface.faces[f].nodes)
+                result[beside] = true;
+          }
+      return result;
+    }
+
+    // Of the forces of a pair.
+    struct CornerForces
+    {
+      double mismatch = 0; // sine of the angle between the normals of both sides, where corners bear most
+      double aside    = 0; // what all corners add along a wrong direction
+    };
+
+    // Both sides fit where they touch, and where a corner of the master presses on the slave, the normal is
+    // the slave's; but a corner of the slave has the normals of its own faces. (The edge of a punch has a
+    // part of its force, where the other side is steep: those of both ends balance.)
+    template <int dim>
+    CornerForces
+    corner_forces(const Answer<dim> &answer, const unsigned int i)
+    {
+      const auto    &interface = answer.interfaces[i];
+      const auto    &slave     = *interface.slave;
+      const auto     nearest   = nearest_points(interface);
+      const auto     is_corner = corner_nodes(slave);
+      double         force = 0, at_corners = 0, off = 0;
+      Tensor<1, dim> aside;
       for (const auto &row : interface.coupling.rows)
         if (const double f = row.area * answer.state.contact[i][row.node].pressure;
             f > 0 && nearest[row.node] != nullptr)
           {
             force += f;
-            if (!is_end[row.node])
+            if (!is_corner[row.node])
               continue;
-            const double cosine =
-                slave.nodes[row.node].normal * normal_of_other_side(interface.master, *nearest[row.node]);
-            at_ends += f;
+            const auto   own    = row.normal / row.normal.norm();
+            const auto   other  = normal_of_other_side(interface.master, *nearest[row.node]);
+            const double cosine = own * other;
+            at_corners += f;
             off += f * std::sqrt(std::max(0., 1 - cosine * cosine));
+            aside += f * (own - std::copysign(1., cosine) * other);
           }
-      return at_ends > 0.6 * force ? off / force : 0;
+      for (const auto &node : slave.nodes)
+        for (const auto &plane : node.symmetry_planes)
+          aside -= (aside * plane) * plane;
+      if (answer.discretization.scene.kind == ProblemType::axisymmetric)
+        aside[0] = 0;
+      CornerForces result;
+      if (force > 0)
+        result.aside = aside.norm() / force;
+      if (at_corners > 0.6 * force)
+        result.mismatch = off / force;
+      return result;
     }
 
     using Checks = std::map<std::string, double>;
 
     template <int dim>
     void
-    check_contact(const Answer<dim> &answer, Checks &checks)
+    check_contact(const Answer<dim> &answer, const double largest_so_far, Checks &checks)
     {
-      double penetration = 0, tension = 0, complementarity = 0, cone = 0, misalignment = 0, mismatch = 0;
+      double penetration = 0, tension = 0, complementarity = 0, cone = 0, misalignment = 0, mismatch = 0,
+             aside        = 0;
       bool   any_friction = false;
       for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
         {
@@ -117,11 +159,13 @@ namespace Amontons
           if (interface.pair->tied)
             continue;
           any_friction      = any_friction || interface.pair->has_friction();
-          cone              = std::max(cone, cone_excess(answer, i));
+          cone              = std::max(cone, cone_excess(answer, i, largest_so_far));
           misalignment      = std::max(misalignment, slip_misalignment(answer, i));
-          mismatch          = std::max(mismatch, normal_mismatch(answer, i));
+          const auto corners = corner_forces(answer, i);
+          mismatch          = std::max(mismatch, corners.mismatch);
+          aside             = std::max(aside, corners.aside);
           const double h    = interface.slave->mean_size;
-          double       peak = pressure_of_rounding(answer, i);
+          double       peak = pressure_of_rounding(answer, i, largest_so_far);
           for (const auto &node : answer.state.contact[i])
             peak = std::max(peak, node.pressure);
           for (const auto &node : answer.state.contact[i])
@@ -137,6 +181,7 @@ namespace Amontons
       checks["tension"]         = tension;
       checks["complementarity"] = complementarity;
       checks["normal_mismatch"] = mismatch;
+      checks["corner_forces"]   = aside;
       if (any_friction)
         {
           checks["coulomb_cone"]   = cone;
@@ -227,10 +272,10 @@ namespace Amontons
 
   template <int dim>
   std::map<std::string, double>
-  check_physics(const Answer<dim> &answer)
+  check_physics(const Answer<dim> &answer, const double largest_so_far)
   {
     Checks checks;
-    check_contact(answer, checks);
+    check_contact(answer, largest_so_far, checks);
     check_balance(answer, checks);
     return checks;
   }
@@ -265,7 +310,7 @@ namespace Amontons
   }
 
   template std::map<std::string, double>
-  check_physics(const Answer<2> &);
+  check_physics(const Answer<2> &, const double);
   template std::map<std::string, double>
-  check_physics(const Answer<3> &);
+  check_physics(const Answer<3> &, const double);
 } // namespace Amontons

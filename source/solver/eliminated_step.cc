@@ -229,7 +229,9 @@ namespace Amontons
   double
   EliminatedStep<dim>::fine_tolerance() const
   {
-    return std::min(problem.solver_parameters.tolerance, 0.3 * problem.parameters.tolerance);
+    const double given = problem.solver_parameters.tolerance, of_forces = problem.parameters.tolerance;
+    return given > 0 ? std::min(given, 0.3 * of_forces)
+                     : std::max(0.1 * of_forces, std::min(1e-10, 0.3 * of_forces));
   }
 
   template <int dim>

@@ -361,7 +361,7 @@ namespace Amontons
     else if (rests && at.states.n_held_beyond_friction() == 0)
       at.report.converged = true;
     else if (drag == nullptr && at.free_modes.empty() && at.states.n_held_beyond_friction() == 0 &&
-             !at.states.frozen() && at.report.has_stalled(1e3 * problem.parameters.tolerance))
+             !at.states.frozen() && at.report.has_stalled(std::min(1e3 * problem.parameters.tolerance, 1e-6)))
       {
         std::ostringstream text;
         // (A power of ten: else each increment would say it anew.)

@@ -11,10 +11,18 @@ namespace Amontons
                       max_iterations,
                       "Of the active-set (semismooth Newton) iteration on one mesh.",
                       Patterns::Integer(1));
-    prm.add_parameter("Tolerance",
-                      tolerance,
-                      "Residual of the equilibrium relative to the internal forces.",
-                      Patterns::Double(1e-14, 1e-2));
+    prm.declare_entry("Tolerance",
+                      "0",
+                      Patterns::Double(0, 1e-2),
+                      "Residual of the equilibrium relative to the internal forces. 0: 1e-9; in space 1e-5 of "
+                      "the target error, 1e-9 to 1e-6. At least 1e-14.");
+    prm.add_action("Tolerance", [this](const std::string &text) {
+      if (const double value = Utilities::string_to_double(text); value > 0)
+        {
+          tolerance          = std::max(value, 1e-14);
+          tolerance_is_given = true;
+        }
+    });
     prm.add_parameter(
         "Complementarity factor",
         scaling,
@@ -35,6 +43,13 @@ namespace Amontons
                       "of slave faces.",
                       Patterns::Double(1e-8, 1e12));
     prm.leave_subsection();
+  }
+
+  void
+  NewtonParameters::suit_target(const double target_error)
+  {
+    if (!tolerance_is_given && method == "mortar")
+      tolerance = std::clamp(1e-5 * target_error, tolerance, 1e-6);
   }
 
   template <int dim>

@@ -30,7 +30,9 @@ namespace Amontons
     previous = now.states.all();
     Neutral neutral;
     if (const double tolerance = problem.parameters.tolerance; line.residual <= tolerance)
-      neutral = {tolerance * now.force_scale, tolerance * std::min(now.u.linfty_norm(), smallest_cell)};
+      // (Of all forces a small part may be a large one of a node's.)
+      neutral = {std::min(tolerance, 1e-8) * now.force_scale,
+                 tolerance * std::min(now.u.linfty_norm(), smallest_cell)};
     line.n_changes = now.states.update(now.answers, rounding, neutral);
     if (line.n_changes > 0)
       look_ahead(now, line, rounding);

@@ -95,6 +95,8 @@ namespace Amontons
     const auto &refinement                 = parameters.refinement;
     parameters.discretization.for_pressure = refinement.target_quantity == "contact pressure" &&
                                              refinement.target_error >= 5e-3 && refinement.most_cycles() > 0;
+    if (scene.kind == ProblemType::three_dimensional && refinement.most_cycles() > 0)
+      parameters.newton.suit_target(refinement.target_error);
     auto notes = prepare_checkpoint(run, scene, parameters, control.checkpoint);
     notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
     const auto save = [&]() { control.checkpoint.flush(); };

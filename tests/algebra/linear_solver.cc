@@ -109,6 +109,41 @@ give_up(const bool symmetric, const unsigned int after)
     }
 }
 
+// A hierarchy of the matrix before serves on; it is made anew once it has cost as many steps more as that
+// takes, and a system that is solved already takes none.
+void
+keep_hierarchy()
+{
+  LinearSolverParameters parameters;
+  parameters.type               = "cg";
+  LA::SparseMatrix matrix = laplacian(15, false), changed = laplacian(15, false);
+  for (unsigned int i = 0; i < changed.m(); i += 5) // a fifth of the rows is stiff
+    changed.set(i, i, 6.5e4);
+  changed.compress(VectorOperation::insert);
+  LA::Vector x(complete_index_set(matrix.m()), MPI_COMM_SELF), rhs(x);
+  rhs                    = 1;
+  const double tolerance = 1e-8 * rhs.l2_norm();
+  const auto   steps     = [&](LinearSolver &solver, const LA::SparseMatrix &of) {
+    const auto report = solver.solve(of, x, rhs, tolerance);
+    check::is_true(report.success, "multigrid solves");
+    return report.iterations;
+  };
+  LinearSolver       other(parameters, 3, false);
+  const unsigned int fresh = steps(other, changed);
+  LinearSolver       solver(parameters, 3, false);
+  steps(solver, matrix);
+  solver.matrix_changed(changed.m() / 15);
+  unsigned int n = 0, lost = 0;
+  for (unsigned int now = steps(solver, changed); now > fresh && n < 20; now = steps(solver, changed), ++n)
+    lost += now - fresh;
+  check::is_true(n > 0 && n < 20 && lost > 15 && lost < 100,
+                 "a new hierarchy takes " + std::to_string(fresh) + " steps; the old one took " +
+                     std::to_string(lost) + " more in " + std::to_string(n) + " solves");
+  x = 1;
+  check::is_true(solver.solve(changed, x, rhs, 2 * rhs.l2_norm()).iterations == 0 && x.l2_norm() == 0,
+                 "nothing to solve");
+}
+
 int
 main(int argc, char **argv)
 {
@@ -129,6 +164,7 @@ main(int argc, char **argv)
   for (const bool symmetric : {true, false})
     for (const unsigned int after : {0, 1, 3}) // before the first step, at its start, at the sixteenth
       give_up(symmetric, after);
+  keep_hierarchy();
 
   std::ifstream("/proc/self/statm") >> error; // pages of addresses
   rlimit limit;

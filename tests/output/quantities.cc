@@ -81,6 +81,11 @@ check_checks()
   check::is_close(checks["coulomb_cone"], 0.4 / 5, 1e-12, "beyond the cone, of the largest bound");
   check::is_close(checks["slip_direction"], std::hypot(0.4, 0.8), 1e-12, "angle between shear and slip");
 
+  // Beside pressures that were, these are rounding.
+  checks = check_physics(blocks.answer(), 4e7);
+  check::is_close(checks["tension"], 2. / 40, 1e-12, "tension, of what is left of larger pressures");
+  check::is_close(checks["coulomb_cone"], 0.4 / 40, 1e-12, "beyond the cone, of what is left of them");
+
   // Nothing balances the contact forces F = area (-q_x, p - q_y) on the upper block and -F on the lower one:
   // all of them are missing, and with them a moment about each body.
   const auto &geometry  = blocks.problem.geometry;

@@ -18,7 +18,7 @@ namespace Amontons
   {
     std::string  type           = "automatic"; // automatic | direct | cg
     std::string  direct_package = "automatic"; // automatic | Amesos_Mumps | Amesos_Klu
-    double       tolerance      = 1e-10;
+    double       tolerance      = 0; // a tenth of that of the contact solver
     unsigned int max_iterations = 2000;
     int          workspace      = 20; // of MUMPS, at first: percent more than it foresees
 
@@ -129,8 +129,9 @@ namespace Amontons
     std::unique_ptr<DirectFactorisation>               direct;
     bool                                               factorisation_is_old = true;
     bool                                               all_values_are_new   = false;
-    unsigned int n_changed        = 0;     // nodes, since the preconditioner was built
-    double       steps_per_decade = 0;     // of GMRES with a new hierarchy
+    unsigned int n_changed        = 0;     // nodes, since the matrix was factorised
+    double       steps_per_decade = 0;     // of the Krylov solver with a new hierarchy
+    double       n_lost           = 0;     // steps, since then, that a new one would have saved
     bool         multigrid_fails  = false; // or takes longer than a factorisation
 
     LinearSolveReport

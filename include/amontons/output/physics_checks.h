@@ -12,11 +12,12 @@ namespace Amontons
   /// the face size; tension: max(-p) relative to p_max; coulomb_cone: how far shears exceed their bound,
   /// relative to the largest bound; slip_direction: the largest angle between shear and slip of a node (that
   /// of the multiplier, not of the projected traction); normal_mismatch: the sine of the angle between
-  /// the normals of both sides where the slave ends, times the part of a pair's force there if that is most
-  /// of it. Collective.
+  /// the normals of both sides where the slave ends or has an edge, times the part of a pair's force there if
+  /// that is most of it; corner_forces: what the forces there have along other directions than the normals
+  /// of the other side, their sum relative to the pair's force. largest_so_far: of the pressures. Collective.
   template <int dim>
   std::map<std::string, double>
-  check_physics(const Answer<dim> &answer);
+  check_physics(const Answer<dim> &answer, const double largest_so_far = 0);
 
   /// Those laws that no answer may break by more than the tolerance, and by how much; empty: none is.
   std::string

@@ -17,12 +17,18 @@ namespace Amontons
   {
     unsigned int max_iterations = 60;
     double       tolerance      = 1e-9;     // residual relative to the internal forces
+    bool         tolerance_is_given = false; // else by suit_target()
     double       scaling        = 1;        // multiplies the complementarity parameter c = E / h
     std::string  method         = "mortar"; // or one to compare with, see declare()
     double       penalty        = 10;       // contact stiffness over E/(1 - nu^2)/h
 
     void
     declare(ParameterHandler &prm) override;
+
+    /// In space, where systems are solved by iterations: a tolerance that is not given becomes what this
+    /// relative error needs.
+    void
+    suit_target(const double target_error);
 
     /// Nodes touch faces, where they lie at the start; else surfaces are coupled by integrals.
     bool

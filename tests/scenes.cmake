@@ -1673,6 +1673,16 @@ add_scene_test(NAME increments_closed_ring SCENE verification/turned_rings.prm S
 add_scene_test(NAME corner_on_plane SCENE verification/corner_on_plane.prm FAILS
                CHECK "failure has broken" "checks.normal_mismatch >= 0.4" "message has corner of the slave")
 
+# Of 6 % of the force: the corner is round, or has a pair for each face, in the truth, (0, -3.52). A mean normal is worse, and no answer.
+add_scene_test(NAME corner_tip SCENE verification/corner_tip.prm
+               CHECK "status is converged" "checks.corner_forces ~ 0.0622 0.02" "checks.normal_mismatch ~ 0.0622 0.02" "notes.-1 has along a wrong direction, and the target error was not reached" "pairs.0.normal_force.0 ~ 0.217 0.05")
+add_scene_test(NAME corner_tip_mean_normal SCENE verification/corner_tip.prm FAILS SET "Contact tip/First=beam/top, beam/right"
+               CHECK "failure has broken" "checks.corner_forces >= 0.3" "message has corner of the slave")
+# Small strain is refined once; earlier output times have a note.
+add_scene_test(NAME passing_disks SCENE verification/passing_disks.prm CHECK "status is converged" "pairs.0.normal_force.1 abs<= 1e-9" "notes.-1 has those of the first mesh")
+add_scene_test(NAME passing_disks_friction SCENE verification/passing_disks.prm SET "Contact pair/Friction coefficient=0.2" "Increments=12" "Refinement/Target error=0.3"
+               CHECK "status is converged" "notes.1 has is not small beside the rest" "newton.:.dofs <= 6000")
+
 # What takes longest is started first.
 foreach(name ironing_slaves half_space_box two_spheres_3d_q2 wall_buckling snap_away cattaneo_mindlin_75 cattaneo_mindlin_270 mindlin_sphere_nu_0 mindlin_sphere_nu_0.3
         slide_over_edges_first iterations_punch_40_increments)

@@ -174,6 +174,7 @@ namespace Amontons
     const Scene                      &scene;
     const Parameters                 &parameters;
     bool                              rotations_are_held = true;
+    bool                              is_no_answer       = false; // by the mesh before
     bool                              has_given_way      = false;
     double                            error_of_mesh      = 0;
     bool                              tried              = false; // finite strain, and

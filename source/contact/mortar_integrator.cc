@@ -358,10 +358,10 @@ namespace Amontons
     const MPI_Comm             communicator = discretization.geometry.communicator;
     const FacesWithPoints<dim> points_of(slave.faces.size(), points, communicator);
     Coupling<dim>              coupling;
-    const bool                 axisymmetric = discretization.scene.kind == ProblemType::axisymmetric;
-    const auto                 coverage     = covered_shares(slave, points_of, axisymmetric, communicator);
-    auto                       carries      = carries_multiplier;
-    double largest_share = 0;
+    const bool                 axisymmetric  = discretization.scene.kind == ProblemType::axisymmetric;
+    const auto                 coverage      = covered_shares(slave, points_of, axisymmetric, communicator);
+    auto                       carries       = carries_multiplier;
+    double                     largest_share = 0;
     for (unsigned int i = 0; i < carries.size(); ++i)
       if (carries_multiplier[i])
         largest_share = std::max(largest_share, coverage.shares[i]);

@@ -23,8 +23,7 @@ namespace Amontons
       std::vector<double> forces;
       for (const auto &p : interface.coupling.points)
         {
-          const double pressure =
-              value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave);
+          const double pressure = value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave);
           // (Signed: where an edge cuts a face, only all of it together has the right moments.)
           forces.push_back((interface.pair->tied ? std::max(0., pressure) : pressure) * p.weight);
           force += forces.back();

@@ -11,11 +11,12 @@ namespace Amontons
                       max_iterations,
                       "Of the active-set (semismooth Newton) iteration on one mesh.",
                       Patterns::Integer(1));
-    prm.declare_entry("Tolerance",
-                      "0",
-                      Patterns::Double(0, 1e-2),
-                      "Residual of the equilibrium relative to the internal forces. 0: 1e-9; in space 1e-5 of "
-                      "the target error, 1e-9 to 1e-6. At least 1e-14.");
+    prm.declare_entry(
+        "Tolerance",
+        "0",
+        Patterns::Double(0, 1e-2),
+        "Residual of the equilibrium relative to the internal forces. 0: 1e-9; in space 1e-5 of "
+        "the target error, 1e-9 to 1e-6. At least 1e-14.");
     prm.add_action("Tolerance", [this](const std::string &text) {
       if (const double value = Utilities::string_to_double(text); value > 0)
         {

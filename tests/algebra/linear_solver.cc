@@ -115,7 +115,7 @@ void
 keep_hierarchy()
 {
   LinearSolverParameters parameters;
-  parameters.type               = "cg";
+  parameters.type         = "cg";
   LA::SparseMatrix matrix = laplacian(15, false), changed = laplacian(15, false);
   for (unsigned int i = 0; i < changed.m(); i += 5) // a fifth of the rows is stiff
     changed.set(i, i, 6.5e4);

@@ -18,7 +18,7 @@ namespace Amontons
   {
     std::string  type           = "automatic"; // automatic | direct | cg
     std::string  direct_package = "automatic"; // automatic | Amesos_Mumps | Amesos_Klu
-    double       tolerance      = 0; // a tenth of that of the contact solver
+    double       tolerance      = 0;           // a tenth of that of the contact solver
     unsigned int max_iterations = 2000;
     int          workspace      = 20; // of MUMPS, at first: percent more than it foresees
 

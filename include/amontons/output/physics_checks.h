@@ -14,7 +14,8 @@ namespace Amontons
   /// of the multiplier, not of the projected traction); normal_mismatch: the sine of the angle between
   /// the normals of both sides where the slave ends or has an edge, times the part of a pair's force there if
   /// that is most of it; corner_forces: what the forces there have along other directions than the normals
-  /// of the other side, their sum relative to the pair's force. largest_so_far: of the pressures. Collective.
+  /// of the other side, their sum over all pairs of the same two relative to the forces. largest_so_far: of
+  /// the pressures. Collective.
   template <int dim>
   std::map<std::string, double>
   check_physics(const Answer<dim> &answer, const double largest_so_far = 0);

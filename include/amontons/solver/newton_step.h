@@ -15,12 +15,12 @@ namespace Amontons
 {
   struct NewtonParameters : ParameterGroup
   {
-    unsigned int max_iterations = 60;
-    double       tolerance      = 1e-9;     // residual relative to the internal forces
-    bool         tolerance_is_given = false; // else by suit_target()
-    double       scaling        = 1;        // multiplies the complementarity parameter c = E / h
-    std::string  method         = "mortar"; // or one to compare with, see declare()
-    double       penalty        = 10;       // contact stiffness over E/(1 - nu^2)/h
+    unsigned int max_iterations     = 60;
+    double       tolerance          = 1e-9;     // residual relative to the internal forces
+    bool         tolerance_is_given = false;    // else by suit_target()
+    double       scaling            = 1;        // multiplies the complementarity parameter c = E / h
+    std::string  method             = "mortar"; // or one to compare with, see declare()
+    double       penalty            = 10;       // contact stiffness over E/(1 - nu^2)/h
 
     void
     declare(ParameterHandler &prm) override;

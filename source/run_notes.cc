@@ -206,8 +206,7 @@ namespace Amontons
     std::ostringstream text;
     text.precision(2);
     text << "warning: where a slave surface ends or has an edge it presses along the normals of its own "
-            "faces, "
-            "not along those of the other side: that adds "
+            "faces, not along those of the other side: that adds "
          << check->second << " of the force along a wrong direction"
          << (target > 0 && error.of_target() <= target && error.of_target() + check->second > target
                  ? ", and the target error was not reached"
@@ -238,8 +237,7 @@ namespace Amontons
     if (target > 0 && !scene.has_friction() && !scene.output_times.empty() &&
         scene.output_times.front() < scene.end_time)
       note("without friction meshes are refined at the end: at the 'Output times' before, forces and "
-           "pressures "
-           "are those of the first mesh (a run that ends there keeps the target there)");
+           "pressures are those of the first mesh (a run that ends there keeps the target there)");
     note_free_motions(answer.discretization);
     for (unsigned int i = 0; i < answer.fields.size(); ++i)
       if (leaves_plane(answer, i))

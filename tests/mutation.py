@@ -314,6 +314,15 @@ CHANGES = [
     ("motion in the trial", "small_strain_check.cc", "FollowMotion::never", "FollowMotion::from_unstable", "scenes/column_of_disks$"),
     ("tractions that count as none", "solver/node_states.cc", "1e-4 * largest[nodes[k].interface])", "1e4 * largest[nodes[k].interface])", "^solver/node_states$"),
     ("pairs that stay", "adaptivity/mesh_difference.cc", "if (is_refined)", "if (true)", "scenes/three_shrunk_rings$"),
+    ("hierarchies that lose", "algebra/linear_solver.cc", "amg_is_old = n_lost > new_hierarchy;", "amg_is_old = false;", "^algebra/linear_solver$"),
+    ("tolerance for the target", "verification/run_scene.cc", "parameters.newton.suit_target(refinement.target_error);", ";", "scenes/target_and_tolerance$"),
+    ("tolerance that is given", "solver/newton_step.cc", "!tolerance_is_given && method", "method", "scenes/target_and_given_tolerance$"),
+    ("signed pressure about an edge", "contact/surface_fields.cc", "interface.pair->tied ? std::max(0., pressure) : pressure", "std::max(0., pressure)", "scenes/target_half_punch$"),
+    ("punches small beside faces", "contact/mortar_integrator.cc", "largest_share / 2", "1.", "scenes/target_narrow_punch$"),
+    ("nodes beside edges of the slave", "output/physics_checks.cc", "surface.sharpest_edge > 60 && f", "false && f", "scenes/corner_tip_mean_normal$"),
+    ("forces of corners", "run_notes.cc", "    note_corner_forces(ending);\n", "", "scenes/corner_tip$"),
+    ("pressures that were", "output/physics_checks.cc", "double largest = largest_so_far;", "double largest = 0;", "^output/quantities$"),
+    ("small strain that is no answer", "small_strain_check.cc", "(is_no_answer || recovery", "(recovery", "scenes/passing_disks_friction$"),
     ("factors of nearly incompressible bodies", "algebra/linear_solver.cc", "nearly_incompressible ? 30000u : 5000u", "5000u", "scenes/nearly_incompressible_in_space$"),
 ]
 

@@ -154,12 +154,12 @@ namespace Amontons
       for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
         if (const auto &interface = answer.interfaces[i]; !interface.pair->tied)
           {
-            const auto *const other   = interface.master.surface;
-            const auto        of_pair = corner_forces(answer, i);
-            auto             &sum     = forces[{interface.slave->body,
-                                other != nullptr
-                                                    ? other->body
-                                                    : answer.discretization.scene.bodies.size() + interface.master.carrier}];
+            const auto *const  other = interface.master.surface;
+            const unsigned int master =
+                other != nullptr ? other->body
+                                 : answer.discretization.scene.bodies.size() + interface.master.carrier;
+            const auto of_pair = corner_forces(answer, i);
+            auto      &sum     = forces[{interface.slave->body, master}];
             sum.all += of_pair.all;
             sum.aside += of_pair.aside;
             mismatch = std::max(mismatch, of_pair.mismatch);

@@ -295,17 +295,16 @@ namespace Amontons
 
     // Of the squared error, by the cells that stay. At once: half of what may be left, and of coarse meshes,
     // which do not know more, a quarter; a load program that is repeated for little should not be once more.
-    // Else the part l of them and the rest, refined once, leave l + (1 -
-    // l)/16.
+    // Else the part l of them and the rest, refined once, leave l + (1 - l)/16. In space coarse meshes tell
+    // shears several times too wrong, and what they ask for at once is far more than it takes.
     double
-    part_that_stays(const double reduction, const bool at_once, const bool has_history)
+    part_that_stays(const double reduction, const unsigned int dim, const bool has_history)
     {
-      constexpr double most_with_history = 0.7;
-      if (at_once)
+      constexpr double most_with_history = 0.7, largest_step = 0.4, safety = 0.93, least = 0.05;
+      if (dim == 2 || (has_history && reduction > largest_step))
         return 0.5 * std::pow(std::clamp(reduction, 0.25, has_history ? most_with_history : 1.), 2);
-      constexpr double largest_step = 0.4, safety = 0.93, least = 0.05;
-      const double     whole = std::clamp(reduction, 1e-6, 1.),
-                   n_steps   = std::max(1., std::ceil(std::log(whole) / std::log(largest_step)));
+      const double whole   = std::clamp(reduction, 1e-6, 1.),
+                   n_steps = std::max(1., std::ceil(std::log(whole) / std::log(largest_step)));
       return std::max(least,
                       (per_level * std::pow(safety * std::pow(whole, 1 / n_steps), 2) - 1) / (per_level - 1));
     }
@@ -334,7 +333,7 @@ namespace Amontons
     if (errors.largest == 0)
       return false;
     const Levels levels = levels_for(errors,
-                                     part_that_stays(reduction, dim == 2 || has_history, has_history),
+                                     part_that_stays(reduction, dim, has_history),
                                      affordable_cells(discretization, max_dofs),
                                      geometry.triangulation.n_global_active_cells(),
                                      GeometryInfo<dim>::max_children_per_cell);

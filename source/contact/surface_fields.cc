@@ -2,6 +2,7 @@
 #include <amontons/contact/covered_shares.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/contact/face_lattice.h>
+#include <amontons/contact/force_centre.h>
 #include <amontons/contact/shear_smoothness.h>
 #include <amontons/contact/surface_fields.h>
 
@@ -18,32 +19,16 @@ namespace Amontons
                 const ContactInterface<dim> &interface,
                 SurfaceFields<dim>          &fields)
     {
-      double              force = 0, spread = 0;
-      Point<dim>          centre;
-      std::vector<double> forces;
-      for (const auto &p : interface.coupling.points)
-        {
-          const double pressure = value_on_face(*interface.slave, fields.pressure, p.slave_face, p.xi_slave);
-          // (Signed: where an edge cuts a face, only all of it together has the right moments.)
-          forces.push_back((interface.pair->tied ? std::max(0., pressure) : pressure) * p.weight);
-          force += forces.back();
-          centre += forces.back() * p.x_slave;
-        }
-      if (force > 0)
-        centre /= force;
-      for (unsigned int q = 0; q < forces.size(); ++q)
-        spread += forces[q] * centre.distance_square(interface.coupling.points[q].x_slave);
-      spread = force > 0 ? std::sqrt(std::max(0., spread / force)) : 0;
-
+      auto [centre, spread] = force_centre(interface, fields.pressure);
       // A plane cuts the contact if it is as near as an end of half a contact is (1.6 spreads for half of a
       // Hertz pressure), and something presses there (not so where a pin that fits its hole presses to one
       // side).
       const bool       axisymmetric = discretization.scene.kind == ProblemType::axisymmetric;
       auto            &planes       = fields.symmetry_planes;
-      const Point<dim> force_centre = centre;
+      const Point<dim> middle       = centre;
       for (unsigned int i = 0; i < interface.slave->nodes.size(); ++i)
         if (fields.area[i] > 0 && (interface.pair->tied || fields.multiplier[i] > 0) &&
-            interface.slave->nodes[i].x.distance(force_centre) < 2.5 * spread)
+            interface.slave->nodes[i].x.distance(middle) < 2.5 * spread)
           for (const auto &normal : interface.slave->nodes[i].symmetry_planes)
             if (!axisymmetric && std::none_of(planes.begin(), planes.end(), [&](const auto &m) {
                   return std::abs(m * normal) > 1 - 1e-6;

@@ -1,3 +1,4 @@
+#include <amontons/adaptivity/first_mesh.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/shared_nodes.h>
 #include <amontons/finite_strain_model.h>
@@ -137,12 +138,18 @@ namespace Amontons
   Model<dim>::refine_where_bodies_are_close(const unsigned int times)
   {
     TimerOutput::Scope scope(timer, "mesh");
+    const auto         refine = [&]() {
+      mesh->geometry.triangulation.execute_coarsening_and_refinement();
+      rebuild();
+      couple_at_rest();
+    };
+    constexpr unsigned int most_times = 12; // a face that is 4,000 times as large
+    for (unsigned int i = 0;
+         times > 0 && i < most_times && mark_cells_at_small_surfaces(discretization(), interfaces) > 0;
+         ++i)
+      refine();
     for (unsigned int i = 0; i < times && mark_close_cells(discretization(), interfaces, 0.1) > 0; ++i)
-      {
-        mesh->geometry.triangulation.execute_coarsening_and_refinement();
-        rebuild();
-        couple_at_rest();
-      }
+      refine();
   }
 
   // Unless tractions have a target there are two aims: the stress everywhere, on which contact forces and

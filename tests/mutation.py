@@ -320,6 +320,8 @@ CHANGES = [
     ("signed pressure about an edge", "contact/surface_fields.cc", "interface.pair->tied ? std::max(0., pressure) : pressure", "std::max(0., pressure)", "scenes/target_half_punch$"),
     ("punches small beside faces", "contact/mortar_integrator.cc", "largest_share / 2", "1.", "scenes/target_narrow_punch$"),
     ("nodes beside edges of the slave", "output/physics_checks.cc", "surface.sharpest_edge > 60 && f", "false && f", "scenes/corner_tip_mean_normal$"),
+    ("first meshes at small bodies", "model.cc", "times > 0 && i < most_times", "false && i < most_times", "scenes/small_stamp_"),
+    ("steps of histories in space", "adaptivity/mesh_refinement.cc", "(has_history && reduction > largest_step)", "has_history", "scenes/steps_of_a_history_in_space$"),
     ("forces of corners", "run_notes.cc", "    note_corner_forces(ending);\n", "", "scenes/corner_tip$"),
     ("pressures that were", "output/physics_checks.cc", "double largest = largest_so_far;", "double largest = 0;", "^output/quantities$"),
     ("small strain that is no answer", "small_strain_check.cc", "(is_no_answer || recovery", "(recovery", "scenes/passing_disks_friction$"),

@@ -91,14 +91,6 @@ namespace Amontons
 
   namespace
   {
-    template <typename Cell, int dim>
-    bool
-    may_be_refined(const Discretization<dim> &discretization, const Cell &cell)
-    {
-      return cell->is_locally_owned() && discretization.is_deformable(cell->material_id()) &&
-             cell->level() < most_levels<dim>;
-    }
-
     // Squared indicators of the cells that may be refined, of this rank; questions about all ranks.
     class SquaredErrors
     {
@@ -360,58 +352,6 @@ namespace Amontons
     deeper = of_all_ranks(children, geometry.communicator);
   }
 
-  // Faces in the zone that touches first, with which the first solution sees the contact.
-  template <int dim>
-  constexpr unsigned int enough = dim == 2 ? 8 : 24;
-
-  template <int dim>
-  unsigned int
-  mark_close_cells(const Discretization<dim>                &discretization,
-                   const std::vector<ContactInterface<dim>> &interfaces,
-                   const double                              distance)
-  {
-    const MPI_Comm     communicator = discretization.geometry.communicator;
-    const unsigned int me           = Utilities::MPI::this_mpi_process(communicator);
-    unsigned int       n_marked     = 0;
-    const auto         mark         = [&](const ContactSurface<dim> &surface, const unsigned int face) {
-      if (surface.faces[face].rank != me)
-        return;
-      const auto &cell = surface.owned[surface.faces[face].owned_index].first;
-      if (may_be_refined(discretization, cell) && !cell->refine_flag_set())
-        {
-          cell->set_refine_flag();
-          ++n_marked;
-        }
-    };
-    for (const auto &interface : interfaces)
-      {
-        double closest = std::numeric_limits<double>::max();
-        for (const auto &point : interface.coupling.points)
-          closest = std::min(closest, point.gap);
-        const auto is_close = [&](const OverlapPoint<dim> &point) {
-          return point.gap <= closest + distance * interface.slave->faces[point.slave_face].size;
-        };
-        std::set<unsigned int> close;
-        bool                   everywhere = true;
-        for (const auto &point : interface.coupling.points)
-          if (is_close(point))
-            close.insert(point.slave_face);
-          else
-            everywhere = false;
-        // (A few large faces may all meet where a point touches.)
-        if (close.size() >= enough<dim> || (everywhere && close.size() == interface.slave->faces.size()))
-          continue;
-        for (const auto &point : interface.coupling.points)
-          if (is_close(point))
-            {
-              mark(*interface.slave, point.slave_face);
-              if (interface.master_surface && point.master_face != numbers::invalid_unsigned_int)
-                mark(*interface.master_surface, point.master_face);
-            }
-      }
-    return Utilities::MPI::sum(n_marked, communicator);
-  }
-
   template <int dim>
   void
   refine_and_transfer(Discretization<dim>             &discretization,
@@ -478,10 +418,6 @@ namespace Amontons
   mark_children(const Discretization<2> &, Geometry<2> &, DeeperCells &);
   template void
   mark_children(const Discretization<3> &, Geometry<3> &, DeeperCells &);
-  template unsigned int
-  mark_close_cells(const Discretization<2> &, const std::vector<ContactInterface<2>> &, const double);
-  template unsigned int
-  mark_close_cells(const Discretization<3> &, const std::vector<ContactInterface<3>> &, const double);
   template void
   refine_and_transfer(Discretization<2> &,
                       Geometry<2> &,

@@ -19,7 +19,7 @@ namespace Amontons
                 const ContactInterface<dim> &interface,
                 SurfaceFields<dim>          &fields)
     {
-      auto [centre, spread] = force_centre(interface, fields.pressure);
+      auto [force, centre, spread] = force_centre(interface, fields.pressure);
       // A plane cuts the contact if it is as near as an end of half a contact is (1.6 spreads for half of a
       // Hertz pressure), and something presses there (not so where a pin that fits its hole presses to one
       // side).

@@ -1,6 +1,7 @@
 // The first meshes: cells behind faces that touch first are marked once, those of rigid bodies never.
 #include "contact/contact_scene.h"
 
+#include <amontons/adaptivity/first_mesh.h>
 #include <amontons/adaptivity/mesh_refinement.h>
 
 namespace test_mesh_refinement

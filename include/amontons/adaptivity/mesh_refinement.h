@@ -91,16 +91,6 @@ namespace Amontons
   void
   mark_children(const Discretization<dim> &discretization, Geometry<dim> &geometry, DeeperCells &deeper);
 
-  // Marks the cells of deformable bodies behind slave and master faces that may touch first: faces with
-  // overlap points whose gap exceeds the smallest of the pair by at most `distance` times the face's size.
-  // Pairs with enough (8, in 3D 24) close faces, or all of whose faces are close (conforming surfaces), are
-  // left alone. Returns how many it marked, on all ranks. Collective.
-  template <int dim>
-  unsigned int
-  mark_close_cells(const Discretization<dim>                &discretization,
-                   const std::vector<ContactInterface<dim>> &interfaces,
-                   const double                              distance);
-
   // Refines marked cells (never coarsens); the fields (readable at relevant DoFs) are interpolated to the new
   // mesh, those that are empty stay so. `rebuild` is called between refinement and
   // interpolation: it must distribute the DoFs of the new mesh and leave discretization ready to make

@@ -9,6 +9,15 @@ namespace Amontons
   template <int dim>
   constexpr int most_levels = dim == 2 ? 22 : 17;
 
+  // Of this rank.
+  template <typename Cell, int dim>
+  bool
+  may_be_refined(const Discretization<dim> &discretization, const Cell &cell)
+  {
+    return cell->is_locally_owned() && discretization.is_deformable(cell->material_id()) &&
+           cell->level() < most_levels<dim>;
+  }
+
   // By active cell of this rank's triangulation: the root of the sum of squares over deformable cells of
   // most_levels. Collective.
   template <int dim>

@@ -1,0 +1,114 @@
+#include <amontons/adaptivity/first_mesh.h>
+#include <amontons/adaptivity/smallest_cells.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace Amontons
+{
+  namespace
+  {
+    // Whether it was not marked before.
+    template <int dim>
+    bool
+    mark_behind(const Discretization<dim> &discretization,
+                const ContactSurface<dim> &surface,
+                const unsigned int         face)
+    {
+      if (surface.faces[face].rank != Utilities::MPI::this_mpi_process(discretization.geometry.communicator))
+        return false;
+      const auto &cell = surface.owned[surface.faces[face].owned_index].first;
+      if (!may_be_refined(discretization, cell) || cell->refine_flag_set())
+        return false;
+      cell->set_refine_flag();
+      return true;
+    }
+
+    // The diagonal of the box around all of it.
+    template <int dim>
+    double
+    extent(const ContactSurface<dim> &surface)
+    {
+      BoundingBox<dim> box(std::make_pair(surface.nodes[0].x, surface.nodes[0].x));
+      for (const auto &node : surface.nodes)
+        box.merge_with(BoundingBox<dim>(std::make_pair(node.x, node.x)));
+      const auto &corners = box.get_boundary_points();
+      return corners.first.distance(corners.second);
+    }
+  } // namespace
+
+  // Faces in the zone that touches first, with which the first solution sees the contact.
+  template <int dim>
+  constexpr unsigned int enough = dim == 2 ? 8 : 24;
+
+  template <int dim>
+  unsigned int
+  mark_close_cells(const Discretization<dim>                &discretization,
+                   const std::vector<ContactInterface<dim>> &interfaces,
+                   const double                              distance)
+  {
+    unsigned int n_marked = 0;
+    const auto   mark     = [&](const ContactSurface<dim> &surface, const unsigned int face) {
+      n_marked += mark_behind(discretization, surface, face);
+    };
+    for (const auto &interface : interfaces)
+      {
+        double closest = std::numeric_limits<double>::max();
+        for (const auto &point : interface.coupling.points)
+          closest = std::min(closest, point.gap);
+        const auto is_close = [&](const OverlapPoint<dim> &point) {
+          return point.gap <= closest + distance * interface.slave->faces[point.slave_face].size;
+        };
+        std::set<unsigned int> close;
+        bool                   everywhere = true;
+        for (const auto &point : interface.coupling.points)
+          if (is_close(point))
+            close.insert(point.slave_face);
+          else
+            everywhere = false;
+        // (A few large faces may all meet where a point touches.)
+        if (close.size() >= enough<dim> || (everywhere && close.size() == interface.slave->faces.size()))
+          continue;
+        for (const auto &point : interface.coupling.points)
+          if (is_close(point))
+            {
+              mark(*interface.slave, point.slave_face);
+              if (interface.master_surface && point.master_face != numbers::invalid_unsigned_int)
+                mark(*interface.master_surface, point.master_face);
+            }
+      }
+    return Utilities::MPI::sum(n_marked, discretization.geometry.communicator);
+  }
+
+  template <int dim>
+  unsigned int
+  mark_cells_at_small_surfaces(const Discretization<dim>                &discretization,
+                               const std::vector<ContactInterface<dim>> &interfaces)
+  {
+    constexpr double too_large = 2;
+    unsigned int     n_marked  = 0;
+    for (const auto &interface : interfaces)
+      if (const auto &slave = *interface.slave; interface.master_surface)
+        {
+          const auto  &master  = *interface.master_surface;
+          const double slave_s = extent(slave), master_s = extent(master);
+          for (const auto &point : interface.coupling.points)
+            {
+              if (slave.faces[point.slave_face].size > too_large * master_s)
+                n_marked += mark_behind(discretization, slave, point.slave_face);
+              if (point.master_face != numbers::invalid_unsigned_int &&
+                  master.faces[point.master_face].size > too_large * slave_s)
+                n_marked += mark_behind(discretization, master, point.master_face);
+            }
+        }
+    return Utilities::MPI::sum(n_marked, discretization.geometry.communicator);
+  }
+
+  template unsigned int
+  mark_close_cells(const Discretization<2> &, const std::vector<ContactInterface<2>> &, const double);
+  template unsigned int
+  mark_cells_at_small_surfaces(const Discretization<2> &, const std::vector<ContactInterface<2>> &);
+  template unsigned int
+  mark_close_cells(const Discretization<3> &, const std::vector<ContactInterface<3>> &, const double);
+  template unsigned int
+  mark_cells_at_small_surfaces(const Discretization<3> &, const std::vector<ContactInterface<3>> &);
+} // namespace Amontons

@@ -117,8 +117,8 @@ keep_hierarchy()
   LinearSolverParameters parameters;
   parameters.type         = "cg";
   LA::SparseMatrix matrix = laplacian(15, false), changed = laplacian(15, false);
-  for (unsigned int i = 0; i < changed.m(); i += 5) // a fifth of the rows is stiff
-    changed.set(i, i, 6.5e4);
+  for (unsigned int i = 0; i < changed.m(); i += 40) // some rows are stiffer
+    changed.set(i, i, 65);
   changed.compress(VectorOperation::insert);
   LA::Vector x(complete_index_set(matrix.m()), MPI_COMM_SELF), rhs(x);
   rhs                    = 1;
@@ -136,7 +136,7 @@ keep_hierarchy()
   unsigned int n = 0, lost = 0;
   for (unsigned int now = steps(solver, changed); now > fresh && n < 20; now = steps(solver, changed), ++n)
     lost += now - fresh;
-  check::is_true(n > 0 && n < 20 && lost > 15 && lost < 100,
+  check::is_true(n > 1 && n < 20 && lost > 15 && lost < 60, // a single solve that loses 60 ends at once
                  "a new hierarchy takes " + std::to_string(fresh) + " steps; the old one took " +
                      std::to_string(lost) + " more in " + std::to_string(n) + " solves");
   x = 1;

@@ -1,5 +1,6 @@
 #include <amontons/adaptivity/first_mesh.h>
 #include <amontons/adaptivity/smallest_cells.h>
+#include <amontons/contact/surface_extent.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -21,18 +22,6 @@ namespace Amontons
         return false;
       cell->set_refine_flag();
       return true;
-    }
-
-    // The diagonal of the box around all of it.
-    template <int dim>
-    double
-    extent(const ContactSurface<dim> &surface)
-    {
-      BoundingBox<dim> box(std::make_pair(surface.nodes[0].x, surface.nodes[0].x));
-      for (const auto &node : surface.nodes)
-        box.merge_with(BoundingBox<dim>(std::make_pair(node.x, node.x)));
-      const auto &corners = box.get_boundary_points();
-      return corners.first.distance(corners.second);
     }
   } // namespace
 
@@ -90,7 +79,7 @@ namespace Amontons
       if (const auto &slave = *interface.slave; interface.master_surface)
         {
           const auto  &master  = *interface.master_surface;
-          const double slave_s = extent(slave), master_s = extent(master);
+          const double slave_s = extent<dim>({&slave}), master_s = extent<dim>({&master});
           for (const auto &point : interface.coupling.points)
             {
               if (slave.faces[point.slave_face].size > too_large * master_s)

@@ -1,8 +1,7 @@
 #include <amontons/base/points.h>
 #include <amontons/contact/declared_gap.h>
 #include <amontons/contact/face_basis.h>
-
-#include <deal.II/base/bounding_box.h>
+#include <amontons/contact/surface_extent.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,17 +11,6 @@ namespace Amontons
 {
   namespace
   {
-    template <int dim>
-    double
-    diameter(const ContactSurface<dim> &surface)
-    {
-      std::vector<Point<dim>> points;
-      for (const auto &node : surface.nodes)
-        points.push_back(node.x);
-      const auto ends = BoundingBox<dim>(points).get_boundary_points();
-      return ends.first.distance(ends.second);
-    }
-
     // The gap that counts at a point where none is declared: closed by `Adjust`, or geometric. Numbers of
     // five digits make overlaps, of whatever size the faces are.
     template <int dim>
@@ -136,7 +124,7 @@ namespace Amontons
   {
     if (!pair.initial_gap)
       {
-        const double size = moved || points.empty() ? 0 : diameter(slave);
+        const double size = moved || points.empty() ? 0 : extent<dim>({&slave});
         for (auto &p : points)
           if (!moved)
             adjust_gap(pair, slave.faces[p.slave_face].size, size, p);

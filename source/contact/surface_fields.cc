@@ -19,16 +19,16 @@ namespace Amontons
                 const ContactInterface<dim> &interface,
                 SurfaceFields<dim>          &fields)
     {
-      auto [force, centre, spread] = force_centre(interface, fields.pressure);
+      const auto found  = force_centre(interface, fields.pressure);
+      Point<dim> centre = found.centre;
       // A plane cuts the contact if it is as near as an end of half a contact is (1.6 spreads for half of a
       // Hertz pressure), and something presses there (not so where a pin that fits its hole presses to one
       // side).
-      const bool       axisymmetric = discretization.scene.kind == ProblemType::axisymmetric;
-      auto            &planes       = fields.symmetry_planes;
-      const Point<dim> middle       = centre;
+      const bool axisymmetric = discretization.scene.kind == ProblemType::axisymmetric;
+      auto      &planes       = fields.symmetry_planes;
       for (unsigned int i = 0; i < interface.slave->nodes.size(); ++i)
         if (fields.area[i] > 0 && (interface.pair->tied || fields.multiplier[i] > 0) &&
-            interface.slave->nodes[i].x.distance(middle) < 2.5 * spread)
+            interface.slave->nodes[i].x.distance(found.centre) < 2.5 * found.spread)
           for (const auto &normal : interface.slave->nodes[i].symmetry_planes)
             if (!axisymmetric && std::none_of(planes.begin(), planes.end(), [&](const auto &m) {
                   return std::abs(m * normal) > 1 - 1e-6;
@@ -38,7 +38,7 @@ namespace Amontons
                 centre -= (normal * (centre - interface.slave->nodes[i].x)) * normal;
                 fields.symmetry_factor *= 2;
               }
-      if (axisymmetric && centre[0] < 6 * spread)
+      if (axisymmetric && centre[0] < 6 * found.spread)
         centre[0] = 0;
       fields.centre = centre;
     }

@@ -1,4 +1,5 @@
 #include <amontons/contact/declared_gap.h>
+#include <amontons/contact/surface_extent.h>
 #include <amontons/contact/surface_search.h>
 #include <amontons/geometry/rigid_surface.h>
 
@@ -11,18 +12,6 @@ namespace Amontons
 {
   namespace
   {
-    template <int dim>
-    double
-    extent(const std::vector<const ContactSurface<dim> *> &surfaces)
-    {
-      std::vector<Point<dim>> points;
-      for (const auto *surface : surfaces)
-        for (const auto &node : surface->nodes)
-          points.push_back(node.x);
-      const auto box = BoundingBox<dim>(points).get_boundary_points();
-      return box.first.distance(box.second);
-    }
-
     // Beyond the closest distance, gaps matter up to this: half the size of the smaller surface; obstacles
     // have none.
     template <int dim>

@@ -131,10 +131,12 @@ namespace Amontons
     result = std::max({result, error.data, 3 * error.friction_data});
     // Of a Galerkin solution energies are off by the square of the error in their norm; so are forces that
     // displacements cause, and what forces approach by (half of that: at a sharp rim recovery sees twice the
-    // square that there is). What loads decide changes by rounding only.
+    // square that there is), and by all that facets leave out. What loads decide changes by rounding only.
     constexpr double rounding = 1e-8;
     if (always_converges(name) && (name == "energy" || result > rounding))
-      result = std::max(result, std::pow(error.bulk, 2) * (name == "energy" ? 1 : 0.5));
+      result = std::max(result,
+                        name == "energy" ? std::pow(error.bulk, 2)
+                                         : (std::pow(error.bulk, 2) + error.sections) / 2);
     error.quantity = result;
   }
 

@@ -24,8 +24,9 @@ namespace Amontons
 
   template <int dim>
   bool
-  LoadStepping<dim>::run()
+  LoadStepping<dim>::run(const bool to_facets)
   {
+    stops_at_facets = to_facets;
     bool again;
     do
       {
@@ -270,7 +271,19 @@ namespace Amontons
     if (small_strain != nullptr && evaluation.recovery &&
         small_strain->gives_way(*evaluation.recovery, report.energy()))
       return false;
+    if (stops_at_facets && evaluation.recovery && wants_arcs())
+      return false;
     return model->mesh->n_refinements < parameters.refinement.most_cycles();
+  }
+
+  template <int dim>
+  bool
+  LoadStepping<dim>::wants_arcs() const
+  {
+    const auto &discretization = model->discretization();
+    const auto &error          = evaluation.error;
+    return discretization.degree_is_chosen && discretization.fe.degree == 1 &&
+           error.sections > std::max(parameters.refinement.target_error, error.decisive()) / 2;
   }
 
   template <int dim>

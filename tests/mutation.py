@@ -324,6 +324,13 @@ CHANGES = [
     ("steps of histories in space", "adaptivity/mesh_refinement.cc", "(has_history && reduction > largest_step)", "has_history", "scenes/steps_of_a_history_in_space$"),
     ("forces of corners", "run_notes.cc", "    note_corner_forces(ending);\n", "", "scenes/corner_tip$"),
     ("pressures that were", "output/physics_checks.cc", "double largest = largest_so_far;", "double largest = 0;", "^output/quantities$"),
+    ("facets of bodies in the stress", "adaptivity/bulk_error.cc", "if (degree == 1 && cell->at_boundary())", "if (false)", "scenes/round_column"),
+    ("facets of bodies in the pressure", "adaptivity/error_estimator.cc", "const double square = std::pow(estimate.sections, 2) * pressure;", "const double square = 0 * pressure;", "scenes/round_column_linear$"),
+    ("facets of bodies in forces", "evaluation.cc", "+ error.sections) / 2", ") / 2", "scenes/round_column_force_linear$"),
+    ("facets that are given up", "contact_problem.cc", "if (is_stopped() || !steps->wants_arcs())", "if (true)", "scenes/(round_column|twisted_columns)$"),
+    ("heights behind facets", "geometry/missing_volume.h", "2. / 3 * std::abs", "1. / 3 * std::abs", "^geometry/missing_volume$"),
+    ("slender however turned", "discretization/degree.cc", "sum[dim + 1] / sum[0] - centre.square()", "sum[dim + 1] / sum[0]", "^discretization/degree$"),
+    ("supports that turn", "output/approach.cc", "turn<dim>(sums) > noteworthy_turn", "false", "scenes/turned_blocks$"),
     ("small strain that is no answer", "small_strain_check.cc", "(is_no_answer || recovery", "(recovery", "scenes/passing_disks_friction$"),
     ("factors of nearly incompressible bodies", "algebra/linear_solver.cc", "nearly_incompressible ? 30000u : 5000u", "5000u", "scenes/nearly_incompressible_in_space$"),
 ]

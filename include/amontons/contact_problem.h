@@ -35,6 +35,8 @@ namespace Amontons
     bool
     run_load_program();
     bool
+    run_without_facets();
+    bool
     may_be_too_coarse() const;
     bool
     choose_kinematics(const bool success);

@@ -28,13 +28,18 @@ namespace Amontons
                  SmallStrainCheck<dim>      *small_strain);
 
     /// False: not to the end. Why not is in the report, or in the request to stop; the state is the last one
-    /// that converged, where there is one.
+    /// that converged, where there is one. to_facets: no further than to a mesh that wants_arcs().
     bool
-    run();
+    run(const bool to_facets = false);
 
     /// Friction: no more of that than it takes to know the error of the increments.
     void
     run_to_measure_increments();
+
+    /// Linear elements that the program has chosen: most of the error is what facets of round bodies leave
+    /// out, and more than half of the target, where quadratic ones would have next to nothing.
+    bool
+    wants_arcs() const;
 
     /// After run(): the mesh that the state is of. is_carried(): another one than the present, which was not
     /// solved: not in equilibrium.
@@ -207,7 +212,8 @@ namespace Amontons
     const Refinement           refinement;
     IncrementChoice            increments;
     std::optional<Measurement> measurement;
-    bool                       falls_back  = false; // stopped: the state is history.fallback
-    bool                       ended_early = false;
+    bool                       stops_at_facets = false; // refines no more where it wants_arcs()
+    bool                       falls_back      = false; // stopped: the state is history.fallback
+    bool                       ended_early     = false;
   };
 } // namespace Amontons

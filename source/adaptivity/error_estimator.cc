@@ -1,4 +1,5 @@
 #include <amontons/base/points.h>
+#include <amontons/adaptivity/bulk_error.h>
 #include <amontons/adaptivity/edge_error.h>
 #include <amontons/adaptivity/error_estimator.h>
 #include <amontons/adaptivity/facet_error.h>
@@ -10,7 +11,6 @@
 #include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/contact/common_normal.h>
 #include <amontons/contact/face_basis.h>
-#include <amontons/elasticity/linear_elastic.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/tensor_product_polynomials.h>
@@ -47,44 +47,12 @@ namespace Amontons
             kind(discretization.scene.kind), gauss(discretization.fe.degree + 1),
             gauss_polynomials(Polynomials::generate_complete_Lagrange_basis(
                 QGauss<1>(discretization.fe.degree + 1).get_points())),
-            on_face(discretization.fe.degree + 2), values(discretization.mapping,
-                                                          discretization.fe,
-                                                          gauss,
-                                                          update_quadrature_points | update_JxW_values),
-            squares(discretization.geometry.triangulation.n_active_cells()), contact_squares(squares.size()),
-            pollution_squares(squares.size()), shear_squares(squares.size()), unseen(squares.size()),
-            rounding(2e-14 * largest_displacement)
+            on_face(discretization.fe.degree + 2), rounding(2e-14 * largest_displacement),
+            bulk(bulk_error(discretization, recovery, rounding)), squares(bulk.squares),
+            contact_squares(squares.size()), pollution_squares(squares.size()), shear_squares(squares.size()),
+            unseen(squares.size())
       {
         prepare_faces(displacement);
-      }
-
-      void
-      add_bulk()
-      {
-        FEValues<dim> recovered(
-            discretization.mapping, recovery.dof_handler().get_fe(), gauss, update_values);
-        for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-          if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
-            {
-              values.reinit(cell);
-              recovered.reinit(recovery_cell(cell));
-              const auto  &sigma     = recovery.unsmoothed(cell->active_cell_index());
-              const auto   smooth    = recovery.values_at(recovered);
-              const auto  &material  = discretization.scene.bodies[cell->material_id()].material;
-              const double no_stress = stress_of_rounding(cell);
-              for (unsigned int q = 0; q < gauss.size(); ++q)
-                {
-                  Voigt<dim> difference = smooth[q];
-                  for (unsigned int k = 0; k < n_voigt<dim>; ++k)
-                    difference[k] -= sigma[q][k];
-                  const double weight = values.JxW(q) * measure<dim>(kind, values.quadrature_point(q));
-                  const double square = weight * complementary_energy<dim>(difference, material);
-                  squares[cell->active_cell_index()] += square;
-                  bulk_error += square;
-                  bulk_energy += weight * complementary_energy<dim>(smooth[q], material);
-                  no_energy += weight * no_stress * no_stress / material.young;
-                }
-            }
       }
 
       void
@@ -153,13 +121,6 @@ namespace Amontons
           pollution_squares[c] += weight_of_pair * error.by_cell[c];
       }
 
-      double
-      stress_of_rounding(const Cell &cell) const
-      {
-        return rounding / cell->minimum_vertex_distance() *
-               discretization.scene.bodies[cell->material_id()].material.young;
-      }
-
       ErrorEstimate<dim>
       result() const
       {
@@ -181,12 +142,12 @@ namespace Amontons
         double pressure = or_none(total(pressure_square), total(no_pressure_square));
         if (all_unseen > 0 && pressure == 0)
           pressure = all_unseen;
-        const double energy    = or_none(total(bulk_energy), total(no_energy)),
+        const double energy    = or_none(total(bulk.energy), total(bulk.no_energy)),
                      shear     = std::max(total(shear_square), std::pow(noteworthy_shear, 2) * pressure);
         estimate.energy_norm   = std::sqrt(energy);
         estimate.pressure_norm = std::sqrt(pressure);
         estimate.shear_norm    = std::sqrt(shear);
-        estimate.bulk          = relative(total(bulk_error), energy);
+        estimate.bulk          = relative(total(bulk.error), energy);
         estimate.contact       = relative(total(pressure_error), pressure);
         estimate.shear         = relative(total(shear_error), shear);
         estimate.recovered     = {estimate.contact, estimate.shear};
@@ -208,12 +169,12 @@ namespace Amontons
             difference = std::max(difference, std::abs(peak[1] - peak[0]));
             highest    = std::max(highest, peak[0]);
           }
-        estimate.peak      = highest > 0 ? difference / highest : 0;
-        estimate.facets    = relative(facets, pressure);
-        estimate.pollution = relative(pollution_square, pressure);
-        estimate.contact   = std::hypot(
+        estimate.peak   = highest > 0 ? difference / highest : 0;
+        estimate.facets = relative(facets, pressure);
+        add_facets_of_bodies(energy, pressure, estimate);
+        estimate.contact = std::hypot(
             std::hypot(estimate.contact, estimate.facets), estimate.doubted.pressure, estimate.pollution);
-        estimate.shear = std::hypot(estimate.shear, estimate.doubted.shear);
+        estimate.shear = std::hypot(estimate.shear, estimate.doubted.shear, estimate.sections);
         if (all_unseen > 0) // as large as all that is seen
           {
             estimate.data    = 1;
@@ -226,6 +187,21 @@ namespace Amontons
       }
 
     private:
+      // By that part of the energy, a linear functional of what is missing, all tractions may be off.
+      void
+      add_facets_of_bodies(const double energy, const double pressure, ErrorEstimate<dim> &estimate) const
+      {
+        double missing = std::accumulate(bulk.missing.begin(), bulk.missing.end(), 0.);
+        missing        = Utilities::MPI::sum(missing, discretization.geometry.communicator);
+        if (energy > 0)
+          estimate.sections = missing / energy;
+        const double square = std::pow(estimate.sections, 2) * pressure;
+        for (unsigned int c = 0; missing > 0 && c < bulk.missing.size(); ++c)
+          estimate.pollution_indicators[c] =
+              std::sqrt(pollution_squares[c] + square * bulk.missing[c] / missing);
+        estimate.pollution = pressure > 0 ? std::sqrt((pollution_square + square) / pressure) : 0;
+      }
+
       unsigned int
       my_rank() const
       {
@@ -311,7 +287,7 @@ namespace Amontons
         const double area   = std::accumulate(
             points.begin(), points.end(), 0., [](auto sum, const auto &p) { return sum + p.weight; });
         const auto   loads     = face_loads == nullptr ? Conditions() : face_loads->on(cell, f, area);
-        const double no_stress = stress_of_rounding(cell);
+        const double no_stress = stress_of_rounding<dim>(discretization, cell, rounding);
         double       square = 0, pressure_part = 0, shear_part = 0;
         for (const auto &[xi, weight, interpolation, overlap] : points)
           {
@@ -423,18 +399,17 @@ namespace Amontons
       const QGauss<dim>                   gauss;
       const TensorProductPolynomials<dim> gauss_polynomials; // Lagrange polynomials of the Gauss points
       const QGauss<dim - 1>               on_face;
-      FEValues<dim>                       values;
       std::vector<FullMatrix<double>>     continuation;
       std::vector<std::unique_ptr<FEValues<dim>>> recovered_on_face;
-      std::deque<NominalArea<dim>>                areas; // by face number; finite strain
-      std::vector<std::array<double, 2>>          peaks; // by interface: of the pressure, of -n . sigma* n
+      std::deque<NominalArea<dim>>                areas;    // by face number; finite strain
+      std::vector<std::array<double, 2>>          peaks;    // by interface: of the pressure, of -n . sigma* n
+      const double                                rounding; // of differences of displacements
+      const BulkError                             bulk;
       // by active cell
       std::vector<double> squares, contact_squares, pollution_squares, shear_squares, unseen;
-      const double        rounding;             // of differences of displacements
       double              pollution_square = 0; // of all ranks
       // of this rank
-      double no_energy = 0, no_pressure_square = 0;
-      double bulk_error = 0, bulk_energy = 0, pressure_error = 0, pressure_square = 0, shear_error = 0,
+      double no_pressure_square = 0, pressure_error = 0, pressure_square = 0, shear_error = 0,
              hidden_pressure = 0, hidden_shear = 0, shear_square = 0, n_unseen = 0, friction_resultants = 0,
              shear_sum = 0;
       std::vector<FacetError> facets_of;
@@ -464,8 +439,7 @@ namespace Amontons
                                face_loads,
                                largest,
                                any_nominal && finite_strain ? &displacement : nullptr);
-    estimation.add_bulk();
-    const auto weights = pair_weights(interfaces, fields);
+    const auto      weights = pair_weights(interfaces, fields);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       estimation.add_pollution(interfaces[i], fields[i], weights[i], finite_strain ? &displacement : nullptr);
     const auto is_unresolved = unresolved_pairs(interfaces, fields);

@@ -233,7 +233,7 @@ namespace Amontons
       }
     error.contact = std::hypot(
         std::hypot(pressure, error.doubted.pressure), error.facets, std::hypot(error.data, error.pollution));
-    error.shear = std::hypot(shear, error.doubted.shear);
+    error.shear = std::hypot(shear, error.doubted.shear, error.sections);
   }
 
   template std::vector<std::size_t>

@@ -22,7 +22,37 @@ namespace Amontons
       return condition.type == ConditionData::Type::platen || condition.type == ConditionData::Type::symmetry;
     }
 
-    // Mean of u . e over the boundaries of a body that hold it along e.
+    template <int dim>
+    void
+    add_moments(const double weight, const Tensor<1, dim> &u, const Point<dim> &X, std::vector<double> &sums)
+    {
+      sums[0] += weight;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          sums[1 + c] += weight * u[c];
+          sums[1 + dim + c] += weight * X[c];
+        }
+      sums[1 + 2 * dim] += weight * u.norm_square();
+      sums[2 + 2 * dim] += weight * X.square();
+    }
+
+    // Root of the variance of u over that of X: of a plane that turns in itself or of a line 2 sin(angle/2),
+    // less about other axes; 0 where it only moves.
+    template <int dim>
+    double
+    turn(const std::vector<double> &sums)
+    {
+      double of_u = sums[1 + 2 * dim] * sums[0], of_X = sums[2 + 2 * dim] * sums[0];
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          of_u -= sums[1 + c] * sums[1 + c];
+          of_X -= sums[1 + dim + c] * sums[1 + dim + c];
+        }
+      return of_X > 0 ? std::sqrt(std::max(0., of_u) / of_X) : 0;
+    }
+
+    // Mean of u . e over the boundaries of a body that hold it along e; nothing if those turn: then the mean
+    // of one does not tell how far it is from the other.
     template <int dim>
     std::optional<double>
     motion_of_supports(const Answer<dim> &answer, const unsigned int body, const Tensor<1, dim> &e)
@@ -52,7 +82,9 @@ namespace Amontons
                                update_values | update_quadrature_points | update_normal_vectors |
                                    update_JxW_values);
       std::vector<Tensor<1, dim>>      displacement(values.n_quadrature_points);
-      std::vector<double>              sums(2, 0.);
+      // int 1, u, X, u^2, X^2 over all of them that are no mirrors; then int u . e, 1
+      constexpr unsigned int n = 2 * dim + 3;
+      std::vector<double>    sums(n + 2, 0.);
       for (const auto &cell : discretization.dof_handler.active_cell_iterators())
         if (cell->is_locally_owned() && cell->material_id() == body)
           for (const unsigned int f : cell->face_indices())
@@ -67,14 +99,17 @@ namespace Amontons
                   {
                     const double weight =
                         values.JxW(q) * measure<dim>(scene.kind, values.quadrature_point(q));
-                    sums[0] += weight * (displacement[q] * e);
-                    sums[1] += weight;
+                    sums[n] += weight * (displacement[q] * e);
+                    sums[n + 1] += weight;
+                    if (!support->second)
+                      add_moments<dim>(weight, displacement[q], values.quadrature_point(q), sums);
                   }
               }
       Utilities::MPI::sum(sums, discretization.geometry.communicator, sums);
-      if (sums[1] == 0)
+      constexpr double noteworthy_turn = 0.03; // moves what is L apart by half of its square
+      if (sums[n + 1] == 0 || turn<dim>(sums) > noteworthy_turn)
         return {};
-      return sums[0] / sums[1];
+      return sums[n] / sums[n + 1];
     }
 
     // The surfaces have moved along each other, or touch elsewhere than where they were closest: the first

@@ -40,7 +40,8 @@ namespace Amontons
     double shear          = 0;                                  // of the tangential traction, with friction
     double worst_pressure = 0, worst_shear = 0, worst_bulk = 0; // not relative, of a load history so far
     double facets        = 0;                                   // the part of `contact` that facets cause
-    double pollution     = 0; // part of `contact`: what coarse cells around the contact cause
+    double pollution     = 0; // part of `contact`: what coarse cells around the contact cause, and
+    double sections      = 0; // what facets of round bodies leave out of the energy; also part of `shear`
     double data          = 0; // part of `contact`: lost between the nodes, where recovery sees nothing
     double peak          = 0; // difference of the peak pressure from that of the recovered stress, relative
     double cusp          = 0; // how far the peak may be above all nodes, relative; 0: it is none
@@ -86,16 +87,17 @@ namespace Amontons
   combined_modulus(const Scene &scene, const ContactInterface<dim> &interface);
 
   // Bulk: eta_K^2 = int_K (sigma* - sigma_h) : C^-1 : (sigma* - sigma_h) (doc/introduction.md, (30);
-  // Zienkiewicz and Zhu 1987), with sigma* the recovered stress. Contact: eta_F^2 = h_F / E int_F (p + n .
-  // sigma_h n)^2 + |tangential part of sigma_h n, less that of the contact|^2 (doc/introduction.md, (31)) on
-  // the slave faces of the coupling, without the second term where surfaces are tied; added to the slave's
-  // cell and, in proportion to the overlaps, to the masters' cells: cell_indicators = sqrt(eta_K^2 + sum
-  // eta_F^2). `contact` = sqrt(sum w int (p* - p)^2 / sum w int p^2) over pairs of these weights, where p* =
-  // -n . sigma* . n is the recovered normal stress of the slave body; where surfaces are tied the whole
-  // traction counts; `shear` likewise, of the pairs with friction. n is the normal of the true surface.
-  // Stresses and tractions that are no more than the rounding of the displacements makes them are none, and
-  // have no error. What loads put on slave faces is no part of what the contact carries there. recovery: of
-  // the displacement. fields: by interface; doubts: likewise, see RefinedPairs (empty: none). Collective.
+  // Zienkiewicz and Zhu 1987), with sigma* the recovered stress, and what facets leave out (bulk_error.h).
+  // Contact: eta_F^2 = h_F / E int_F (p + n . sigma_h n)^2 + |tangential part of sigma_h n, less that of the
+  // contact|^2 (doc/introduction.md, (31)) on the slave faces of the coupling, without the second term where
+  // surfaces are tied; added to the slave's cell and, in proportion to the overlaps, to the masters' cells:
+  // cell_indicators = sqrt(eta_K^2 + sum eta_F^2). `contact` = sqrt(sum w int (p* - p)^2 / sum w int p^2)
+  // over pairs of these weights, where p* = -n . sigma* . n is the recovered normal stress of the slave body;
+  // where surfaces are tied the whole traction counts; `shear` likewise, of the pairs with friction. n is the
+  // normal of the true surface. Stresses and tractions that are no more than the rounding of the
+  // displacements makes them are none, and have no error. What loads put on slave faces is no part of what
+  // the contact carries there. recovery: of the displacement. fields: by interface; doubts: likewise, see
+  // RefinedPairs (empty: none). Collective.
   template <int dim>
   ErrorEstimate<dim>
   estimate_error(const Discretization<dim>                &discretization,

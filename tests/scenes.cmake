@@ -1694,6 +1694,10 @@ add_scene_test(NAME passing_disks_friction SCENE verification/passing_disks.prm 
 # Their platens' mean motions along the force, which the turn moves apart, are no approach.
 add_scene_test(NAME turned_blocks SCENE verification/turned_blocks.prm
                CHECK "status is converged" "pairs.0.approach is None" "pairs.0.peak_pressure ~ 25.3205128 1e-6" "pairs.0.normal_force.0 ~ -50.6410256 1e-6" "pairs.0.normal_force.1 abs<= 1e-6")
+# What is pulled does not buckle; a layer that is glued on is not slender (0.0038 by the layer alone).
+add_scene_test(NAME half_strut_pressed SCENE verification/half_strut.prm CHECK "status is converged" "notes.0 has bear more than a cantilever")
+add_scene_test(NAME half_strut_pulled SCENE verification/half_strut.prm SET "Boundary condition load/Value=-10" CHECK "status is converged" "count(notes.:) == 0")
+add_scene_test(NAME coated_block SCENE verification/coated_block.prm CHECK "status is converged" "checks.neglected_stiffening abs<= 0")
 # Facets of linear elements: 2.2 % off and told 0.9 %, and 13 % of the torque (G J theta/L = 0.6283) told 7 %, as nothing at the contact shows them.
 add_scene_test(NAME round_column SCENE verification/round_column.prm
                CHECK "status is converged" "notes.0 has facets of linear ones leave out 0.1" "dofs <= 6000" "meshes.-1.reference.errors.pressure_l2 <= 0.01")

@@ -98,7 +98,7 @@ namespace Amontons
     bool
     may_lose_symmetry() const
     {
-      return neglected.largest().stiffening > 1;
+      return neglected.largest().buckling > 1;
     }
     /// For sentences.
     std::string

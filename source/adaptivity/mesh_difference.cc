@@ -104,11 +104,12 @@ namespace Amontons
   error_by_comparisons(const double     difference,
                        const double     eta_before,
                        const double     eta,
-                       RecoveryFactors &factors)
+                       RecoveryFactors &factors,
+                       const bool       may_grow)
   {
     constexpr double least = 0.25, safety = 1.4;
     const double     of_coarser = factor_by_difference(difference, eta_before, eta);
-    const double     next       = of_coarser * std::max(1., of_coarser / factors.of_coarser);
+    const double     next       = of_coarser * std::max(1., may_grow ? of_coarser / factors.of_coarser : 1.);
     const double     proven     = safety * std::max({next, factors.of_coarser, least});
     const double     error = proven < 1 ? proven * eta : error_by_difference(difference, eta_before, eta);
     factors                = {eta > 0 ? error / eta : 1, of_coarser};
@@ -123,10 +124,11 @@ namespace Amontons
               const double     eta_before,
               const double     eta,
               const bool       is_refined,
+              const bool       may_grow,
               RecoveryFactors &factors)
     {
       if (is_refined)
-        return error_by_comparisons(difference, eta_before, eta, factors);
+        return error_by_comparisons(difference, eta_before, eta, factors, may_grow);
       return std::max(factors.of_this, factor_by_difference(difference, eta_before, eta)) * eta;
     }
   } // namespace
@@ -223,12 +225,14 @@ namespace Amontons
                              before.recovered.pressure,
                              error.recovered.pressure,
                              is_refined,
+                             true,
                              before.pressure);
         shear                    = error_now(ratio(squares.shear_difference,
                                 std::max(squares.shear, std::pow(noteworthy_shear, 2) * squares.pressure)),
                           before.recovered.shear,
                           error.recovered.shear,
                           is_refined,
+                          dim == 2,
                           before.shear);
       }
     error.contact = std::hypot(

@@ -175,7 +175,9 @@ namespace Amontons
               strain, strain_beside_turns(discretization, elasticity, state.displacement, largest_energy));
         terms.strain = std::max(terms.strain, strain);
       }
-    terms.stiffening = std::max(terms.stiffening, most_stiffening(discretization, recovery));
+    const Stiffening most = most_stiffening(discretization, recovery);
+    terms.stiffening      = std::max(terms.stiffening, most.any);
+    terms.buckling        = std::max(terms.buckling, most.by_compression);
     Place place;
     place.displacement = state.displacement;
     place.motion       = largest_motion(discretization, interfaces, state.displacement);

@@ -3,7 +3,10 @@
 #include <amontons/elasticity/kirchhoff.h>
 #include <amontons/geometry/vector_area.h>
 
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/grid/grid_tools.h>
+
+#include <numeric>
 
 namespace Amontons
 {
@@ -19,53 +22,116 @@ namespace Amontons
         result += as_tensor(stress) / double(points.size());
       return result;
     }
+
+    // Bodies that are glued together bend as one: by body, the first of those.
+    std::vector<unsigned int>
+    glued_bodies(const Scene &scene)
+    {
+      std::vector<unsigned int> first(scene.bodies.size());
+      std::iota(first.begin(), first.end(), 0);
+      const auto number = [&](const std::string &name) -> unsigned int {
+        return std::find_if(scene.bodies.begin(),
+                            scene.bodies.end(),
+                            [&](const BodyData &body) { return body.name == name; }) -
+               scene.bodies.begin();
+      };
+      for (const auto &pair : scene.pairs)
+        if (pair.tied && pair.second)
+          {
+            const unsigned int a = first[number(pair.first.body)], b = first[number(pair.second->body)];
+            std::replace(first.begin(), first.end(), std::max(a, b), std::min(a, b));
+          }
+      return first;
+    }
+
+    // What one side of glue covers is no surface.
+    template <int dim>
+    std::set<types::boundary_id>
+    glued_boundaries(const Discretization<dim> &discretization)
+    {
+      std::set<types::boundary_id> ids;
+      const auto                   add = [&](const BoundaryName &name) {
+        ids.insert(discretization.geometry.boundary(name, discretization.scene).id);
+        for (const auto &further : name.more)
+          ids.insert(
+              discretization.geometry.boundary({name.body, further, name.where}, discretization.scene).id);
+      };
+      for (const auto &pair : discretization.scene.pairs)
+        if (pair.tied && pair.second)
+          {
+            add(pair.first);
+            add(*pair.second);
+          }
+      return ids;
+    }
+
+    // Of one body: int dV, int s dV, int (s/E)^2 dV, int (c/E)^2 dV, int (s - 2 t)_+ dA
+    using Sums = std::array<double, 5>;
+
+    template <int dim, typename IsFree>
+    void
+    add_cell(const typename DoFHandler<dim>::active_cell_iterator &cell,
+             const Tensor<2, 3>                                   &stress,
+             const double                                          young,
+             const IsFree                                         &is_free,
+             double *const                                         sums)
+    {
+      const double size = stress.norm(), volume = cell->measure(),
+                   compression = std::max(0., -eigenvalues(symmetrize(stress))[2]);
+      sums[0] += volume;
+      sums[1] += volume * size;
+      sums[2] += volume * std::pow(size / young, 2);
+      sums[3] += volume * std::pow(compression / young, 2);
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary() && is_free(face))
+          {
+            const auto   area = vector_area<dim>(face);
+            Tensor<1, 3> normal;
+            for (unsigned int c = 0; c < dim; ++c)
+              normal[c] = area[c] / area.norm();
+            sums[4] += face->measure() * std::max(0., size - 2 * (stress * normal).norm());
+          }
+    }
   } // namespace
 
   template <int dim>
-  double
+  Stiffening
   most_stiffening(const Discretization<dim> &discretization, const StressRecovery<dim> &recovery)
   {
-    const unsigned int  n         = discretization.scene.bodies.size();
-    const auto          is_mirror = planes_of_symmetry(discretization);
-    std::vector<double> sums(4 * n, 0.); // by body: int dV, int s dV, int s^2 dV, int (s - 2 t)_+ dA
+    const auto is_mirror = planes_of_symmetry(discretization);
+    const auto body_of   = glued_bodies(discretization.scene);
+    const auto glued     = glued_boundaries(discretization);
+    const auto is_free   = [&](const auto &face) {
+      return !is_mirror(face) && glued.count(face->boundary_id()) == 0;
+    };
+    const unsigned int  n_sums = std::tuple_size<Sums>::value;
+    std::vector<double> sums(n_sums * body_of.size(), 0.);
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()))
-        {
-          double *const sum    = &sums[4 * cell->material_id()];
-          const auto    stress = mean_stress<dim>(recovery.unsmoothed(cell->active_cell_index()));
-          const double  size = stress.norm(), volume = cell->measure();
-          sum[0] += volume;
-          sum[1] += volume * size;
-          sum[2] += volume * size * size;
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() && !is_mirror(face))
-              {
-                const auto   area = vector_area<dim>(face);
-                Tensor<1, 3> normal;
-                for (unsigned int c = 0; c < dim; ++c)
-                  normal[c] = area[c] / area.norm();
-                sum[3] += face->measure() * std::max(0., size - 2 * (stress * normal).norm());
-              }
-        }
+        add_cell<dim>(cell,
+                      mean_stress<dim>(recovery.unsmoothed(cell->active_cell_index())),
+                      discretization.scene.bodies[cell->material_id()].material.young,
+                      is_free,
+                      &sums[n_sums * body_of[cell->material_id()]]);
     const auto &communicator = discretization.geometry.communicator;
     Utilities::MPI::sum(sums, communicator, sums);
     const auto corners =
         GridTools::compute_bounding_box(discretization.geometry.triangulation).get_boundary_points();
-    const double size   = Utilities::MPI::max(corners.first.distance(corners.second), communicator);
-    double       result = 0;
-    for (unsigned int b = 0; b < n; ++b)
-      if (const double *const sum = &sums[4 * b]; sum[1] > 0)
+    const double size = Utilities::MPI::max(corners.first.distance(corners.second), communicator);
+    Stiffening   result;
+    for (unsigned int b = 0; b < body_of.size(); ++b)
+      if (const double *const sum = &sums[n_sums * b]; sum[1] > 0)
         {
-          const double strain = std::sqrt(sum[2] / sum[0]) / discretization.scene.bodies[b].material.young,
-                       slenderness = size * sum[3] / (2 * sum[1]);
-          result                   = std::max(
-              result, 48 / std::pow(numbers::PI, 2) * strain * std::max(0., std::pow(slenderness, 2) - 25));
+          const double slenderness = size * sum[4] / (2 * sum[1]),
+                       factor = 48 / std::pow(numbers::PI, 2) * std::max(0., slenderness * slenderness - 25);
+          result.any          = std::max(result.any, factor * std::sqrt(sum[2] / sum[0]));
+          result.by_compression = std::max(result.by_compression, factor * std::sqrt(sum[3] / sum[0]));
         }
     return result;
   }
 
-  template double
+  template Stiffening
   most_stiffening(const Discretization<2> &, const StressRecovery<2> &);
-  template double
+  template Stiffening
   most_stiffening(const Discretization<3> &, const StressRecovery<3> &);
 } // namespace Amontons

@@ -61,6 +61,9 @@ main(int, char **)
                   1.4 * 0.5 * 0.5 / 0.4 * 0.5,
                   1e-12,
                   "growing factors");
+  factors = {1, 0.4};
+  check::is_close(
+      error_by_comparisons(change(1), 2, 0.5, factors, false), 1.4 * 0.5 * 0.5, 1e-12, "factors that swing");
   check::is_true(error_by_comparisons(change(1), 0.8, 0.2, factors) >= 0.2, "too small again");
   check::is_true(error_by_comparisons(change(1), 3, 0.75, factors) >= 0.75, "once only");
 

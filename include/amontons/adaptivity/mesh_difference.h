@@ -73,11 +73,14 @@ namespace Amontons
 
   /// error_by_difference(), unless two comparisons, one after the other, say that recovery is too large (with
   /// shears it is, by 2 to 4): the edge of a contact does not stay badly placed. Then the larger factor
-  /// counts; factors that grow (as those of pressures on coarse meshes do) are taken to grow on as much; 1/4
-  /// at least, made safer by 1.4. factors: of the comparison before, and then of this one.
+  /// counts; factors that grow (as those of pressures on coarse meshes do) are taken to grow on as much, if
+  /// they may_grow: those of shears in space swing between 0.3 and 0.4, and a mesh that is not needed takes
+  /// as long as all before; 1/4 at least, made safer by 1.4. factors: of the comparison before, and then of
+  /// this one.
   double
   error_by_comparisons(const double     difference,
                        const double     eta_before,
                        const double     eta,
-                       RecoveryFactors &factors);
+                       RecoveryFactors &factors,
+                       const bool       may_grow = true);
 } // namespace Amontons

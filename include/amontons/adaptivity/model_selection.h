@@ -33,6 +33,7 @@ namespace Amontons
     // How much stress may change the stiffness, at most: see slenderness.h. No error; but where it is small,
     // strings do not stiffen and columns do not buckle.
     double stiffening = 0;
+    double buckling   = 0; // the same of compression alone
 
     double
     largest() const

@@ -156,11 +156,12 @@ namespace Amontons
   bool
   SmallStrainCheck<dim>::is_too_much() const
   {
-    const auto &terms = neglected.largest();
+    const auto  &terms = neglected.largest();
+    const double limit = std::max(too_much, allowed_error()); // a coarse mesh makes more of it than there is
     if (!change) // (what is left out in the contact is a bound, often far too large)
-      return (parameters.newton.collocates() ? terms.strain : terms.largest()) > too_much || stiffening > 1;
-    return change->without_pressures > too_much ||
-           (pressures_are_known() && change->largest > 0.5 && terms.contact > too_much);
+      return (parameters.newton.collocates() ? terms.strain : terms.largest()) > limit || stiffening > 1;
+    return change->without_pressures > limit ||
+           (pressures_are_known() && change->largest > 0.5 && terms.contact > limit);
   }
 
   template <int dim>

@@ -504,7 +504,7 @@ endforeach()
 add_scene_test(NAME walk_pin_in_lug SCENE walk/pin_in_lug.prm SET "Refinement/Cycles=0" ${SCENE_QUIET}
                CHECK "checks.force_balance <= 1e-8" "checks.coulomb_cone <= 1e-9" "pairs.0.normal_force.0 ~ 478.11 1e-3" "pairs.0.tangential_force.0 ~ 21.87 1e-2")
 add_scene_test(NAME walk_pin_in_lug_3d SCENE walk/pin_in_lug_3d.prm SET "Increments=8" "Contact solver/Tolerance=1e-11" ${SCENE_QUIET}
-               CHECK "checks.force_balance <= 1e-8" "checks.coulomb_cone <= 1e-9" "pairs.0.normal_force.0 ~ 2914 1e-3" "pairs.0.tangential_force.0 ~ 85.7 2e-2")
+               CHECK "checks.force_balance <= 1e-8" "checks.coulomb_cone <= 1e-9" "pairs.0.normal_force.0 ~ 2903 1e-3" "pairs.0.tangential_force.0 ~ 97.0 2e-2")
 # Its first increment is cut, which may not count in the estimate: the target of 10 % is not reached on the first mesh of 744 DoFs.
 add_scene_test(NAME failed_increment_has_no_estimate SCENE walk/pin_in_lug.prm ${SCENE_QUIET}
                SET "Body pin/Shift=0,0" "Kinematics=finite strain" "Refinement/Maximum DoFs=1200"
@@ -1681,9 +1681,17 @@ add_scene_test(NAME small_stamp_first SCENE verification/small_stamp.prm SET "Co
                CHECK "status is converged" "pairs.0.normal_force.1 ~ 1.267 0.05" "error_estimate.quantity <= 0.1")
 add_scene_test(NAME small_stamp_second SCENE verification/small_stamp.prm SET "Contact stamp/Slave=second"
                CHECK "status is converged" "pairs.0.normal_force.1 ~ -1.267 0.05" "error_estimate.quantity <= 0.1")
-# Of 6 % of the force: the corner is round, or has a pair for each face, in the truth, (0, -3.52). A mean normal is worse, and no answer.
+# The corner of a slave has the normal of the obstacle: (0, -3.52), as where it is round or has a pair for each face (it was 6 % off, told 0.2, along that of its face). A mean normal is worse, and no answer.
 add_scene_test(NAME corner_tip SCENE verification/corner_tip.prm
-               CHECK "status is converged" "checks.corner_forces ~ 0.0622 0.02" "checks.normal_mismatch ~ 0.0622 0.02" "notes.-1 has along a wrong direction, and the target error was not reached" "pairs.0.normal_force.0 ~ 0.217 0.05")
+               CHECK "status is converged" "checks.corner_forces <= 1e-3" "pairs.0.normal_force.0 abs<= 0.01" "pairs.0.normal_force.1 ~ -3.52 0.003")
+add_scene_test(NAME corner_tip_small_strain SCENE verification/corner_tip.prm SET "Kinematics=small strain"
+               CHECK "status is converged" "pairs.0.normal_force.0 abs<= 1e-9" "pairs.0.normal_force.1 ~ -3.52 0.03")
+add_scene_test(NAME tilted_corner SCENE verification/tilted_corner.prm
+               CHECK "status is converged" "pairs.0.normal_force.0 abs<= 1e-6" "pairs.0.normal_force.1 ~ 161.0 0.02")
+add_scene_test(NAME tilted_corner_other_slave SCENE verification/tilted_corner.prm SET "Contact corner/Slave=second"
+               CHECK "status is converged" "pairs.0.normal_force.0 abs<= 0.5" "pairs.0.normal_force.1 ~ -161.0 0.02")
+add_scene_test(NAME tilted_corner_finite_strain SCENE verification/tilted_corner.prm SET "Kinematics=finite strain" "Refinement/Cycles=0" "Body upper/Rotate=10"
+               CHECK "status is converged" "checks.corner_forces ~ 0.0738 0.02" "checks.normal_mismatch ~ 0.0738 0.02" "notes.-1 has along a wrong direction")
 add_scene_test(NAME corner_tip_mean_normal SCENE verification/corner_tip.prm FAILS SET "Contact tip/First=beam/top, beam/right"
                CHECK "failure has broken" "checks.corner_forces >= 0.3" "message has corner of the slave")
 # Small strain is refined once; earlier output times have a note.

@@ -1,4 +1,6 @@
 #include <amontons/contact/common_normal.h>
+#include <amontons/contact/surface_rim.h>
+#include <amontons/geometry/rigid_surface.h>
 
 namespace Amontons
 {
@@ -23,21 +25,97 @@ namespace Amontons
       });
       return is_smooth ? surface.nodal_normal(face, xi) : own;
     }
-  } // namespace
+
+    // Across a plane of symmetry surfaces go on.
+    template <int dim>
+    std::vector<bool>
+    free_ends(const ContactSurface<dim> &surface)
+    {
+      auto result = rim_nodes(surface);
+      for (unsigned int i = 0; i < result.size(); ++i)
+        result[i] = result[i] && surface.nodes[i].symmetry_planes.empty();
+      return result;
+    }
+
+    constexpr double none = 0.7, whole = 0.9; // cosine between normals of both sides that are averaged
+  }                                           // namespace
+
+  template <int dim>
+  Tensor<1, dim>
+  normal_of_other_side(const MasterSide<dim> &master, const OverlapPoint<dim> &point)
+  {
+    if (master.surface != nullptr)
+      return smooth_normal(*master.surface, point.master_face, point.xi_master);
+    const auto projection = project_to_obstacle(*master.obstacle, master.motion, point.x_slave, point.ray);
+    return projection ? projection->normal : -point.ray;
+  }
+
+  template <int dim>
+  bool
+  slave_end_presses(const ContactInterface<dim> &interface, const std::vector<OverlapPoint<dim>> &points)
+  {
+    constexpr double leaning = 5e-3, alike = 1e-6; // slope of the gap; part of a face
+    if (points.empty() || interface.pair->tied || interface.pair->initial_gap)
+      return false;
+    const auto &slave  = *interface.slave;
+    const auto  is_end = free_ends(slave);
+    double      least  = std::numeric_limits<double>::infinity();
+    for (const auto &p : points)
+      least = std::min(least, p.gap);
+    const auto is_nearest = [&](const OverlapPoint<dim> &closest, const Point<dim> &x) { // of its face
+      const double distance = closest.x_slave.distance(x);
+      return std::none_of(points.begin(), points.end(), [&](const auto &p) {
+        return p.slave_face == closest.slave_face && p.x_slave.distance(x) < (1 - 1e-6) * distance;
+      });
+    };
+    return std::any_of(points.begin(), points.end(), [&](const auto &p) {
+      const auto &face = slave.faces[p.slave_face];
+      if (p.gap > least + alike * face.size)
+        return false;
+      const Tensor<1, dim> M     = normal_of_other_side(interface.master, p);
+      const auto           above = [&](const Point<dim> &x) { return M * (x - p.x_master); };
+      return std::any_of(face.nodes.begin(), face.nodes.end(), [&](const unsigned int i) {
+        const Point<dim> &x = slave.nodes[i].x;
+        return is_end[i] && above(x) < above(p.x_slave) - leaning * x.distance(p.x_slave) && is_nearest(p, x);
+      });
+    });
+  }
+
+  template <int dim>
+  void
+  hold_end_normals(ContactInterface<dim> &interface)
+  {
+    if (interface.master.obstacle == nullptr || !end_presses(interface))
+      return;
+    auto      &nodes  = interface.slave->nodes;
+    const auto is_end = free_ends(*interface.slave);
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      if (is_end[i])
+        {
+          const auto opposite = project_to_obstacle(
+              *interface.master.obstacle, interface.master.motion, nodes[i].x, nodes[i].normal);
+          nodes[i].holds_normal = opposite && nodes[i].normal * opposite->normal < -none;
+          if (nodes[i].holds_normal)
+            nodes[i].normal = -opposite->normal;
+        }
+  }
 
   template <int dim>
   Tensor<1, dim>
   common_normal(const Scene &scene, const ContactInterface<dim> &interface, const OverlapPoint<dim> &point)
   {
-    constexpr double           none = 0.7, whole = 0.9; // of the cosine
-    const ContactSurface<dim> &master = *interface.master.surface;
-    const double               C      = compliance(scene.bodies[interface.slave->body]),
-                 D                    = compliance(scene.bodies[master.body]);
-    if (D == 0)
-      return point.normal;
-    const Tensor<1, dim> other = -smooth_normal(master, point.master_face, point.xi_master);
-    const double         near  = std::clamp((point.normal * other - none) / (whole - none), 0., 1.);
-    const Tensor<1, dim> n     = point.normal + near * D / (C + D) * (other - point.normal);
+    double part = 1; // of the other side's
+    if (!end_presses(interface))
+      {
+        const double C = compliance(scene.bodies[interface.slave->body]),
+                     D = compliance(scene.bodies[interface.master.surface->body]);
+        part           = D > 0 ? D / (C + D) : 0;
+      }
+    if (part == 0)
+      return point.ray;
+    const Tensor<1, dim> other = -normal_of_other_side(interface.master, point);
+    const double         near  = std::clamp((point.ray * other - none) / (whole - none), 0., 1.);
+    const Tensor<1, dim> n     = point.ray + near * part * (other - point.ray);
     return n / n.norm();
   }
 
@@ -45,4 +123,16 @@ namespace Amontons
   common_normal(const Scene &, const ContactInterface<2> &, const OverlapPoint<2> &);
   template Tensor<1, 3>
   common_normal(const Scene &, const ContactInterface<3> &, const OverlapPoint<3> &);
+  template void
+  hold_end_normals(ContactInterface<2> &);
+  template void
+  hold_end_normals(ContactInterface<3> &);
+  template bool
+  slave_end_presses(const ContactInterface<2> &, const std::vector<OverlapPoint<2>> &);
+  template bool
+  slave_end_presses(const ContactInterface<3> &, const std::vector<OverlapPoint<3>> &);
+  template Tensor<1, 2>
+  normal_of_other_side(const MasterSide<2> &, const OverlapPoint<2> &);
+  template Tensor<1, 3>
+  normal_of_other_side(const MasterSide<3> &, const OverlapPoint<3> &);
 } // namespace Amontons

@@ -177,6 +177,8 @@ namespace Amontons
     const auto motion = carrier_motion(discretization, interface.master.carrier, u);
     moves = moves || motion.A != interface.master.motion.A || motion.b != interface.master.motion.b;
     interface.master.motion = motion;
+    if (moves)
+      hold_end_normals(interface);
     return moves;
   }
 
@@ -186,7 +188,9 @@ namespace Amontons
     void
     note_first_gap(const std::vector<OverlapPoint<dim>> &points, ContactInterface<dim> &interface)
     {
-      auto &first = interface.first_gap.emplace();
+      const bool is_at_end = interface.first_gap && interface.first_gap->is_at_end;
+      auto      &first     = interface.first_gap.emplace();
+      first.is_at_end      = is_at_end;
       for (const auto &p : points)
         first.size = std::min(first.size, p.gap);
       for (const auto &p : points)
@@ -214,11 +218,12 @@ namespace Amontons
         if (!moved)
           note_first_gap(points, interface);
         for (auto &point : points)
-          {
-            point.ray = point.normal;
-            if (has_common_normals(discretization, interface))
-              point.normal = common_normal(discretization.scene, interface, point);
-          }
+          point.ray = point.normal;
+        if (!moved)
+          interface.first_gap->is_at_end = slave_end_presses(interface, points);
+        if (has_common_normals(discretization, interface))
+          for (auto &point : points)
+            point.normal = common_normal(discretization.scene, interface, point);
         integrate(discretization, std::move(points), carries.back(), stays, true, interface);
       }
     const auto again = resolve_crosspoints(discretization, interfaces, moved, carries);

@@ -2,6 +2,7 @@
 #include <amontons/base/points.h>
 #include <amontons/contact/face_lattice.h>
 #include <amontons/contact/shared_nodes.h>
+#include <amontons/contact/common_normal.h>
 #include <amontons/contact/surface_rim.h>
 #include <amontons/contact/surface_search.h>
 #include <amontons/friction/shear_law.h>
@@ -65,16 +66,6 @@ namespace Amontons
           misalignment =
               std::max(misalignment, (node.shear / node.shear.norm() - node.slip / node.slip.norm()).norm());
       return misalignment;
-    }
-
-    template <int dim>
-    Tensor<1, dim>
-    normal_of_other_side(const MasterSide<dim> &master, const OverlapPoint<dim> &p)
-    {
-      if (master.surface != nullptr)
-        return master.surface->face_normal(p.master_face, p.xi_master);
-      const auto projection = project_to_obstacle(*master.obstacle, master.motion, p.x_slave, p.normal);
-      return projection ? projection->normal : -p.normal;
     }
 
     // Nodes whose forces do not act along a normal of the body: where the surface ends, they have that of the

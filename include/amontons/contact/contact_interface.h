@@ -25,6 +25,7 @@ namespace Amontons
     {
       double                      size = std::numeric_limits<double>::infinity();
       std::vector<Tensor<1, dim>> normals;
+      bool                        is_at_end = false; // of the slave, see slave_end_presses()
     };
     std::optional<FirstGap> first_gap;
     std::vector<bool>

@@ -19,6 +19,7 @@ namespace Amontons
     Point<dim>                               x; // current position: X until the surface is moved
     std::array<types::global_dof_index, dim> dofs;
     Tensor<1, dim> normal; // unit, outward: mean over the faces that meet here; within symmetry planes
+    bool           holds_normal = false; // whatever the faces do: of an obstacle, see hold_end_normals()
     // A hanging node: its displacement is sum of weight x that of these nodes, which do not hang. Else empty.
     std::vector<std::pair<unsigned int, double>> parents;
     // Control value of the Bernstein trace at this node: c = sum of weight x nodal value (see face_basis.h),

@@ -336,6 +336,7 @@ CHANGES = [
     ("corners on obstacles", "contact/contact_interface.cc", "      hold_end_normals(interface);\n", "      ;\n", "scenes/corner_tip$"),
     ("corners at small strain", "contact/common_normal.h", "(end_presses(interface) ||", "(", "scenes/(corner_tip_small_strain|tilted_corner)$"),
     ("ends at planes of symmetry", "contact/common_normal.cc", "surface.nodes[i].symmetry_planes.empty()", "true", "scenes/(hertz|corner_tip)"),
+    ("ends that lean on nothing", "contact/common_normal.cc", "M * (way - (way * node.normal) * node.normal) < -leaning * way.norm() && ", "", "scenes/short_roller$"),
     ("supports that turn", "output/approach.cc", "turn<dim>(sums) > noteworthy_turn", "false", "scenes/turned_blocks$"),
     ("small strain that is no answer", "small_strain_check.cc", "(is_no_answer || recovery", "(recovery", "scenes/passing_disks_friction$"),
     ("factors of nearly incompressible bodies", "algebra/linear_solver.cc", "nearly_incompressible ? 30000u : 5000u", "5000u", "scenes/nearly_incompressible_in_space$"),

@@ -1702,6 +1702,7 @@ add_scene_test(NAME passing_disks_friction SCENE verification/passing_disks.prm 
 # Their platens' mean motions along the force, which the turn moves apart, are no approach.
 add_scene_test(NAME turned_blocks SCENE verification/turned_blocks.prm
                CHECK "status is converged" "pairs.0.approach is None" "pairs.0.peak_pressure ~ 25.3205128 1e-6" "pairs.0.normal_force.0 ~ -50.6410256 1e-6" "pairs.0.normal_force.1 abs<= 1e-6")
+add_scene_test(NAME short_roller SCENE verification/short_roller.prm CHECK "status is converged" "dofs <= 25000" "pairs.0.normal_force.2 ~ 10383 0.01")
 # What is pulled does not buckle; a layer that is glued on is not slender (0.0038 by the layer alone).
 add_scene_test(NAME half_strut_pressed SCENE verification/half_strut.prm CHECK "status is converged" "notes.0 has bear more than a cantilever")
 add_scene_test(NAME half_strut_pulled SCENE verification/half_strut.prm SET "Boundary condition load/Value=-10" CHECK "status is converged" "count(notes.:) == 0")

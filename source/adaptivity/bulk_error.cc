@@ -75,8 +75,8 @@ namespace Amontons
               sum_over<dim>(values, recovery.unsmoothed(c), recovery.values_at(recovered), material, kind);
           if (degree == 1 && cell->at_boundary())
             result.missing[c] = sums.energy / sums.volume * missing_volume_of<dim>(cell, kind);
-          result.squares[c] = sums.square + result.missing[c];
-          result.error += result.squares[c];
+          result.squares[c] = sums.square;
+          result.error += sums.square + result.missing[c];
           result.energy += sums.energy;
           result.no_energy += sums.volume *
                               std::pow(stress_of_rounding<dim>(discretization, cell, rounding), 2) /

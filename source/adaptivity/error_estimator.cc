@@ -169,12 +169,13 @@ namespace Amontons
             difference = std::max(difference, std::abs(peak[1] - peak[0]));
             highest    = std::max(highest, peak[0]);
           }
-        estimate.peak   = highest > 0 ? difference / highest : 0;
-        estimate.facets = relative(facets, pressure);
-        add_facets_of_bodies(energy, pressure, estimate);
-        estimate.contact = std::hypot(
+        estimate.peak      = highest > 0 ? difference / highest : 0;
+        estimate.facets    = relative(facets, pressure);
+        estimate.pollution = relative(pollution_square, pressure);
+        estimate.contact   = std::hypot(
             std::hypot(estimate.contact, estimate.facets), estimate.doubted.pressure, estimate.pollution);
-        estimate.shear = std::hypot(estimate.shear, estimate.doubted.shear, estimate.sections);
+        estimate.shear = std::hypot(estimate.shear, estimate.doubted.shear);
+        add_facets_of_bodies(energy, pressure, estimate);
         if (all_unseen > 0) // as large as all that is seen
           {
             estimate.data    = 1;
@@ -187,19 +188,31 @@ namespace Amontons
       }
 
     private:
-      // By that part of the energy, a linear functional of what is missing, all tractions may be off.
+      // By that part of the energy, a linear functional of what is missing, all tractions may be off. Their
+      // cells are refined where that is most of the error: on coarse meshes the energy of a contact is spread
+      // to facets that have little of it.
       void
       add_facets_of_bodies(const double energy, const double pressure, ErrorEstimate<dim> &estimate) const
       {
         double missing = std::accumulate(bulk.missing.begin(), bulk.missing.end(), 0.);
         missing        = Utilities::MPI::sum(missing, discretization.geometry.communicator);
-        if (energy > 0)
-          estimate.sections = missing / energy;
+        if (missing == 0 || energy == 0)
+          return;
+        estimate.sections   = missing / energy;
+        const double others = pressure > 0 ? std::max(estimate.contact, estimate.shear)
+                                           : std::max(0., std::pow(estimate.bulk, 2) - estimate.sections);
         const double square = std::pow(estimate.sections, 2) * pressure;
-        for (unsigned int c = 0; missing > 0 && c < bulk.missing.size(); ++c)
-          estimate.pollution_indicators[c] =
-              std::sqrt(pollution_squares[c] + square * bulk.missing[c] / missing);
-        estimate.pollution = pressure > 0 ? std::sqrt((pollution_square + square) / pressure) : 0;
+        for (unsigned int c = 0; estimate.sections > others && c < bulk.missing.size(); ++c)
+          {
+            estimate.pollution_indicators[c] =
+                std::sqrt(pollution_squares[c] + square * bulk.missing[c] / missing);
+            estimate.cell_indicators[c] = std::sqrt(squares[c] + bulk.missing[c]);
+          }
+        estimate.pollution = std::hypot(estimate.pollution, pressure > 0 ? estimate.sections : 0.);
+        if (estimate.contact > 0)
+          estimate.contact = std::hypot(estimate.contact, estimate.sections);
+        if (estimate.shear > 0)
+          estimate.shear = std::hypot(estimate.shear, estimate.sections);
       }
 
       unsigned int

@@ -237,7 +237,7 @@ namespace Amontons
       }
     error.contact = std::hypot(
         std::hypot(pressure, error.doubted.pressure), error.facets, std::hypot(error.data, error.pollution));
-    error.shear = std::hypot(shear, error.doubted.shear, error.sections);
+    error.shear = std::hypot(shear, error.doubted.shear, shear > 0 ? error.sections : 0.);
   }
 
   template std::vector<std::size_t>

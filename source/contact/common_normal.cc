@@ -37,8 +37,9 @@ namespace Amontons
       return result;
     }
 
-    constexpr double none = 0.7, whole = 0.9; // cosine between normals of both sides that are averaged
-  }                                           // namespace
+    // Cosine between the normals of both sides, of which a common one is made.
+    constexpr double none = 0.7, whole = 0.9, none_at_end = 0.5, whole_at_end = 0.6;
+  } // namespace
 
   template <int dim>
   Tensor<1, dim>
@@ -54,7 +55,7 @@ namespace Amontons
   bool
   slave_end_presses(const ContactInterface<dim> &interface, const std::vector<OverlapPoint<dim>> &points)
   {
-    constexpr double leaning = 5e-3, alike = 1e-6; // slope of the gap; part of a face
+    constexpr double leaning = 0.01, alike = 1e-6; // slope of the gap; part of a face
     if (points.empty() || interface.pair->tied || interface.pair->initial_gap)
       return false;
     const auto &slave  = *interface.slave;
@@ -72,11 +73,13 @@ namespace Amontons
       const auto &face = slave.faces[p.slave_face];
       if (p.gap > least + alike * face.size)
         return false;
-      const Tensor<1, dim> M     = normal_of_other_side(interface.master, p);
-      const auto           above = [&](const Point<dim> &x) { return M * (x - p.x_master); };
+      const Tensor<1, dim> M = normal_of_other_side(interface.master, p);
       return std::any_of(face.nodes.begin(), face.nodes.end(), [&](const unsigned int i) {
-        const Point<dim> &x = slave.nodes[i].x;
-        return is_end[i] && above(x) < above(p.x_slave) - leaning * x.distance(p.x_slave) && is_nearest(p, x);
+        const auto          &node = slave.nodes[i];
+        const Tensor<1, dim> way  = node.x - p.x_slave;
+        // Less on the whole way, and still falling at its end.
+        return is_end[i] && M * way < -leaning * way.norm() &&
+               M * (way - (way * node.normal) * node.normal) < -leaning * way.norm() && is_nearest(p, node.x);
       });
     });
   }
@@ -94,7 +97,7 @@ namespace Amontons
         {
           const auto opposite = project_to_obstacle(
               *interface.master.obstacle, interface.master.motion, nodes[i].x, nodes[i].normal);
-          nodes[i].holds_normal = opposite && nodes[i].normal * opposite->normal < -none;
+          nodes[i].holds_normal = opposite && nodes[i].normal * opposite->normal < -none_at_end;
           if (nodes[i].holds_normal)
             nodes[i].normal = -opposite->normal;
         }
@@ -104,8 +107,9 @@ namespace Amontons
   Tensor<1, dim>
   common_normal(const Scene &scene, const ContactInterface<dim> &interface, const OverlapPoint<dim> &point)
   {
-    double part = 1; // of the other side's
-    if (!end_presses(interface))
+    const bool is_end = end_presses(interface);
+    double     part   = 1; // of the other side's
+    if (!is_end)
       {
         const double C = compliance(scene.bodies[interface.slave->body]),
                      D = compliance(scene.bodies[interface.master.surface->body]);
@@ -114,8 +118,9 @@ namespace Amontons
     if (part == 0)
       return point.ray;
     const Tensor<1, dim> other = -normal_of_other_side(interface.master, point);
-    const double         near  = std::clamp((point.ray * other - none) / (whole - none), 0., 1.);
-    const Tensor<1, dim> n     = point.ray + near * part * (other - point.ray);
+    const double         least = is_end ? none_at_end : none, most = is_end ? whole_at_end : whole,
+                 near      = std::clamp((point.ray * other - least) / (most - least), 0., 1.);
+    const Tensor<1, dim> n = point.ray + near * part * (other - point.ray);
     return n / n.norm();
   }
 

@@ -26,7 +26,7 @@
 namespace Amontons
 {
   /// n of a point that has its slave's normal. Where N and M are far from each other (by more than 45
-  /// degrees) N remains.
+  /// degrees, where an end presses 60) N remains.
   template <int dim>
   Tensor<1, dim>
   common_normal(const Scene &scene, const ContactInterface<dim> &interface, const OverlapPoint<dim> &point);
@@ -50,7 +50,7 @@ namespace Amontons
   }
 
   /// Finite strain, surfaces that have just moved: nodes at the end get the normal of the obstacle (that they
-  /// are opposite of, and not more than 45 degrees from), and hold it.
+  /// are opposite of, and not more than 60 degrees from), and hold it.
   template <int dim>
   void
   hold_end_normals(ContactInterface<dim> &interface);

@@ -1,6 +1,7 @@
 #include <amontons/adaptivity/slenderness.h>
 #include <amontons/discretization/mirror_faces.h>
 #include <amontons/elasticity/kirchhoff.h>
+#include <amontons/geometry/boundary_ids.h>
 #include <amontons/geometry/vector_area.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -50,18 +51,10 @@ namespace Amontons
     glued_boundaries(const Discretization<dim> &discretization)
     {
       std::set<types::boundary_id> ids;
-      const auto                   add = [&](const BoundaryName &name) {
-        ids.insert(discretization.geometry.boundary(name, discretization.scene).id);
-        for (const auto &further : name.more)
-          ids.insert(
-              discretization.geometry.boundary({name.body, further, name.where}, discretization.scene).id);
-      };
       for (const auto &pair : discretization.scene.pairs)
         if (pair.tied && pair.second)
-          {
-            add(pair.first);
-            add(*pair.second);
-          }
+          for (const auto *side : {&pair.first, &*pair.second})
+            ids.merge(boundary_ids(discretization.geometry, discretization.scene, *side));
       return ids;
     }
 

@@ -2,6 +2,7 @@
 #include <amontons/base/points.h>
 #include <amontons/contact/contact_surface.h>
 #include <amontons/discretization/mirror_faces.h>
+#include <amontons/geometry/boundary_ids.h>
 #include <amontons/contact/face_basis.h>
 #include <amontons/contact/face_lattice.h>
 
@@ -93,29 +94,15 @@ namespace Amontons
     }
   } // namespace
 
-  namespace
-  {
-    template <int dim>
-    std::set<types::boundary_id>
-    boundary_ids(const Discretization<dim> &discretization, const BoundaryName &name)
-    {
-      const auto                  &scene      = discretization.scene;
-      std::set<types::boundary_id> boundaries = {discretization.geometry.boundary(name, scene).id};
-      for (const auto &further : name.more)
-        boundaries.insert(discretization.geometry.boundary({name.body, further, name.where}, scene).id);
-      return boundaries;
-    }
-  } // namespace
-
   template <int dim>
   OwnedFaces<dim>::OwnedFaces(const Discretization<dim> &discretization, const BoundaryName &name)
   {
-    const auto                           boundaries = boundary_ids(discretization, name);
-    const auto                          &fe         = discretization.fe;
-    const auto                          &base       = fe.base_element(0);
-    const MappingQ<dim>                  true_geometry(ContactSurface<dim>::geometry_degree);
-    const FE_Nothing<dim>                nothing;
-    const auto                           fine = lattice<dim - 1>(ContactSurface<dim>::geometry_degree);
+    const auto            boundaries = boundary_ids(discretization.geometry, discretization.scene, name);
+    const auto           &fe         = discretization.fe;
+    const auto           &base       = fe.base_element(0);
+    const MappingQ<dim>   true_geometry(ContactSurface<dim>::geometry_degree);
+    const FE_Nothing<dim> nothing;
+    const auto            fine = lattice<dim - 1>(ContactSurface<dim>::geometry_degree);
     std::vector<types::global_dof_index> cell_dofs(fe.n_dofs_per_cell());
     // By face number: the nodes; the same as points, then the lattice.
     std::array<std::vector<unsigned int>, 2 * dim>      nodes_of;
@@ -171,7 +158,7 @@ namespace Amontons
     make_normals();
     find_sharpest_edge();
     facets = find_facets<dim>(discretization.geometry.triangulation,
-                              boundary_ids(discretization, name),
+                              boundary_ids(discretization.geometry, discretization.scene, name),
                               planes_of_symmetry(discretization));
   }
 

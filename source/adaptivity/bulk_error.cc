@@ -11,12 +11,20 @@ namespace Amontons
     // Of the full turn in axisymmetric scenes.
     template <int dim>
     double
-    missing_volume_of(const typename DoFHandler<dim>::active_cell_iterator &cell, const ProblemType kind)
+    missing_volume_of(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                      const Mapping<dim>                                   &mapping,
+                      const ProblemType                                     kind)
     {
-      double volume = 0;
-      for (const auto &face : cell->face_iterators())
-        if (face->at_boundary())
-          volume += missing_volume<dim>(face) * measure<dim>(kind, face->center());
+      double     volume  = 0;
+      const auto corners = mapping.get_vertices(cell);
+      for (const unsigned int f : cell->face_indices())
+        if (const auto face = cell->face(f); face->at_boundary())
+          {
+            Point<dim> middle;
+            for (unsigned int v = 0; v < face->n_vertices(); ++v)
+              middle += corners[GeometryInfo<dim>::face_to_cell_vertices(f, v)] / double(face->n_vertices());
+            volume += missing_volume<dim>(face, middle) * measure<dim>(kind, face->center());
+          }
       return volume;
     }
 
@@ -58,8 +66,8 @@ namespace Amontons
     const auto        degree = discretization.fe.degree;
     const QGauss<dim> gauss(degree + 1);
     FEValues<dim>     values(
-        discretization.mapping, discretization.fe, gauss, update_quadrature_points | update_JxW_values);
-    FEValues<dim> recovered(discretization.mapping, recovery.dof_handler().get_fe(), gauss, update_values);
+        discretization.mapping(), discretization.fe, gauss, update_quadrature_points | update_JxW_values);
+    FEValues<dim> recovered(discretization.mapping(), recovery.dof_handler().get_fe(), gauss, update_values);
     BulkError     result;
     result.squares.resize(discretization.geometry.triangulation.n_active_cells());
     result.missing = result.squares;
@@ -74,7 +82,7 @@ namespace Amontons
           const CellSums     sums =
               sum_over<dim>(values, recovery.unsmoothed(c), recovery.values_at(recovered), material, kind);
           if (degree == 1 && cell->at_boundary())
-            result.missing[c] = sums.energy / sums.volume * missing_volume_of<dim>(cell, kind);
+            result.missing[c] = sums.energy / sums.volume * missing_volume_of<dim>(cell, discretization.mapping(), kind);
           result.squares[c] = sums.square;
           result.error += sums.square + result.missing[c];
           result.energy += sums.energy;

@@ -149,7 +149,7 @@ namespace Amontons
         Utilities::MPI::sum<unsigned int>(faces->size(), discretization.geometry.communicator));
     // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): a product in 3D
     const Quadrature<dim - 1>   points(line);
-    FEFaceValues<dim>           values(discretization.mapping,
+    FEFaceValues<dim>           values(discretization.mapping(),
                              discretization.fe,
                              points,
                              update_values | update_quadrature_points | update_JxW_values);

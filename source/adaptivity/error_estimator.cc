@@ -244,7 +244,7 @@ namespace Amontons
                   matrix(q, s) = gauss_polynomials.compute_value(s, points.back());
               }
             continuation.push_back(matrix);
-            recovered_on_face.push_back(std::make_unique<FEValues<dim>>(discretization.mapping,
+            recovered_on_face.push_back(std::make_unique<FEValues<dim>>(discretization.mapping(),
                                                                         recovery.dof_handler().get_fe(),
                                                                         Quadrature<dim>(points),
                                                                         update_values));
@@ -275,7 +275,7 @@ namespace Amontons
         if (loads.empty())
           return {};
         return face_loads->traction(
-            loads, discretization.mapping.transform_unit_to_real_cell(cell, on_unit_cell<dim>(f, xi)), n);
+            loads, discretization.mapping().transform_unit_to_real_cell(cell, on_unit_cell<dim>(f, xi)), n);
       }
 
       // eta_F^2 of an owned slave face, and, near the contact, its parts of the squared L2 errors of the

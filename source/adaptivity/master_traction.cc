@@ -64,7 +64,7 @@ namespace Amontons
         if (face_loads != nullptr)
           if (const auto loads = face_loads->on(cell, f, areas[point.master_face]); !loads.empty())
             traction += face_loads->traction(
-                loads, discretization.mapping.transform_unit_to_real_cell(cell, unit_point), m);
+                loads, discretization.mapping().transform_unit_to_real_cell(cell, unit_point), m);
         for (unsigned int d = 0; d < dim; ++d)
           values[dim * k + d] = traction[d];
       }

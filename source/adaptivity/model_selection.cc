@@ -61,7 +61,7 @@ namespace Amontons
     {
       const unsigned int          n_bodies = discretization.scene.bodies.size();
       std::vector<double>         sums(n_bodies * (dim * dim + 1), 0.); // volume, gradients
-      FEValues<dim>               values(discretization.mapping,
+      FEValues<dim>               values(discretization.mapping(),
                            discretization.fe,
                            QGauss<dim>(discretization.fe.degree + 1),
                            update_gradients | update_JxW_values);
@@ -99,7 +99,7 @@ namespace Amontons
                         const double                   energy)
     {
       const auto    turns = mean_turns(discretization, u);
-      FEValues<dim> values(discretization.mapping,
+      FEValues<dim> values(discretization.mapping(),
                            discretization.fe,
                            QGauss<dim>(discretization.fe.degree + 1),
                            elasticity.needed_flags());

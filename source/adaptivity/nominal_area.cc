@@ -9,7 +9,7 @@ namespace Amontons
                                 const std::vector<Point<dim>> &points,
                                 const LA::Vector              &displacement)
       : discretization(discretization), displacement(displacement),
-        values(discretization.mapping,
+        values(discretization.mapping(),
                discretization.fe,
                Quadrature<dim>(points),
                update_values | update_gradients | update_quadrature_points),

@@ -125,7 +125,14 @@ namespace Amontons
                       true_geometry, nothing, Quadrature<dim>(points), update_quadrature_points);
                 }
               points_of[f]->reinit(typename Triangulation<dim>::cell_iterator(cell)); // without its element
-              for (const auto &p : points_of[f]->get_quadrature_points())
+              auto places = points_of[f]->get_quadrature_points();
+              if (fe.degree == 1) // hanging vertices where the elements have them
+                {
+                  const auto vertices = discretization.mapping().get_vertices(cell);
+                  for (unsigned int k = 0; k < nodes_of[f].size(); ++k)
+                    places[k] = vertices[nodes_of[f][k]];
+                }
+              for (const auto &p : places)
                 append(numbers.positions, p);
               cell->get_dof_indices(cell_dofs);
               for (const unsigned int i : nodes_of[f])

@@ -76,7 +76,7 @@ namespace Amontons
                 for (unsigned int c = 0; c < dim; ++c)
                   found.back().first[c] = dofs[fe.component_to_system_index(c, i)];
                 found.back().second =
-                    discretization.mapping.transform_unit_to_real_cell(cell, base.unit_support_point(i));
+                    discretization.mapping().transform_unit_to_real_cell(cell, base.unit_support_point(i));
               }
         }
     for (const auto &part : gather_on_all(comm, found))

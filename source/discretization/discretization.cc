@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.templates.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/mapping_q1_eulerian.h>
 
 namespace Amontons
 {
@@ -11,7 +12,7 @@ namespace Amontons
                                       const Geometry<dim> &geometry,
                                       const unsigned int   degree)
       : scene(scene), geometry(geometry), finite_strain(scene.kinematics == Kinematics::finite_strain),
-        fe(FE_Q<dim>(degree), dim), mapping(degree), load_mapping(std::max(2u, degree)),
+        fe(FE_Q<dim>(degree), dim), load_mapping(std::max(2u, degree)),
         dof_handler(geometry.triangulation)
   {
     for (const auto &body : scene.bodies)
@@ -36,9 +37,39 @@ namespace Amontons
     hanging_nodes.reinit(relevant);
     DoFTools::make_hanging_node_constraints(dof_handler, hanging_nodes);
     hanging_nodes.close();
+    place_hanging_vertices();
     find_carrier_dofs();
     find_free_turns();
     find_free_slides();
+  }
+
+  // A vertex of a round body that hangs lies on its surface, and its displacement is the mean of its
+  // parents': with facets the rotation x -> R x would not be among the displacements, whose moments are then
+  // in no balance and which no rigid motion leaves without strain. So elements take it for the mean of its
+  // parents, as they do everywhere on straight edges.
+  template <int dim>
+  void
+  Discretization<dim>::place_hanging_vertices()
+  {
+    elements = std::make_unique<MappingQ<dim>>(fe.degree);
+    if (fe.degree > 1)
+      return; // their edges have a node there
+    LA::Vector place(locally_owned, geometry.communicator);
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int v : cell->vertex_indices())
+          for (unsigned int c = 0; c < dim; ++c)
+            if (const auto i = cell->vertex_dof_index(v, c); locally_owned.is_element(i))
+              place(i) = cell->vertex(v)[c];
+    place.compress(VectorOperation::insert);
+    LA::Vector mean = place;
+    hanging_nodes.distribute(mean);
+    mean -= place;
+    if (mean.linfty_norm() <= 1e-14 * place.linfty_norm())
+      return;
+    to_parents.reinit(locally_owned, relevant, geometry.communicator);
+    to_parents = mean;
+    elements   = std::make_unique<MappingQ1Eulerian<dim, LA::Vector>>(dof_handler, to_parents);
   }
 
   template <int dim>

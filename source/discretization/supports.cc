@@ -35,7 +35,7 @@ namespace Amontons
       const auto                              &base = fe.base_element(0);
       std::vector<types::global_dof_index>     dofs(fe.n_dofs_per_cell());
       std::array<types::global_dof_index, dim> node;
-      FEValues<dim>                            values(discretization.mapping,
+      FEValues<dim>                            values(discretization.mapping(),
                            fe,
                            Quadrature<dim>(base.get_unit_support_points()),
                            update_quadrature_points | update_inverse_jacobians);
@@ -284,7 +284,7 @@ namespace Amontons
     const auto                          &base = fe.base_element(0);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     FEValues<dim>                        values(
-        mapping, fe, Quadrature<dim>(base.get_unit_support_points()), update_quadrature_points);
+        mapping(), fe, Quadrature<dim>(base.get_unit_support_points()), update_quadrature_points);
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (!cell->is_artificial() && !geometry.is_carrier(cell->material_id()) &&
           !is_deformable(cell->material_id()))

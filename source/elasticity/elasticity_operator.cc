@@ -93,7 +93,7 @@ namespace Amontons
   {
     const auto         &fe = discretization.fe;
     const QGauss<dim>   quadrature(fe.degree + 1);
-    FEValues<dim>       fe_values(discretization.mapping, fe, quadrature, needed_flags());
+    FEValues<dim>       fe_values(discretization.mapping(), fe, quadrature, needed_flags());
     StrainOperator<dim> B(fe, discretization.scene.kind);
     const unsigned int  n = fe.n_dofs_per_cell(), n_v = n_voigt<dim>;
 
@@ -137,7 +137,7 @@ namespace Amontons
                                                   const Action     &action) const
   {
     const auto           &fe = discretization.fe;
-    FEValues<dim>         fe_values(discretization.mapping, fe, QGauss<dim>(fe.degree + 1), needed_flags());
+    FEValues<dim>         fe_values(discretization.mapping(), fe, QGauss<dim>(fe.degree + 1), needed_flags());
     FiniteStrainCell<dim> state(fe, discretization.scene.kind);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     std::vector<double>                  local(dofs.size());

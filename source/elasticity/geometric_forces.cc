@@ -67,7 +67,7 @@ namespace Amontons
     const Scene      &scene = discretization.scene;
     const QGauss<dim> quadrature(discretization.fe.degree + 1);
     FEValues<dim>     values(
-        discretization.mapping, discretization.fe, quadrature, ElasticityOperator<dim>::needed_flags());
+        discretization.mapping(), discretization.fe, quadrature, ElasticityOperator<dim>::needed_flags());
     std::vector<types::global_dof_index> dofs(discretization.fe.n_dofs_per_cell());
     LA::Vector                           result = discretization.make_owned_vector();
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())

@@ -149,7 +149,7 @@ namespace Amontons
             if (cell->face(face)->boundary_id() != id)
               continue;
             FEValues<dim> on_facets(
-                discretization.mapping, discretization.fe, Quadrature<dim>(points), flags_of_area_vectors()),
+                discretization.mapping(), discretization.fe, Quadrature<dim>(points), flags_of_area_vectors()),
                 values(discretization.load_mapping,
                        discretization.fe,
                        Quadrature<dim>(points),

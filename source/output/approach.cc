@@ -76,7 +76,7 @@ namespace Amontons
 
       const auto                      &fe = discretization.fe;
       const FEValuesExtractors::Vector u(0);
-      FEFaceValues<dim>                values(discretization.mapping,
+      FEFaceValues<dim>                values(discretization.mapping(),
                                fe,
                                QGauss<dim - 1>(fe.degree + 1),
                                update_values | update_quadrature_points | update_normal_vectors |

@@ -151,9 +151,9 @@ namespace Amontons
     {
       const Quadrature<3> points = lattice_points();
       FEValues<3>         values(
-          discretization.mapping, discretization.fe, points, update_values | update_quadrature_points);
+          discretization.mapping(), discretization.fe, points, update_values | update_quadrature_points);
       FEValues<3> stress_values(
-          discretization.mapping, recovery.dof_handler().get_fe(), points, update_values);
+          discretization.mapping(), recovery.dof_handler().get_fe(), points, update_values);
       std::vector<Vector<double>> u(points.size(), Vector<double>(3));
       BodyCut                     cut;
       for (const auto &cell : discretization.dof_handler.active_cell_iterators())

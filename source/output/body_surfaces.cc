@@ -59,9 +59,9 @@ namespace Amontons
     {
       const Quadrature<2> points = lattice(n);
       FEFaceValues<3>     values(
-          discretization.mapping, discretization.fe, points, update_values | update_quadrature_points);
+          discretization.mapping(), discretization.fe, points, update_values | update_quadrature_points);
       FEFaceValues<3> stress_values(
-          discretization.mapping, recovery.dof_handler().get_fe(), points, update_values);
+          discretization.mapping(), recovery.dof_handler().get_fe(), points, update_values);
       std::vector<Vector<double>> u(points.size(), Vector<double>(3));
       BodySurfaces                surfaces;
       for_each_face(discretization, [&](const auto &cell, const unsigned int f) {

@@ -34,9 +34,9 @@ namespace Amontons
     {
       const Quadrature<2> points = outline_points(discretization.fe.degree);
       FEValues<2>         values(
-          discretization.mapping, discretization.fe, points, update_values | update_quadrature_points);
+          discretization.mapping(), discretization.fe, points, update_values | update_quadrature_points);
       FEValues<2> stress_values(
-          discretization.mapping, recovery.dof_handler().get_fe(), points, update_values);
+          discretization.mapping(), recovery.dof_handler().get_fe(), points, update_values);
       std::vector<Vector<double>> u(points.size(), Vector<double>(2));
 
       MeshPicture picture;

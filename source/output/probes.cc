@@ -62,7 +62,7 @@ namespace Amontons
             box.extend(0.3 * cell->diameter());
             for (Location<dim> &location : locations)
               if (location.distance > 0 && box.point_inside(location.X))
-                try_cell(discretization.mapping, cell, location);
+                try_cell(discretization.mapping(), cell, location);
           }
       return locations;
     }
@@ -95,13 +95,13 @@ namespace Amontons
               const Location<dim>       &location)
     {
       const Quadrature<dim> point(location.unit_point);
-      FEValues<dim>         values(discretization.mapping, discretization.fe, point, update_values);
+      FEValues<dim>         values(discretization.mapping(), discretization.fe, point, update_values);
       values.reinit(location.cell);
       std::vector<Vector<double>> u(1, Vector<double>(dim));
       values.get_function_values(displacement, u);
 
       FEValues<dim> stress_values(
-          discretization.mapping, recovery.dof_handler().get_fe(), point, update_values);
+          discretization.mapping(), recovery.dof_handler().get_fe(), point, update_values);
       stress_values.reinit(recovery.cell_of(location.cell));
       const Voigt<dim> stress = recovery.values_at(stress_values)[0];
 

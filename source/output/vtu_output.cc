@@ -150,7 +150,7 @@ namespace Amontons
     data_out.add_data_vector(labels[0], "body", DataOut<dim>::type_cell_data);
     data_out.add_data_vector(labels[1], "subdomain", DataOut<dim>::type_cell_data);
     data_out.build_patches(
-        discretization.mapping, discretization.fe.degree, DataOut<dim>::curved_inner_cells);
+        discretization.mapping(), discretization.fe.degree, DataOut<dim>::curved_inner_cells);
 
     DataOutBase::VtkFlags flags;
     flags.compression_level        = DataOutBase::VtkFlags::best_speed;

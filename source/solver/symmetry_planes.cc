@@ -17,7 +17,7 @@ namespace Amontons
     std::vector<Plane<dim>>
     symmetry_planes(const Discretization<dim> &discretization)
     {
-      FEFaceValues<dim>       values(discretization.mapping,
+      FEFaceValues<dim>       values(discretization.mapping(),
                                discretization.fe,
                                QMidpoint<dim - 1>(),
                                update_quadrature_points | update_normal_vectors);

@@ -114,7 +114,7 @@ namespace Amontons
   {
     const auto                      &discretization = answer.discretization;
     const Scene                     &scene          = discretization.scene;
-    FEValues<dim>                    values(discretization.mapping,
+    FEValues<dim>                    values(discretization.mapping(),
                          discretization.fe,
                          QGauss<dim>(discretization.fe.degree + 2),
                          ElasticityOperator<dim>::needed_flags());

@@ -57,7 +57,7 @@ struct Problem
   set(const Function<dim> &u)
   {
     LA::Vector owned(discretization->locally_owned, geometry.communicator);
-    VectorTools::interpolate(discretization->mapping, discretization->dof_handler, u, owned);
+    VectorTools::interpolate(discretization->mapping(), discretization->dof_handler, u, owned);
     discretization->hanging_nodes.distribute(owned);
     displacement = discretization->make_relevant_vector();
     displacement = owned;
@@ -75,7 +75,7 @@ struct Problem
   nodal_error(const std::function<Voigt<dim>(const Point<dim> &)> &exact) const
   {
     const auto   &fe = recovery->dof_handler().get_fe();
-    FEValues<dim> values(discretization->mapping,
+    FEValues<dim> values(discretization->mapping(),
                          fe,
                          Quadrature<dim>(fe.get_unit_support_points()),
                          update_values | update_quadrature_points);
@@ -182,7 +182,7 @@ test_smooth_field(const unsigned int degree)
 
       const MaterialData &m = scene.bodies[0].material;
       const QGauss<2>     gauss(degree + 1);
-      FEValues<2>         values(problem.discretization->mapping,
+      FEValues<2>         values(problem.discretization->mapping(),
                          problem.discretization->fe,
                          gauss,
                          ElasticityOperator<2>::needed_flags());

@@ -51,7 +51,7 @@ check_motion(const Scene                                                        
   if (!result || !expected)
     return;
   std::map<types::global_dof_index, Point<dim>> points;
-  DoFTools::map_dofs_to_support_points(discretization.mapping, discretization.dof_handler, points);
+  DoFTools::map_dofs_to_support_points(discretization.mapping(), discretization.dof_handler, points);
   for (unsigned int c = 0; c < dim; ++c)
     {
       ComponentMask mask(dim, false);

@@ -70,7 +70,7 @@ struct Problem
             const std::function<void(const Point<dim> &, const Tensor<1, dim> &)> &action) const
   {
     std::map<types::global_dof_index, Point<dim>> points;
-    DoFTools::map_dofs_to_support_points(discretization->mapping, discretization->dof_handler, points);
+    DoFTools::map_dofs_to_support_points(discretization->mapping(), discretization->dof_handler, points);
     std::vector<types::global_dof_index> dofs(discretization->fe.n_dofs_per_cell());
     unsigned int                         n = 0;
     for (const auto &cell : discretization->dof_handler.active_cell_iterators())

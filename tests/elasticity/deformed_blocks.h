@@ -67,7 +67,7 @@ struct Problem
     discretization = std::make_unique<Discretization<dim>>(scene, geometry, c.degree);
     discretization->distribute_dofs();
     elasticity = std::make_unique<ElasticityOperator<dim>>(*discretization, true);
-    DoFTools::map_dofs_to_support_points(discretization->mapping, discretization->dof_handler, points);
+    DoFTools::map_dofs_to_support_points(discretization->mapping(), discretization->dof_handler, points);
     const auto masks = DoFTools::locally_owned_dofs_per_component(discretization->dof_handler);
     for (unsigned int d = 0; d < dim; ++d)
       for (const auto dof : masks[d])

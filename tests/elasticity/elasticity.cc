@@ -90,7 +90,7 @@ struct Problem
     discretization->distribute_dofs();
     elasticity = std::make_unique<ElasticityOperator<dim>>(*discretization);
     elasticity->assemble(discretization->make_relevant_vector());
-    DoFTools::map_dofs_to_support_points(discretization->mapping, discretization->dof_handler, points);
+    DoFTools::map_dofs_to_support_points(discretization->mapping(), discretization->dof_handler, points);
     std::vector<types::global_dof_index> dofs(discretization->fe.n_dofs_per_cell());
     for (const auto &cell : discretization->dof_handler.active_cell_iterators())
       {
@@ -241,7 +241,7 @@ check_patch(const ProblemType kind, const unsigned int degree, const double pois
                   what + ": energy of a constant strain");
 
   // Stresses at points
-  FEValues<dim> values(problem.discretization->mapping,
+  FEValues<dim> values(problem.discretization->mapping(),
                        problem.discretization->fe,
                        QGauss<dim>(degree + 1),
                        ElasticityOperator<dim>::needed_flags());
@@ -435,7 +435,7 @@ check_neglected_stress(const ProblemType  kind,
   const double volume  = kind == ProblemType::axisymmetric ? numbers::PI * (9 - 1) : 2;
 
   const QGauss<dim> gauss(degree + 1);
-  FEValues<dim>     values(problem.discretization->mapping,
+  FEValues<dim>     values(problem.discretization->mapping(),
                        problem.discretization->fe,
                        gauss,
                        ElasticityOperator<dim>::needed_flags());

@@ -215,7 +215,7 @@ namespace
     const auto            e   = strain(c.kind, law, F);
     const Voigt<3>        tau = kirchhoff_stress(law, e);
     const double          J   = std::sqrt(1 + change_of_determinant(e));
-    FEValues<dim>         values(problem.discretization->mapping,
+    FEValues<dim>         values(problem.discretization->mapping(),
                          problem.discretization->fe,
                          QGauss<dim>(c.degree + 1),
                          ElasticityOperator<dim>::needed_flags());

@@ -67,7 +67,7 @@ namespace
   current_volume(const Problem<dim> &problem, const LA::Vector &u)
   {
     const auto           &fe = problem.discretization->fe;
-    FEValues<dim>         values(problem.discretization->mapping,
+    FEValues<dim>         values(problem.discretization->mapping(),
                          fe,
                          QGauss<dim>(fe.degree + 3),
                          ElasticityOperator<dim>::needed_flags());

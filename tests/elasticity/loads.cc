@@ -51,7 +51,7 @@ work(const Scene                                             &scene,
   discretization.distribute_dofs();
   const auto                                    loads = assemble_loads<dim>(discretization, t, {});
   std::map<types::global_dof_index, Point<dim>> points;
-  DoFTools::map_dofs_to_support_points(discretization.mapping, discretization.dof_handler, points);
+  DoFTools::map_dofs_to_support_points(discretization.mapping(), discretization.dof_handler, points);
   std::set<types::global_dof_index>    done;
   std::vector<types::global_dof_index> dofs(discretization.fe.n_dofs_per_cell());
   double                               sum = 0;
@@ -122,7 +122,7 @@ check_covered_circle(const unsigned int degree)
   discretization.distribute_dofs();
   const QGauss<1> line(5);
   FEFaceValues<2> values(
-      discretization.mapping, discretization.fe, line, update_JxW_values | update_quadrature_points);
+      discretization.mapping(), discretization.fe, line, update_JxW_values | update_quadrature_points);
   std::vector<CoveredPoint<2>> covered;
   const auto                   arc = geometry.boundary({"it", "arc", {}}, scene).id;
   for (const auto &cell : discretization.dof_handler.active_cell_iterators())
@@ -134,7 +134,7 @@ check_covered_circle(const unsigned int degree)
             covered.push_back(
                 {cell,
                  f,
-                 discretization.mapping.transform_real_to_unit_cell(cell, values.quadrature_point(q)),
+                 discretization.mapping().transform_real_to_unit_cell(cell, values.quadrature_point(q)),
                  values.JxW(q)});
         }
   check::is_close(assemble_loads<2>(discretization, 1, covered).linfty_norm(),

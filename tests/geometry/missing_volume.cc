@@ -20,7 +20,12 @@ missing_volume_of(const Triangulation<dim> &triangulation)
   double sum = 0;
   for (const auto &face : triangulation.active_face_iterators())
     if (face->at_boundary())
-      sum += missing_volume<dim>(face);
+      {
+        Point<dim> middle;
+        for (const unsigned int v : face->vertex_indices())
+          middle += face->vertex(v) / double(face->n_vertices());
+        sum += missing_volume<dim>(face, middle);
+      }
   return sum;
 }
 

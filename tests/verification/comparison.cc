@@ -36,7 +36,7 @@ main(int argc, char **argv)
   auto                                 u  = problem.discretization->make_owned_vector();
   const auto                          &fe = problem.discretization->fe;
   std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-  FEValues<2>                          values(problem.discretization->mapping,
+  FEValues<2>                          values(problem.discretization->mapping(),
                      fe,
                      Quadrature<2>(fe.base_element(0).get_unit_support_points()),
                      update_quadrature_points);

@@ -12,6 +12,7 @@
 #include <deal.II/fe/mapping_q.h>
 
 #include <map>
+#include <memory>
 
 namespace Amontons
 {
@@ -73,7 +74,6 @@ namespace Amontons
     bool            finite_strain;
     bool            degree_is_chosen = false; // by degree_for()
     FESystem<dim>   fe;
-    MappingQ<dim>   mapping;
     MappingQ<dim>   load_mapping; // curved where linear elements have facets
     DoFHandler<dim> dof_handler;
 
@@ -93,12 +93,24 @@ namespace Amontons
     bool
     is_deformable(const types::material_id id) const;
 
+    // Of the elements: isoparametric, hanging nodes included.
+    const Mapping<dim> &
+    mapping() const
+    {
+      return *elements;
+    }
+
     LA::Vector
     make_owned_vector() const; // writable also at relevant DoFs of other ranks, compress(add) sums them
     LA::Vector
     make_relevant_vector() const; // readable at all relevant DoFs
 
   private:
+    std::unique_ptr<const Mapping<dim>> elements;
+    LA::Vector                          to_parents; // from the vertices that hang, for linear elements
+
+    void
+    place_hanging_vertices();
     void
     find_carrier_dofs();
     void

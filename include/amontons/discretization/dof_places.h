@@ -17,7 +17,7 @@ namespace Amontons
     const auto                              &base = fe.base_element(0);
     std::vector<types::global_dof_index>     dofs(fe.n_dofs_per_cell());
     std::array<types::global_dof_index, dim> node;
-    FEValues<dim>                            values(discretization.mapping,
+    FEValues<dim>                            values(discretization.mapping(),
                          fe,
                          Quadrature<dim>(base.get_unit_support_points()),
                          update_quadrature_points);

@@ -3,24 +3,20 @@
 
 #include <amontons/geometry/vector_area.h>
 
-#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/point.h>
 
 #include <cmath>
 
 namespace Amontons
 {
-  /// Between the flat face through the vertices of `face` and the surface: 2/3 of its height at the middle
-  /// times the area, exact for a parabola in each direction. Never negative: what a hole has too much counts
-  /// alike.
+  /// Between a facet over `face`, the mean of whose corners is `middle`, and the surface: 2/3 of its height at
+  /// the middle times the area, exact for a parabola in each direction. Never negative: what a hole has too
+  /// much counts alike.
   template <int dim, typename Face>
   double
-  missing_volume(const Face &face)
+  missing_volume(const Face &face, const dealii::Point<dim> &middle)
   {
-    dealii::Tensor<1, dim> middle = -dealii::Tensor<1, dim>(face->center(true));
-    for (const unsigned int v : face->vertex_indices())
-      middle += dealii::Tensor<1, dim>(face->vertex(v)) / double(face->n_vertices());
-    const double volume = 2. / 3 * std::abs(vector_area<dim>(face) * middle);
+    const double volume = 2. / 3 * std::abs(vector_area<dim>(face) * (face->center(true) - middle));
     return volume > 1e-10 * std::pow(face->diameter(), dim) ? volume : 0;
   }
 } // namespace Amontons

@@ -1711,7 +1711,7 @@ add_scene_test(NAME coated_block SCENE verification/coated_block.prm CHECK "stat
 add_scene_test(NAME round_column SCENE verification/round_column.prm
                CHECK "status is converged" "notes.0 has facets of linear ones leave out 0.1" "dofs <= 6000" "meshes.-1.reference.errors.pressure_l2 <= 0.01")
 add_scene_test(NAME round_column_linear SCENE verification/round_column.prm SET "Discretization/Degree=1"
-               CHECK "status is converged" "meshes.0.error_estimate.contact >= 0.1" "meshes.-1.reference.errors.pressure_l2 <= 0.01" "dofs <= 20000")
+               CHECK "status is converged" "meshes.0.error_estimate.contact >= 0.1" "meshes.-1.reference.errors.pressure_l2 <= 0.02" "dofs <= 20000")
 add_scene_test(NAME round_column_force_linear SCENE verification/round_column.prm
                SET "Discretization/Degree=1" "Boundary condition load/Force=0|0|0" "Boundary condition load/Displacement=0|0|-0.00625" "Refinement/Target quantity=total force"
                CHECK "status is converged" "pairs.0.normal_force.2 ~ 9.99 0.03" "error_estimate.quantity <= 0.03")

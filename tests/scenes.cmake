@@ -1721,6 +1721,16 @@ add_scene_test(NAME twisted_columns SCENE verification/twisted_columns.prm
 add_scene_test(NAME twisted_columns_linear SCENE verification/twisted_columns.prm SET "Discretization/Degree=1" "Refinement/Target error=0" "Refinement/Initial refinements=0" "Refinement/Cycles=2"
                CHECK "status is converged" "dofs <= 5000" "reactions.0.moment.2 ~ -0.5518 1e-3" "reactions.1.moment.2 ~ 0.5518 1e-3")
 
+# Contact that no point of integration sees: 0 and "converged" at both kinematics.
+add_scene_test(NAME cone_just_touching SCENE verification/cone_just_touching.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -5.03e-5 0.01" "dofs <= 3000")
+add_scene_test(NAME cone_just_touching_small SCENE verification/cone_just_touching.prm SET "Kinematics=small strain" CHECK "status is converged" "pairs.0.normal_force.1 ~ -4.985e-5 0.01")
+add_scene_test(NAME wedge_between_nodes SCENE verification/cone_just_touching.prm SET "Kind=plane strain" "Kinematics=small strain" "Obstacle cone/Centre=0.623, 0" CHECK "status is converged" "pairs.0.normal_force.1 <= -0.01" "meshes.-1.error_estimate.contact <= 0.1")
+add_scene_test(NAME touched_elsewhere SCENE verification/touched_elsewhere.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -0.3493 0.01" "pairs.0.normal_force.0 abs<= 1e-4")
+add_scene_test(NAME touched_elsewhere_moving SCENE verification/touched_elsewhere.prm SET "End time=1" "Obstacle circle/Displacement=0.5*t| -0.001*t" CHECK "status is converged" "pairs.0.normal_force.1 ~ -0.3493 0.01")
+add_scene_test(NAME corner_between_nodes_first SCENE verification/corner_between_nodes.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -3.57e-4 0.02")
+add_scene_test(NAME corner_between_nodes_second SCENE verification/corner_between_nodes.prm SET "Contact corner/Slave=second" CHECK "status is converged" "pairs.0.normal_force.1 ~ 3.57e-4 0.05")
+add_scene_test(NAME light_second_circle SCENE verification/light_second_circle.prm CHECK "status is converged" "pairs.1.normal_force.1 ~ -0.0085 0.02")
+
 # What takes longest is started first.
 foreach(name ironing_slaves half_space_box two_spheres_3d_q2 wall_buckling snap_away cattaneo_mindlin_75 cattaneo_mindlin_270 mindlin_sphere_nu_0 mindlin_sphere_nu_0.3
         slide_over_edges_first iterations_punch_40_increments)

@@ -107,7 +107,7 @@ namespace Amontons
       std::vector<double> approach(slave.nodes.size(), std::numeric_limits<double>::lowest());
       for (const auto &row : interface.coupling.rows)
         if (std::isfinite(fields.gap[row.node]))
-          approach[row.node] = row.gap - fields.gap[row.node];
+          approach[row.node] = slave.moved ? 0 : row.gap - fields.gap[row.node];
       for (unsigned int f = 0; f < sum.size(); ++f)
         {
           double nearer = std::numeric_limits<double>::lowest();

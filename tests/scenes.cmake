@@ -1727,8 +1727,10 @@ add_scene_test(NAME cone_just_touching_small SCENE verification/cone_just_touchi
 add_scene_test(NAME wedge_between_nodes SCENE verification/cone_just_touching.prm SET "Kind=plane strain" "Kinematics=small strain" "Obstacle cone/Centre=0.623, 0" CHECK "status is converged" "pairs.0.normal_force.1 <= -0.01" "meshes.-1.error_estimate.contact <= 0.1")
 add_scene_test(NAME touched_elsewhere SCENE verification/touched_elsewhere.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -0.3493 0.01" "pairs.0.normal_force.0 abs<= 1e-4")
 add_scene_test(NAME touched_elsewhere_moving SCENE verification/touched_elsewhere.prm SET "End time=1" "Obstacle circle/Displacement=0.5*t| -0.001*t" CHECK "status is converged" "pairs.0.normal_force.1 ~ -0.3493 0.01")
-add_scene_test(NAME corner_between_nodes_first SCENE verification/corner_between_nodes.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -3.57e-4 0.02")
-add_scene_test(NAME corner_between_nodes_second SCENE verification/corner_between_nodes.prm SET "Contact corner/Slave=second" CHECK "status is converged" "pairs.0.normal_force.1 ~ 3.57e-4 0.05")
+add_scene_test(NAME corner_between_nodes_first SCENE verification/corner_between_nodes.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -3.57e-4 0.02" "pairs.0.approach ~ 1e-5 1e-6")
+add_scene_test(NAME corner_between_nodes_second SCENE verification/corner_between_nodes.prm SET "Contact corner/Slave=second" CHECK "status is converged" "pairs.0.normal_force.1 ~ 3.57e-4 0.05" "pairs.0.approach ~ 1e-5 1e-6")
+# The first gap is 0 at the circle's lowest point, 9e-6 at the nearest point of integration: -7.6e-6, "exactly".
+add_scene_test(NAME approach_from_first_gap SCENE verification/touched_elsewhere.prm SET "End time=1" "Obstacle circle/Displacement=0| -1e-6*t" "Refinement/Target quantity=approach" CHECK "status is converged" "pairs.0.approach ~ 1e-6 1e-6")
 add_scene_test(NAME light_second_circle SCENE verification/light_second_circle.prm CHECK "status is converged" "pairs.1.normal_force.1 ~ -0.0085 0.02")
 
 # What takes longest is started first.

@@ -1,5 +1,5 @@
 #include <amontons/adaptivity/gap_error.h>
-#include <amontons/adaptivity/surface_samples.h>
+#include <amontons/contact/surface_samples.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/declared_gap.h>
 #include <amontons/elasticity/kinematics.h>

@@ -1,14 +1,8 @@
-#include <amontons/adaptivity/surface_samples.h>
 #include <amontons/adaptivity/unseen_contact.h>
-#include <amontons/contact/face_lattice.h>
-#include <amontons/contact/face_overlap.h>
-
-#include <deal.II/base/geometry_info.h>
+#include <amontons/contact/smallest_gap.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <set>
 
 namespace Amontons
 {
@@ -23,78 +17,10 @@ namespace Amontons
       });
     }
 
-    struct Range
-    {
-      double smallest = std::numeric_limits<double>::max(), largest = -std::numeric_limits<double>::max();
-    };
-
-    std::optional<Point<1>>
-    as_point(const std::optional<double> &xi)
-    {
-      return xi ? std::make_optional(Point<1>(*xi)) : std::nullopt;
-    }
-
-    std::optional<Point<2>>
-    as_point(const std::optional<Point<2>> &xi)
-    {
-      return xi;
-    }
-
-    // Whether x + g n(xi) = y; the gap g.
+    // Of the gaps on each slave face, by its unknowns' surfaces as they are. At small strain those of points
+    // are gaps at rest, and the surfaces have come nearer, by as much as the nodes beside.
     template <int dim>
-    std::optional<double>
-    gap_to(const ContactSurface<dim> &slave,
-           const unsigned int         face,
-           const Point<dim - 1>      &xi,
-           const Point<dim>          &y)
-    {
-      if (!GeometryInfo<dim - 1>::is_inside_unit_cell(xi, 1e-8))
-        return {};
-      const auto            n      = slave.nodal_normal(face, xi);
-      const Tensor<1, dim>  d      = y - slave.position(face, xi);
-      const double          gap    = d * n;
-      const Tensor<1, dim>  beside = d - gap * n;
-      return beside.norm() < 1e-6 * slave.faces[face].size ? std::make_optional(gap) : std::nullopt;
-    }
-
-    // Where sides with corners come nearest between the points of integration: at the nodes of both bodies,
-    // anywhere on obstacles. At small strain all is at rest, as these points are.
-    template <int dim>
-    double
-    smallest_gap(const ContactInterface<dim>  &interface,
-                 const unsigned int            face,
-                 const std::set<unsigned int> &opposite)
-    {
-      const auto &slave  = *interface.slave;
-      const auto &master = interface.master;
-      double      result = std::numeric_limits<double>::max();
-      const auto  look   = [&](const Point<dim - 1> &xi, const std::optional<Point<dim>> &y) {
-        if (y)
-          result = std::min(result, gap_to(slave, face, xi, *y).value_or(result));
-      };
-      if (master.obstacle != nullptr)
-        for (const auto &xi : Quadrature<dim - 1>(samples_along<dim>(slave.faces.size())).get_points())
-          if (const auto y = project_to_obstacle(
-                  *master.obstacle, master.motion, slave.position(face, xi), slave.nodal_normal(face, xi)))
-            look(xi, y->x);
-      for (const unsigned int other : opposite)
-        {
-          for (const unsigned int node : master.surface->faces[other].nodes)
-            if (const auto xi = as_point(project_to_slave(slave, face, master.surface->nodes[node].x)))
-              look(*xi, master.surface->nodes[node].x);
-          for (const auto &xi : lattice<dim - 1>(slave.degree))
-            if (const auto eta = as_point(project_to_master(
-                    *master.surface, other, slave.position(face, xi), slave.nodal_normal(face, xi)));
-                eta && GeometryInfo<dim - 1>::is_inside_unit_cell(*eta, 1e-8))
-              look(xi, master.surface->position(other, *eta));
-        }
-      return result;
-    }
-
-    // Of the gaps at the points of each slave face. At small strain those of points are gaps at rest, and the
-    // surfaces have come nearer as they are, by as much as the nodes beside.
-    template <int dim>
-    std::vector<Range>
+    std::vector<FaceGaps>
     gaps_on_faces(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
     {
       const auto         &slave = *interface.slave;
@@ -103,31 +29,24 @@ namespace Amontons
       for (const auto &row : interface.coupling.rows)
         if (std::isfinite(fields.gap[row.node]))
           approach[row.node] = slave.moved ? 0 : row.gap - fields.gap[row.node];
-      std::vector<Range>  gaps(slave.faces.size());
-      std::vector<double> nearer(slave.faces.size(), 0.);
-      std::vector<std::set<unsigned int>> opposite(slave.faces.size()); // faces of the master
-      for (const auto &point : interface.coupling.points)
+      auto result = gaps_by_face(slave, interface.coupling.points);
+      for (unsigned int f = 0; f < result.size(); ++f)
         {
-          const auto  &face  = slave.faces[point.slave_face];
-          const double least = approach[*std::min_element(
-              face.unknowns.begin(), face.unknowns.end(), [&](const unsigned int a, const unsigned int b) {
-                return approach[a] < approach[b];
-              })];
-          if (least == far)
+          auto  &gaps     = result[f];
+          double approach_of_face = far;
+          for (const unsigned int i : slave.faces[f].unknowns)
+            approach_of_face = std::min(approach_of_face, approach[i]);
+          if (approach_of_face == far)
+            gaps = {};
+          if (gaps.range() < 0)
             continue;
-          auto &range              = gaps[point.slave_face];
-          range.smallest           = std::min(range.smallest, point.gap - least);
-          range.largest            = std::max(range.largest, point.gap - least);
-          nearer[point.slave_face] = least;
-          if (interface.master_surface)
-            opposite[point.slave_face].insert(point.master_face);
+          constexpr double may_be_near = 0.3; // of what the gap varies by
+          if (!interface.pair->initial_gap && gaps.smallest - approach_of_face < may_be_near * gaps.range())
+            gaps.smallest = smallest_gap(interface, f, gaps);
+          gaps.smallest -= approach_of_face;
+          gaps.largest -= approach_of_face;
         }
-      constexpr double may_be_near = 0.3; // of what the gap varies by over the face
-      if (!interface.pair->initial_gap)
-        for (unsigned int f = 0; f < gaps.size(); ++f)
-          if (gaps[f].smallest < may_be_near * (gaps[f].largest - gaps[f].smallest))
-            gaps[f].smallest = std::min(gaps[f].smallest, smallest_gap(interface, f, opposite[f]) - nearer[f]);
-      return gaps;
+      return result;
     }
   } // namespace
 

@@ -2,6 +2,7 @@
 #include <amontons/contact/declared_gap.h>
 #include <amontons/contact/node_to_segment.h>
 #include <amontons/contact/shared_nodes.h>
+#include <amontons/contact/smallest_gap.h>
 #include <amontons/contact/surface_search.h>
 #include <amontons/discretization/elimination.h>
 
@@ -199,6 +200,17 @@ namespace Amontons
               return normal * p.normal > 0.99;
             }))
           first.normals.push_back(p.normal);
+      if (interface.pair->initial_gap)
+        return;
+      // Nearer by less than what it varies by over a face
+      const auto gaps = gaps_by_face(*interface.slave, points);
+      for (unsigned int f = 0; f < gaps.size(); ++f)
+        if (const double size = interface.slave->faces[f].size;
+            gaps[f].range() > 1e-4 * size && gaps[f].smallest - gaps[f].range() < first.size)
+          {
+            const double gap = smallest_gap(interface, f, gaps[f]);
+            first.size = std::min(first.size, is_adjusted(*interface.pair, gap, size) ? 0 : gap);
+          }
     }
   } // namespace
 

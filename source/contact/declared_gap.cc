@@ -9,6 +9,12 @@
 
 namespace Amontons
 {
+  bool
+  is_adjusted(const PairData &pair, const double gap, const double face_size)
+  {
+    return std::abs(gap) <= std::max(pair.adjust, 1e-10 * face_size);
+  }
+
   namespace
   {
     // The gap that counts at a point where none is declared: closed by `Adjust`, or geometric. Numbers of
@@ -17,7 +23,7 @@ namespace Amontons
     void
     adjust_gap(const PairData &pair, const double face_size, const double surface_size, OverlapPoint<dim> &p)
     {
-      if (std::abs(p.gap) <= std::max(pair.adjust, 1e-10 * face_size))
+      if (is_adjusted(pair, p.gap, face_size))
         p.gap = 0;
       if (p.gap < -std::max(1e-4 * face_size, 1e-5 * surface_size) && !pair.tied)
         {

@@ -36,6 +36,10 @@ namespace Amontons
     mutable std::map<unsigned int, bool> known; // jumps(), by face
   };
 
+  // Whether a geometric gap counts as none, by `Adjust` or as rounding.
+  bool
+  is_adjusted(const PairData &pair, const double gap, const double face_size);
+
   // From geometric gaps to those that the pair declares (`Initial gap`, at time t, and `Adjust`). Throws
   // InputError where the bodies overlap without a declared interference. Where the bodies have moved, gaps
   // may be negative, and a declared one is added to the geometric one.

@@ -135,7 +135,7 @@ namespace Amontons
       evaluation.estimate(*model, history.state);
       if (history.last_report.converged)
         {
-          judge();
+          judge(program);
           history.fallback = {};
         }
     }
@@ -147,7 +147,7 @@ namespace Amontons
   // The estimate by what other meshes and increments say.
   template <int dim>
   void
-  LoadStepping<dim>::judge()
+  LoadStepping<dim>::judge(const LoadProgram &program)
   {
     combine_with_difference(model->discretization(),
                             model->interfaces,
@@ -156,7 +156,8 @@ namespace Amontons
                             history.coarser,
                             evaluation.error);
     evaluation.judge_by_history();
-    if (!follows_work())
+    // Meshes are compared where they may be refined.
+    if (!follows_work() && (program.is_last() || refinement == Refinement::on_the_way))
       follow_target();
   }
 

@@ -1733,6 +1733,11 @@ add_scene_test(NAME corner_between_nodes_second SCENE verification/corner_betwee
 add_scene_test(NAME approach_from_first_gap SCENE verification/touched_elsewhere.prm SET "End time=1" "Obstacle circle/Displacement=0| -1e-6*t" "Refinement/Target quantity=approach" CHECK "status is converged" "pairs.0.approach ~ 1e-6 1e-6")
 add_scene_test(NAME light_second_circle SCENE verification/light_second_circle.prm CHECK "status is converged" "pairs.1.normal_force.1 ~ -0.0085 0.02")
 
+# Numbers of meshes were compared at increments whose contact is a node wide, too, and forgotten there: 13,226 DoFs, sizes by displacements over a minute.
+add_scene_test(NAME size_of_growing_contact SCENE verification/touched_elsewhere.prm
+               SET "Refinement/Target quantity=contact size" "Refinement/Target error=0.01" "Contact bump/Friction coefficient=1" "Kinematics=small strain" "End time=1" "Obstacle circle/Displacement=0| -0.01*t"
+               CHECK "status is converged" "dofs <= 8000" "error_estimate.quantity <= 1e-3")
+
 # What takes longest is started first.
 foreach(name ironing_slaves half_space_box two_spheres_3d_q2 wall_buckling snap_away cattaneo_mindlin_75 cattaneo_mindlin_270 mindlin_sphere_nu_0 mindlin_sphere_nu_0.3
         slide_over_edges_first iterations_punch_40_increments)

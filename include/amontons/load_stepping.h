@@ -105,7 +105,7 @@ namespace Amontons
     bool
     couple_better();
     void
-    judge();
+    judge(const LoadProgram &program);
     // The error that `Target error` is asked for.
     void
     follow_target();

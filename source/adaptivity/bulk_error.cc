@@ -82,7 +82,8 @@ namespace Amontons
           const CellSums     sums =
               sum_over<dim>(values, recovery.unsmoothed(c), recovery.values_at(recovered), material, kind);
           if (degree == 1 && cell->at_boundary())
-            result.missing[c] = sums.energy / sums.volume * missing_volume_of<dim>(cell, discretization.mapping(), kind);
+            result.missing[c] =
+                sums.energy / sums.volume * missing_volume_of<dim>(cell, discretization.mapping(), kind);
           result.squares[c] = sums.square;
           result.error += sums.square + result.missing[c];
           result.energy += sums.energy;

@@ -32,7 +32,7 @@ namespace Amontons
       auto result = gaps_by_face(slave, interface.coupling.points);
       for (unsigned int f = 0; f < result.size(); ++f)
         {
-          auto  &gaps     = result[f];
+          auto  &gaps             = result[f];
           double approach_of_face = far;
           for (const unsigned int i : slave.faces[f].unknowns)
             approach_of_face = std::min(approach_of_face, approach[i]);

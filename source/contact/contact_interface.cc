@@ -209,7 +209,7 @@ namespace Amontons
             gaps[f].range() > 1e-4 * size && gaps[f].smallest - gaps[f].range() < first.size)
           {
             const double gap = smallest_gap(interface, f, gaps[f]);
-            first.size = std::min(first.size, is_adjusted(*interface.pair, gap, size) ? 0 : gap);
+            first.size       = std::min(first.size, is_adjusted(*interface.pair, gap, size) ? 0 : gap);
           }
     }
   } // namespace

@@ -85,7 +85,8 @@ namespace Amontons
           if (const auto y = project_to_obstacle(*master.obstacle, master.motion, x, n))
             look(xi, y->x);
         for (const unsigned int other : points.opposite)
-          if (const auto eta = as_point(project_to_master(*master.surface, other, x, n)); eta && is_inside(*eta))
+          if (const auto eta = as_point(project_to_master(*master.surface, other, x, n));
+              eta && is_inside(*eta))
             look(xi, master.surface->position(other, *eta));
       }
     for (const unsigned int other : points.opposite)

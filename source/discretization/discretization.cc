@@ -12,8 +12,7 @@ namespace Amontons
                                       const Geometry<dim> &geometry,
                                       const unsigned int   degree)
       : scene(scene), geometry(geometry), finite_strain(scene.kinematics == Kinematics::finite_strain),
-        fe(FE_Q<dim>(degree), dim), load_mapping(std::max(2u, degree)),
-        dof_handler(geometry.triangulation)
+        fe(FE_Q<dim>(degree), dim), load_mapping(std::max(2u, degree)), dof_handler(geometry.triangulation)
   {
     for (const auto &body : scene.bodies)
       carrier_of_body.push_back(body.rigid ? geometry.carrier(body.rigid->name)

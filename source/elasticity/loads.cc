@@ -148,8 +148,10 @@ namespace Amontons
               points.push_back(covered[end].unit_point);
             if (cell->face(face)->boundary_id() != id)
               continue;
-            FEValues<dim> on_facets(
-                discretization.mapping(), discretization.fe, Quadrature<dim>(points), flags_of_area_vectors()),
+            FEValues<dim> on_facets(discretization.mapping(),
+                                    discretization.fe,
+                                    Quadrature<dim>(points),
+                                    flags_of_area_vectors()),
                 values(discretization.load_mapping,
                        discretization.fe,
                        Quadrature<dim>(points),

@@ -130,8 +130,10 @@ namespace Amontons
           : discretization(discretization), degree(discretization.fe.degree),
             gauss(Polynomials::generate_complete_Lagrange_basis(QGauss<1>(degree).get_points())),
             nodes(discretization.fe.base_element(0).get_unit_support_points()),
-            node_positions(
-                discretization.mapping(), discretization.fe, Quadrature<dim>(nodes), update_quadrature_points),
+            node_positions(discretization.mapping(),
+                           discretization.fe,
+                           Quadrature<dim>(nodes),
+                           update_quadrature_points),
             samples(discretization.geometry.triangulation.n_active_cells()),
             outer(discretization.geometry.triangulation.n_vertices(), false), polynomials(outer.size())
       {
@@ -173,7 +175,7 @@ namespace Amontons
                    double                        &neglected_energy)
       {
         const QGauss<dim> full(degree + 1), reduced(degree);
-        FEValues<dim>     values(discretization.mapping(), discretization.fe, full, elasticity.needed_flags());
+        FEValues<dim> values(discretization.mapping(), discretization.fe, full, elasticity.needed_flags());
         FEValues<dim> places(discretization.mapping(), discretization.fe, reduced, update_quadrature_points);
         FullMatrix<double> projection(reduced.size(), full.size());
         for (unsigned int a = 0; a < reduced.size(); ++a)

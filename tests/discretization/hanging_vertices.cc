@@ -62,7 +62,8 @@ check_body(const std::string &shape, const std::string &boundary)
       check::is_true(change_of_a_linear_function(discretization, MappingQ<dim>(1)) > 1e-2,
                      what + ": round faces have hanging nodes");
       if (degree == 1)
-        check::is_close(change_of_a_linear_function(discretization, discretization.mapping()), 0, 1e-14, what, 1);
+        check::is_close(
+            change_of_a_linear_function(discretization, discretization.mapping()), 0, 1e-14, what, 1);
       const ContactSurface<dim> surface(discretization, {"it", boundary, {}});
       for (const auto &node : surface.nodes)
         {

@@ -8,7 +8,8 @@
 
 namespace Amontons
 {
-  // At the points of one slave face, and the faces of the master (none: an obstacle) that they are opposite of.
+  // At the points of one slave face, and the faces of the master (none: an obstacle) that they are opposite
+  // of.
   struct FaceGaps
   {
     double smallest = std::numeric_limits<double>::max(), largest = -std::numeric_limits<double>::max();
@@ -27,9 +28,9 @@ namespace Amontons
   std::vector<FaceGaps>
   gaps_by_face(const ContactSurface<dim> &slave, const std::vector<OverlapPoint<dim>> &points);
 
-  // The smallest gap g of x + g n = y between a slave face and what is opposite, with its continuous normal n,
-  // where the surfaces are that `points` were taken at: at the nodes of both sides, at many places between,
-  // and at the points. Without declared gaps.
+  // The smallest gap g of x + g n = y between a slave face and what is opposite, with its continuous normal
+  // n, where the surfaces are that `points` were taken at: at the nodes of both sides, at many places
+  // between, and at the points. Without declared gaps.
   template <int dim>
   double
   smallest_gap(const ContactInterface<dim> &interface, const unsigned int face, const FaceGaps &points);

@@ -9,9 +9,9 @@
 
 namespace Amontons
 {
-  /// Between a facet over `face`, the mean of whose corners is `middle`, and the surface: 2/3 of its height at
-  /// the middle times the area, exact for a parabola in each direction. Never negative: what a hole has too
-  /// much counts alike.
+  /// Between a facet over `face`, the mean of whose corners is `middle`, and the surface: 2/3 of its height
+  /// at the middle times the area, exact for a parabola in each direction. Never negative: what a hole has
+  /// too much counts alike.
   template <int dim, typename Face>
   double
   missing_volume(const Face &face, const dealii::Point<dim> &middle)

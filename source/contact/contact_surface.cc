@@ -92,50 +92,74 @@ namespace Amontons
         return f / 2 == 0 ? side : -side;
       return f / 2 == 1 ? -side : side;
     }
+    // Of the faces of cells: nodes, then the lattice of their true geometry.
+    template <int dim>
+    class FacePlaces
+    {
+    public:
+      explicit FacePlaces(const Discretization<dim> &discretization)
+          : discretization(discretization), true_geometry(ContactSurface<dim>::geometry_degree)
+      {
+        const auto &base = discretization.fe.base_element(0);
+        for (unsigned int f = 0; f < 2 * dim; ++f)
+          {
+            nodes_of[f] = nodes_on_face(base, f);
+            std::vector<Point<dim>> points;
+            for (const unsigned int i : nodes_of[f])
+              points.push_back(base.unit_support_point(i));
+            for (const auto &xi : lattice<dim - 1>(ContactSurface<dim>::geometry_degree))
+              points.push_back(on_unit_cell<dim>(f, xi));
+            points_of[f] = std::make_unique<FEValues<dim>>(
+                true_geometry, nothing, Quadrature<dim>(points), update_quadrature_points);
+          }
+      }
+
+      const std::vector<unsigned int> &
+      nodes(const unsigned int f) const
+      {
+        return nodes_of[f];
+      }
+
+      std::vector<Point<dim>>
+      operator()(const typename DoFHandler<dim>::active_cell_iterator &cell, const unsigned int f)
+      {
+        points_of[f]->reinit(typename Triangulation<dim>::cell_iterator(cell)); // without its element
+        auto places = points_of[f]->get_quadrature_points();
+        if (discretization.fe.degree == 1) // hanging vertices where the elements have them
+          {
+            const auto vertices = discretization.mapping().get_vertices(cell);
+            for (unsigned int k = 0; k < nodes_of[f].size(); ++k)
+              places[k] = vertices[nodes_of[f][k]];
+          }
+        return places;
+      }
+
+    private:
+      const Discretization<dim>                          &discretization;
+      const MappingQ<dim>                                 true_geometry;
+      const FE_Nothing<dim>                               nothing;
+      std::array<std::vector<unsigned int>, 2 * dim>      nodes_of;
+      std::array<std::unique_ptr<FEValues<dim>>, 2 * dim> points_of;
+    };
   } // namespace
 
   template <int dim>
   OwnedFaces<dim>::OwnedFaces(const Discretization<dim> &discretization, const BoundaryName &name)
   {
-    const auto            boundaries = boundary_ids(discretization.geometry, discretization.scene, name);
-    const auto           &fe         = discretization.fe;
-    const auto           &base       = fe.base_element(0);
-    const MappingQ<dim>   true_geometry(ContactSurface<dim>::geometry_degree);
-    const FE_Nothing<dim> nothing;
-    const auto            fine = lattice<dim - 1>(ContactSurface<dim>::geometry_degree);
+    const auto  boundaries = boundary_ids(discretization.geometry, discretization.scene, name);
+    const auto &fe         = discretization.fe;
     std::vector<types::global_dof_index> cell_dofs(fe.n_dofs_per_cell());
-    // By face number: the nodes; the same as points, then the lattice.
-    std::array<std::vector<unsigned int>, 2 * dim>      nodes_of;
-    std::array<std::unique_ptr<FEValues<dim>>, 2 * dim> points_of;
+    FacePlaces<dim>                      places(discretization);
 
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && cell->at_boundary())
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary() && boundaries.count(cell->face(f)->boundary_id()) > 0)
             {
-              if (points_of[f] == nullptr)
-                {
-                  nodes_of[f] = nodes_on_face(base, f);
-                  std::vector<Point<dim>> points;
-                  for (const unsigned int i : nodes_of[f])
-                    points.push_back(base.unit_support_point(i));
-                  for (const auto &xi : fine)
-                    points.push_back(on_unit_cell<dim>(f, xi));
-                  points_of[f] = std::make_unique<FEValues<dim>>(
-                      true_geometry, nothing, Quadrature<dim>(points), update_quadrature_points);
-                }
-              points_of[f]->reinit(typename Triangulation<dim>::cell_iterator(cell)); // without its element
-              auto places = points_of[f]->get_quadrature_points();
-              if (fe.degree == 1) // hanging vertices where the elements have them
-                {
-                  const auto vertices = discretization.mapping().get_vertices(cell);
-                  for (unsigned int k = 0; k < nodes_of[f].size(); ++k)
-                    places[k] = vertices[nodes_of[f][k]];
-                }
-              for (const auto &p : places)
+              for (const auto &p : places(cell, f))
                 append(numbers.positions, p);
               cell->get_dof_indices(cell_dofs);
-              for (const unsigned int i : nodes_of[f])
+              for (const unsigned int i : places.nodes(f))
                 for (unsigned int c = 0; c < dim; ++c)
                   numbers.dofs.push_back(cell_dofs[fe.component_to_system_index(c, i)]);
               numbers.signs.push_back(orientation<dim>(f));

@@ -1733,6 +1733,11 @@ add_scene_test(NAME corner_between_nodes_second SCENE verification/corner_betwee
 add_scene_test(NAME approach_from_first_gap SCENE verification/touched_elsewhere.prm SET "End time=1" "Obstacle circle/Displacement=0| -1e-6*t" "Refinement/Target quantity=approach" CHECK "status is converged" "pairs.0.approach ~ 1e-6 1e-6")
 add_scene_test(NAME light_second_circle SCENE verification/light_second_circle.prm CHECK "status is converged" "pairs.1.normal_force.1 ~ -0.0085 0.02")
 
+# The first bump alone: -0.3486 (small strain sees both: -0.3626).
+add_scene_test(NAME second_bump SCENE verification/second_bump.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -0.3623 0.004" "dofs <= 5000")
+add_scene_test(NAME second_bump_small SCENE verification/second_bump.prm SET "Kinematics=small strain" CHECK "status is converged" "pairs.0.normal_force.1 ~ -0.3623 0.004")
+# The tip of a tilted wedge is at rest at the surface: its approach was -3e-5 to 8e-6 by the mesh.
+add_scene_test(NAME approach_of_tip SCENE verification/cone_just_touching.prm SET "Kind=plane strain" "Obstacle cone/Centre=0.623, 0" "Refinement/Target quantity=approach" CHECK "status is converged" "pairs.0.approach ~ 1e-4 1e-4")
 # Numbers of meshes were compared at increments whose contact is a node wide, too, and forgotten there: 13,226 DoFs, sizes by displacements over a minute.
 add_scene_test(NAME size_of_growing_contact SCENE verification/touched_elsewhere.prm
                SET "Refinement/Target quantity=contact size" "Refinement/Target error=0.01" "Contact bump/Friction coefficient=1" "Kinematics=small strain" "End time=1" "Obstacle circle/Displacement=0| -0.01*t"

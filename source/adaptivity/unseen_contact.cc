@@ -1,5 +1,6 @@
 #include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/contact/smallest_gap.h>
+#include <amontons/elasticity/kinematics.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +18,13 @@ namespace Amontons
       });
     }
 
-    // Of the gaps on each slave face, by its unknowns' surfaces as they are. At small strain those of points
-    // are gaps at rest, and the surfaces have come nearer, by as much as the nodes beside.
+    // Of the gaps on each slave face. At small strain those of points are gaps at rest, and the surfaces have
+    // come nearer, by as much as the nodes beside. is_seen: nothing is looked for between the points.
     template <int dim>
     std::vector<FaceGaps>
-    gaps_on_faces(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+    gaps_on_faces(const ContactInterface<dim> &interface,
+                  const SurfaceFields<dim>    &fields,
+                  const std::vector<bool>     &is_seen)
     {
       const auto         &slave = *interface.slave;
       const double        far   = std::numeric_limits<double>::max();
@@ -41,7 +44,7 @@ namespace Amontons
           if (gaps.range() < 0)
             continue;
           constexpr double may_be_near = 0.3; // of what the gap varies by
-          if (!interface.pair->initial_gap && gaps.smallest - approach_of_face < may_be_near * gaps.range())
+          if (!is_seen[f] && gaps.smallest - approach_of_face < may_be_near * gaps.range())
             gaps.smallest = smallest_gap(interface, f, gaps);
           gaps.smallest -= approach_of_face;
           gaps.largest -= approach_of_face;
@@ -54,18 +57,27 @@ namespace Amontons
   std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<dim> &interface,
                           const SurfaceFields<dim>    &fields,
-                          const std::vector<double>   &gap_errors)
+                          const std::vector<double>   &gap_errors,
+                          const double                 modulus,
+                          const ProblemType            kind)
   {
     const auto       &slave = *interface.slave;
     std::vector<bool> unseen(slave.faces.size(), false);
-    if (interface.pair->tied || n_closed_nodes(fields) > 0)
+    if (interface.pair->tied)
       return unseen;
-    const auto gaps = gaps_on_faces(interface, fields);
+    const bool   is_off     = n_closed_nodes(fields) == 0;
+    const auto   near       = is_off ? unseen : faces_near_contact(interface, fields);
+    const auto   gaps       = gaps_on_faces(interface, fields, near);
+    const double noteworthy = 0.01 * fields.normal_force.norm();
     for (unsigned int f = 0; f < unseen.size(); ++f)
       {
-        const double range = gaps[f].largest - gaps[f].smallest;
-        unseen[f] =
-            gap_errors[f] > 0 || (range > 1e-6 * slave.faces[f].size && gaps[f].smallest < 0.01 * range);
+        const auto  &face      = slave.faces[f];
+        const double range     = gaps[f].range();
+        const bool   may_touch = range > 1e-6 * face.size && gaps[f].smallest < 0.01 * range;
+        // What overlaps so far from there would press with E* d, in space along the width of the face.
+        const double force =
+            -gaps[f].smallest * modulus * measure<dim>(kind, face.centre) * (dim == 3 ? face.size : 1);
+        unseen[f] = is_off ? gap_errors[f] > 0 || may_touch : !near[f] && may_touch && force > noteworthy;
       }
     return unseen;
   }
@@ -200,8 +212,8 @@ namespace Amontons
       {
         if (!presses[i] || n_closed_nodes(fields[i]) >= enough_closed_nodes<dim>)
           continue;
-        const auto  gaps  = gaps_on_faces(interfaces[i], fields[i]);
         const auto &faces = interfaces[i].slave->faces;
+        const auto  gaps  = gaps_on_faces(interfaces[i], fields[i], std::vector<bool>(faces.size(), true));
         for (unsigned int f = 0; f < faces.size(); ++f)
           if (has_closed_node(faces[f], fields[i]))
             doubt = std::max(doubt, gaps[f].largest - gaps[f].smallest);
@@ -271,9 +283,17 @@ namespace Amontons
   }
 
   template std::vector<bool>
-  faces_of_unseen_contact(const ContactInterface<2> &, const SurfaceFields<2> &, const std::vector<double> &);
+  faces_of_unseen_contact(const ContactInterface<2> &,
+                          const SurfaceFields<2> &,
+                          const std::vector<double> &,
+                          const double,
+                          const ProblemType);
   template std::vector<bool>
-  faces_of_unseen_contact(const ContactInterface<3> &, const SurfaceFields<3> &, const std::vector<double> &);
+  faces_of_unseen_contact(const ContactInterface<3> &,
+                          const SurfaceFields<3> &,
+                          const std::vector<double> &,
+                          const double,
+                          const ProblemType);
   template std::vector<bool>
   faces_that_press(const ContactInterface<2> &, const SurfaceFields<2> &);
   template std::vector<bool>

@@ -200,8 +200,6 @@ namespace Amontons
               return normal * p.normal > 0.99;
             }))
           first.normals.push_back(p.normal);
-      if (interface.pair->initial_gap)
-        return;
       // Nearer by less than what it varies by over a face
       const auto gaps = gaps_by_face(*interface.slave, points);
       for (unsigned int f = 0; f < gaps.size(); ++f)
@@ -209,7 +207,9 @@ namespace Amontons
             gaps[f].range() > 1e-4 * size && gaps[f].smallest - gaps[f].range() < first.size)
           {
             const double gap = smallest_gap(interface, f, gaps[f]);
-            first.size       = std::min(first.size, is_adjusted(*interface.pair, gap, size) ? 0 : gap);
+            first.size =
+                std::min(first.size,
+                         !interface.pair->initial_gap && is_adjusted(*interface.pair, gap, size) ? 0 : gap);
           }
     }
   } // namespace

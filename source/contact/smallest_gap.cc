@@ -1,3 +1,4 @@
+#include <amontons/contact/declared_gap.h>
 #include <amontons/contact/face_lattice.h>
 #include <amontons/contact/face_overlap.h>
 #include <amontons/contact/smallest_gap.h>
@@ -5,6 +6,8 @@
 
 #include <deal.II/base/geometry_info.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace Amontons
@@ -46,20 +49,91 @@ namespace Amontons
       return GeometryInfo<fdim>::is_inside_unit_cell(xi, 1e-8);
     }
 
-    // The gap, if x + g n(xi) = y.
+    // Of places on a slave face, and what is opposite.
     template <int dim>
-    std::optional<double>
-    gap_to(const ContactSurface<dim> &slave,
-           const unsigned int         face,
-           const Point<dim - 1>      &xi,
-           const Point<dim>          &y)
+    class FaceGap
     {
-      if (!is_inside(xi))
-        return {};
-      const auto           n   = slave.nodal_normal(face, xi);
-      const Tensor<1, dim> d   = y - slave.position(face, xi);
-      const double         gap = d * n;
-      return (d - gap * n).norm() < 1e-6 * slave.faces[face].size ? std::make_optional(gap) : std::nullopt;
+    public:
+      FaceGap(const ContactInterface<dim> &interface, const unsigned int face, const FaceGaps &points)
+          : slave(*interface.slave), master(interface.master), face(face), opposite(points.opposite)
+      {
+        if (interface.pair->initial_gap)
+          declared.emplace(*interface.pair, slave, interface.t);
+      }
+
+      // To the nearest of what the normal at xi meets; infinite: nothing.
+      double
+      operator()(const Point<dim - 1> &xi) const
+      {
+        const auto x      = slave.position(face, xi);
+        const auto n      = slave.nodal_normal(face, xi);
+        double     result = std::numeric_limits<double>::infinity();
+        if (master.obstacle != nullptr)
+          if (const auto y = project_to_obstacle(*master.obstacle, master.motion, x, n))
+            result = (y->x - x) * n;
+        for (const unsigned int other : opposite)
+          if (const auto eta = as_point(project_to_master(*master.surface, other, x, n));
+              eta && is_inside(*eta))
+            result = std::min(result, (master.surface->position(other, *eta) - x) * n);
+        return std::isinf(result) ? result : with_declared(xi, result);
+      }
+
+      // To a node of the master; infinite if no normal of the face meets it.
+      double
+      to_node(const Point<dim> &y) const
+      {
+        const auto xi = as_point(project_to_slave(slave, face, y));
+        if (!xi || !is_inside(*xi))
+          return std::numeric_limits<double>::infinity();
+        const auto           n   = slave.nodal_normal(face, *xi);
+        const Tensor<1, dim> d   = y - slave.position(face, *xi);
+        const double         gap = d * n;
+        return (d - gap * n).norm() < 1e-6 * slave.faces[face].size ? with_declared(*xi, gap)
+                                                                    : std::numeric_limits<double>::infinity();
+      }
+
+    private:
+      double
+      with_declared(const Point<dim - 1> &xi, const double gap) const
+      {
+        if (!declared)
+          return gap;
+        const double further = declared->jumps(face) ? declared->ramp(face, xi)
+                                                     : declared->at(slave.reference_position(face, xi));
+        return (slave.moved ? gap : 0) + further;
+      }
+
+      const ContactSurface<dim>      &slave;
+      const MasterSide<dim>          &master;
+      const unsigned int              face;
+      const std::set<unsigned int>   &opposite;
+      std::optional<DeclaredGap<dim>> declared;
+    };
+
+    // From a place of the unit face on to lower values beside, by ever smaller steps.
+    template <int fdim, typename Function>
+    double
+    descend(const Function &f, Point<fdim> xi, double step)
+    {
+      double lowest = f(xi);
+      for (constexpr double fine = 1e-8; step > fine; step /= 2)
+        for (bool goes_on = true; goes_on;)
+          {
+            goes_on = false;
+            for (unsigned int d = 0; d < fdim; ++d)
+              for (const double side : {-step, step})
+                {
+                  auto there = xi;
+                  there[d]   = std::clamp(xi[d] + side, 0., 1.);
+                  if (const double value = f(there); value < lowest)
+                    {
+                      lowest  = value;
+                      xi      = there;
+                      goes_on = true;
+                    }
+                }
+          }
+      return lowest;
     }
   } // namespace
 
@@ -67,35 +141,19 @@ namespace Amontons
   double
   smallest_gap(const ContactInterface<dim> &interface, const unsigned int face, const FaceGaps &points)
   {
-    const auto &slave  = *interface.slave;
-    const auto &master = interface.master;
-    double      result = points.smallest;
-    const auto  look   = [&](const Point<dim - 1> &xi, const std::optional<Point<dim>> &y) {
-      if (y)
-        result = std::min(result, gap_to(slave, face, xi, *y).value_or(result));
-    };
-    auto places = Quadrature<dim - 1>(samples_along<dim>(slave.faces.size())).get_points();
-    for (const auto &node : lattice<dim - 1>(slave.degree))
+    const FaceGap<dim> gap(interface, face, points);
+    const auto         line   = samples_along<dim>(interface.slave->faces.size());
+    auto               places = Quadrature<dim - 1>(line).get_points();
+    for (const auto &node : lattice<dim - 1>(interface.slave->degree))
       places.push_back(node);
+    std::vector<double> gaps;
     for (const auto &xi : places)
-      {
-        const auto x = slave.position(face, xi);
-        const auto n = slave.nodal_normal(face, xi);
-        if (master.obstacle != nullptr)
-          if (const auto y = project_to_obstacle(*master.obstacle, master.motion, x, n))
-            look(xi, y->x);
-        for (const unsigned int other : points.opposite)
-          if (const auto eta = as_point(project_to_master(*master.surface, other, x, n));
-              eta && is_inside(*eta))
-            look(xi, master.surface->position(other, *eta));
-      }
+      gaps.push_back(gap(xi));
+    const auto lowest = std::min_element(gaps.begin(), gaps.end());
+    double result = std::min(points.smallest, descend(gap, places[lowest - gaps.begin()], 1. / line.size()));
     for (const unsigned int other : points.opposite)
-      for (const unsigned int node : master.surface->faces[other].nodes)
-        {
-          const auto &y = master.surface->nodes[node].x;
-          if (const auto xi = as_point(project_to_slave(slave, face, y)))
-            look(*xi, y);
-        }
+      for (const unsigned int node : interface.master_surface->faces[other].nodes)
+        result = std::min(result, gap.to_node(interface.master_surface->nodes[node].x));
     return result;
   }
 

@@ -29,8 +29,8 @@ namespace Amontons
   gaps_by_face(const ContactSurface<dim> &slave, const std::vector<OverlapPoint<dim>> &points);
 
   // The smallest gap g of x + g n = y between a slave face and what is opposite, with its continuous normal
-  // n, where the surfaces are that `points` were taken at: at the nodes of both sides, at many places
-  // between, and at the points. Without declared gaps.
+  // n, where the surfaces are that `points` were taken at: at the nodes of both sides, around the lowest of
+  // many places between, and at the points. With the gap that the pair declares, if any.
   template <int dim>
   double
   smallest_gap(const ContactInterface<dim> &interface, const unsigned int face, const FaceGaps &points);

@@ -331,6 +331,8 @@ CHANGES = [
     ("facets that are given up", "contact_problem.cc", "if (is_stopped() || !steps->wants_arcs())", "if (true)", "scenes/(round_column|twisted_columns)$"),
     ("hanging vertices on the circle", "discretization/discretization.cc", "if (mean.linfty_norm() <= 1e-14 * place.linfty_norm())", "if (true)", "^discretization/hanging_vertices$"),
     ("contact between the points", "adaptivity/unseen_contact.cc", "gaps.smallest = smallest_gap(interface, f, gaps);", "(void)may_be_near;", "scenes/cone_just_touching$"),
+    ("second contact of a pair", "adaptivity/unseen_contact.cc", "!near[f] && may_touch && force > noteworthy", "false", "scenes/second_bump$"),
+    ("gaps of nodes are told", "output/summary.cc", "result.smallest_gap = smallest_gap_of(interface, fields);", ";", "scenes/smooth_ring_between_walls$"),
     ("first gap at the points", "contact/contact_interface.cc", "gaps[f].range() > 1e-4 * size", "gaps[f].range() > 1e4 * size", "scenes/approach_from_first_gap$"),
     ("numbers at all increments", "load_stepping.cc", "(program.is_last() || refinement == Refinement::on_the_way)", "(true || program.is_last())", "scenes/size_of_growing_contact$"),
     ("heights behind facets", "geometry/missing_volume.h", "2. / 3 * std::abs", "1. / 3 * std::abs", "^geometry/missing_volume$"),

@@ -137,6 +137,17 @@ namespace Amontons
 
   template <int dim>
   double
+  smallest_gap_of(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+  {
+    double smallest = std::numeric_limits<double>::max();
+    for (const auto &gaps :
+         gaps_on_faces(interface, fields, std::vector<bool>(interface.slave->faces.size(), false)))
+      smallest = std::min(smallest, gaps.smallest);
+    return smallest;
+  }
+
+  template <int dim>
+  double
   smallest_gap_of_untouched(const std::vector<ContactInterface<dim>> &interfaces,
                             const std::vector<SurfaceFields<dim>>    &fields)
   {
@@ -294,6 +305,10 @@ namespace Amontons
                           const std::vector<double> &,
                           const double,
                           const ProblemType);
+  template double
+  smallest_gap_of(const ContactInterface<2> &, const SurfaceFields<2> &);
+  template double
+  smallest_gap_of(const ContactInterface<3> &, const SurfaceFields<3> &);
   template std::vector<bool>
   faces_that_press(const ContactInterface<2> &, const SurfaceFields<2> &);
   template std::vector<bool>

@@ -1,6 +1,7 @@
 #include <amontons/base/version.h>
 #include <amontons/output/files.h>
 #include <amontons/output/json.h>
+#include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/output/summary.h>
 
 namespace Amontons
@@ -258,6 +259,8 @@ namespace Amontons
           result.smallest_gap = gap; // NaN is smaller than nothing
       }
     result.touched = result.n_slip + result.n_stick > 0;
+    if (!result.touched && !std::isnan(result.smallest_gap))
+      result.smallest_gap = smallest_gap_of(interface, fields);
     return result;
   }
 

@@ -19,6 +19,12 @@ namespace Amontons
                           const double                 modulus,
                           const ProblemType            kind);
 
+  // Anywhere on the surfaces, also between the points (at small strain as far as the nodes beside have come
+  // nearer). The largest number if nothing is opposite.
+  template <int dim>
+  double
+  smallest_gap_of(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
+
   // By slave face: whether a node of it is closed.
   template <int dim>
   std::vector<bool>

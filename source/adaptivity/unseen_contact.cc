@@ -206,6 +206,7 @@ namespace Amontons
             interfaces[i].pair->tied ? 0. : (fields[i].normal_force + fields[i].tangential_force).norm());
       const double      largest = forces.empty() ? 0. : *std::max_element(forces.begin(), forces.end());
       std::vector<bool> result;
+      result.reserve(forces.size());
       for (const double force : forces)
         result.push_back(force > 1e-6 * largest);
       return result;

@@ -93,11 +93,14 @@ namespace Amontons
       }
 
     private:
+      // (Not at nodes and in the middle: where a formula jumps it may have no value.)
       double
-      with_declared(const Point<dim - 1> &xi, const double gap) const
+      with_declared(Point<dim - 1> xi, const double gap) const
       {
         if (!declared)
           return gap;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          xi[d] = 1.3e-6 + (1 - 2.3e-6) * xi[d];
         const double further = declared->jumps(face) ? declared->ramp(face, xi)
                                                      : declared->at(slave.reference_position(face, xi));
         return (slave.moved ? gap : 0) + further;
@@ -147,6 +150,7 @@ namespace Amontons
     for (const auto &node : lattice<dim - 1>(interface.slave->degree))
       places.push_back(node);
     std::vector<double> gaps;
+    gaps.reserve(places.size());
     for (const auto &xi : places)
       gaps.push_back(gap(xi));
     const auto lowest = std::min_element(gaps.begin(), gaps.end());

@@ -259,7 +259,7 @@ namespace Amontons
           result.smallest_gap = gap; // NaN is smaller than nothing
       }
     result.touched = result.n_slip + result.n_stick > 0;
-    if (!result.touched && !std::isnan(result.smallest_gap))
+    if (!result.touched && !std::isnan(result.smallest_gap)) // something is opposite
       result.smallest_gap = smallest_gap_of(interface, fields);
     return result;
   }

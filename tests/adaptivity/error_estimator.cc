@@ -490,6 +490,7 @@ test_contact_terms()
       fields[0].pressure.assign(interface.slave->nodes.size(), p + d);
       fields[0].multiplier = fields[0].pressure;
       fields[0].state.assign(interface.slave->nodes.size(), ContactStatus::slip);
+      fields[0].gap.assign(interface.slave->nodes.size(), 0.);
       fields[0].is_covered.assign(interface.slave->nodes.size(), true);
       fields[0].area.assign(interface.slave->nodes.size(), 1.);
       fields[0].traction.resize(interface.slave->nodes.size());
@@ -564,6 +565,7 @@ test_varying_contact_terms(const ProblemType kind, const double a, const double 
   fields[0].multiplier    = fields[0].pressure;
   fields[0].peak_pressure = p + 2 * a;
   fields[0].state.assign(interface.slave->nodes.size(), ContactStatus::slip);
+  fields[0].gap.assign(interface.slave->nodes.size(), 0.);
   fields[0].is_covered.assign(interface.slave->nodes.size(), true);
   fields[0].area.assign(interface.slave->nodes.size(), 1.);
 

@@ -330,7 +330,7 @@ CHANGES = [
     ("facets of bodies in forces", "evaluation.cc", "+ error.sections) / 2", ") / 2", "scenes/round_column_force_linear$"),
     ("facets that are given up", "contact_problem.cc", "if (is_stopped() || !steps->wants_arcs())", "if (true)", "scenes/(round_column|twisted_columns)$"),
     ("hanging vertices on the circle", "discretization/discretization.cc", "if (mean.linfty_norm() <= 1e-14 * place.linfty_norm())", "if (true)", "^discretization/hanging_vertices$"),
-    ("contact between the points", "adaptivity/unseen_contact.cc", "gaps.smallest = smallest_gap(interface, f, gaps);", "(void)may_be_near;", "scenes/cone_just_touching$"),
+    ("contact between the points", "adaptivity/unseen_contact.cc", "gaps.smallest = smallest_gap(interface, f, gaps);", "(void)may_be_near;", "scenes/wedge_between_nodes$"),
     ("second contact of a pair", "adaptivity/unseen_contact.cc", "!near[f] && may_touch && force > noteworthy", "false", "scenes/second_bump$"),
     ("gaps of nodes are told", "output/summary.cc", "result.smallest_gap = smallest_gap_of(interface, fields);", ";", "scenes/smooth_ring_between_walls$"),
     ("first gap at the points", "contact/contact_interface.cc", "gaps[f].range() > 1e-4 * size", "gaps[f].range() > 1e4 * size", "scenes/approach_from_first_gap$"),

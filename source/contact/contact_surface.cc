@@ -100,18 +100,8 @@ namespace Amontons
       explicit FacePlaces(const Discretization<dim> &discretization)
           : discretization(discretization), true_geometry(ContactSurface<dim>::geometry_degree)
       {
-        const auto &base = discretization.fe.base_element(0);
         for (unsigned int f = 0; f < 2 * dim; ++f)
-          {
-            nodes_of[f] = nodes_on_face(base, f);
-            std::vector<Point<dim>> points;
-            for (const unsigned int i : nodes_of[f])
-              points.push_back(base.unit_support_point(i));
-            for (const auto &xi : lattice<dim - 1>(ContactSurface<dim>::geometry_degree))
-              points.push_back(on_unit_cell<dim>(f, xi));
-            points_of[f] = std::make_unique<FEValues<dim>>(
-                true_geometry, nothing, Quadrature<dim>(points), update_quadrature_points);
-          }
+          nodes_of[f] = nodes_on_face(discretization.fe.base_element(0), f);
       }
 
       const std::vector<unsigned int> &
@@ -123,6 +113,8 @@ namespace Amontons
       std::vector<Point<dim>>
       operator()(const typename DoFHandler<dim>::active_cell_iterator &cell, const unsigned int f)
       {
+        if (points_of[f] == nullptr)
+          points_of[f] = values_at_places(f);
         points_of[f]->reinit(typename Triangulation<dim>::cell_iterator(cell)); // without its element
         auto places = points_of[f]->get_quadrature_points();
         if (discretization.fe.degree == 1) // hanging vertices where the elements have them
@@ -135,6 +127,18 @@ namespace Amontons
       }
 
     private:
+      std::unique_ptr<FEValues<dim>>
+      values_at_places(const unsigned int f) const
+      {
+        std::vector<Point<dim>> points;
+        for (const unsigned int i : nodes_of[f])
+          points.push_back(discretization.fe.base_element(0).unit_support_point(i));
+        for (const auto &xi : lattice<dim - 1>(ContactSurface<dim>::geometry_degree))
+          points.push_back(on_unit_cell<dim>(f, xi));
+        return std::make_unique<FEValues<dim>>(
+            true_geometry, nothing, Quadrature<dim>(points), update_quadrature_points);
+      }
+
       const Discretization<dim>                          &discretization;
       const MappingQ<dim>                                 true_geometry;
       const FE_Nothing<dim>                               nothing;

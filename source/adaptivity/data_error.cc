@@ -1,7 +1,7 @@
 #include <amontons/adaptivity/data_error.h>
-#include <amontons/contact/surface_samples.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/face_basis.h>
+#include <amontons/contact/surface_samples.h>
 #include <amontons/elasticity/kinematics.h>
 #include <amontons/friction/shear_law.h>
 

@@ -85,9 +85,9 @@ namespace Amontons
             doubt * doubt - 1};
         facets_of.push_back(facet_error(interface, fields, modulus));
         facets_of.back().pressure *= weight_of_pair;
-        const auto          is_unseen = is_unresolved
-                                            ? faces_that_press(interface, fields)
-                                            : faces_of_unseen_contact(interface, fields, parts.gap, modulus, kind);
+        const auto is_unseen =
+            is_unresolved ? faces_that_press(interface, fields)
+                          : faces_of_unseen_contact(interface, fields, parts.gap, near, modulus, kind);
         std::vector<double> face_squares(4 * n, 0.);
         for (unsigned int f = 0; f < slave.faces.size(); ++f)
           if (slave.faces[f].rank == my_rank() &&

@@ -1,7 +1,8 @@
 #include <amontons/adaptivity/gap_error.h>
-#include <amontons/contact/surface_samples.h>
+#include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/declared_gap.h>
+#include <amontons/contact/surface_samples.h>
 #include <amontons/elasticity/kinematics.h>
 
 #include <deal.II/base/polynomial.h>
@@ -104,10 +105,7 @@ namespace Amontons
               point.weight * (point.gap - interface.pair->initial_gap->value(as_3d(X), interface.t));
           weights[point.slave_face] += point.weight;
         }
-      std::vector<double> approach(slave.nodes.size(), std::numeric_limits<double>::lowest());
-      for (const auto &row : interface.coupling.rows)
-        if (std::isfinite(fields.gap[row.node]))
-          approach[row.node] = slave.moved ? 0 : row.gap - fields.gap[row.node];
+      const auto approach = approach_of_nodes(interface, fields, std::numeric_limits<double>::lowest());
       for (unsigned int f = 0; f < sum.size(); ++f)
         {
           double nearer = std::numeric_limits<double>::lowest();

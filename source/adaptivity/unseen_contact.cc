@@ -7,6 +7,19 @@
 
 namespace Amontons
 {
+  template <int dim>
+  std::vector<double>
+  approach_of_nodes(const ContactInterface<dim> &interface,
+                    const SurfaceFields<dim>    &fields,
+                    const double                 unknown)
+  {
+    std::vector<double> approach(interface.slave->nodes.size(), unknown);
+    for (const auto &row : interface.coupling.rows)
+      if (std::isfinite(fields.gap[row.node]))
+        approach[row.node] = interface.slave->moved ? 0 : row.gap - fields.gap[row.node];
+    return approach;
+  }
+
   namespace
   {
     template <int dim>
@@ -26,13 +39,10 @@ namespace Amontons
                   const SurfaceFields<dim>    &fields,
                   const std::vector<bool>     &is_seen)
     {
-      const auto         &slave = *interface.slave;
-      const double        far   = std::numeric_limits<double>::max();
-      std::vector<double> approach(slave.nodes.size(), far);
-      for (const auto &row : interface.coupling.rows)
-        if (std::isfinite(fields.gap[row.node]))
-          approach[row.node] = slave.moved ? 0 : row.gap - fields.gap[row.node];
-      auto result = gaps_by_face(slave, interface.coupling.points);
+      const auto  &slave    = *interface.slave;
+      const double far      = std::numeric_limits<double>::max();
+      const auto   approach = approach_of_nodes(interface, fields, far);
+      auto         result   = gaps_by_face(slave, interface.coupling.points);
       for (unsigned int f = 0; f < result.size(); ++f)
         {
           auto  &gaps             = result[f];
@@ -58,6 +68,7 @@ namespace Amontons
   faces_of_unseen_contact(const ContactInterface<dim> &interface,
                           const SurfaceFields<dim>    &fields,
                           const std::vector<double>   &gap_errors,
+                          const std::vector<bool>     &near,
                           const double                 modulus,
                           const ProblemType            kind)
   {
@@ -66,7 +77,6 @@ namespace Amontons
     if (interface.pair->tied)
       return unseen;
     const bool   is_off     = n_closed_nodes(fields) == 0;
-    const auto   near       = is_off ? unseen : faces_near_contact(interface, fields);
     const auto   gaps       = gaps_on_faces(interface, fields, near);
     const double noteworthy = 0.01 * fields.normal_force.norm();
     for (unsigned int f = 0; f < unseen.size(); ++f)
@@ -225,10 +235,10 @@ namespace Amontons
         if (!presses[i] || n_closed_nodes(fields[i]) >= enough_closed_nodes<dim>)
           continue;
         const auto &faces = interfaces[i].slave->faces;
-        const auto  gaps  = gaps_on_faces(interfaces[i], fields[i], std::vector<bool>(faces.size(), true));
+        const auto  gaps  = gaps_by_face(*interfaces[i].slave, interfaces[i].coupling.points);
         for (unsigned int f = 0; f < faces.size(); ++f)
           if (has_closed_node(faces[f], fields[i]))
-            doubt = std::max(doubt, gaps[f].largest - gaps[f].smallest);
+            doubt = std::max(doubt, gaps[f].range());
       }
     return doubt;
   }
@@ -294,16 +304,22 @@ namespace Amontons
     return true;
   }
 
+  template std::vector<double>
+  approach_of_nodes(const ContactInterface<2> &, const SurfaceFields<2> &, const double);
+  template std::vector<double>
+  approach_of_nodes(const ContactInterface<3> &, const SurfaceFields<3> &, const double);
   template std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<2> &,
                           const SurfaceFields<2> &,
                           const std::vector<double> &,
+                          const std::vector<bool> &,
                           const double,
                           const ProblemType);
   template std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<3> &,
                           const SurfaceFields<3> &,
                           const std::vector<double> &,
+                          const std::vector<bool> &,
                           const double,
                           const ProblemType);
   template double

@@ -1,7 +1,7 @@
+#include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/base/version.h>
 #include <amontons/output/files.h>
 #include <amontons/output/json.h>
-#include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/output/summary.h>
 
 namespace Amontons

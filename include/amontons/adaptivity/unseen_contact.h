@@ -5,17 +5,26 @@
 
 namespace Amontons
 {
+  // By slave node: by how much the surfaces are nearer there than at the points of the coupling, which are at
+  // rest at small strain; `unknown` without a row.
+  template <int dim>
+  std::vector<double>
+  approach_of_nodes(const ContactInterface<dim> &interface,
+                    const SurfaceFields<dim>    &fields,
+                    const double                 unknown);
+
   // By slave face: whether it may touch though no node there does. The gap g varies by r over the points of a
   // face; beyond the outermost one, at most 5 % of a face from its end, a smooth one falls by about r/400
   // (quadratic), and where that is near, the smallest one is looked for (smallest_gap.h). So g < r/100 says
   // that nobody knows. Nor where a declared gap dips so far between them that its errors (gap_error.h, by
-  // face) count. Where the pair touches elsewhere, three faces off at least, overlaps d count whose force,
+  // face) count. Where the pair touches elsewhere, off the faces near that, overlaps d count whose force,
   // E* d (modulus, per length; in space times the face's size), is 1 % of the pair's.
   template <int dim>
   std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<dim> &interface,
                           const SurfaceFields<dim>    &fields,
                           const std::vector<double>   &gap_errors,
+                          const std::vector<bool>     &near,
                           const double                 modulus,
                           const ProblemType            kind);
 

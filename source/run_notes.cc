@@ -4,6 +4,7 @@
 #include <amontons/scene/text.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -31,17 +32,19 @@ namespace Amontons
     }
   } // namespace
 
-  // Nothing that touches at the end may have touched before.
+  // What touches nothing at the end may have touched before: by the last mesh that knows each time.
   template <int dim>
   void
   RunReport<dim>::note_untouched_pairs()
   {
+    std::map<double, const MeshSummary *> at;
+    for (const auto &mesh : summary.meshes)
+      at[mesh.t] = &mesh;
     for (unsigned int i = 0; i < summary.pairs.size(); ++i)
       {
         PairSummary &pair = summary.pairs[i];
-        pair.touched      = std::any_of(summary.meshes.begin(), summary.meshes.end(), [&](const auto &mesh) {
-          return mesh.pairs[i].touched;
-        });
+        pair.touched      = std::any_of(
+            at.begin(), at.end(), [&](const auto &mesh) { return mesh.second->pairs[i].touched; });
         if (!pair.touched && summary.converged)
           note("warning: pair '" + pair.name + "' touched nothing at any time that was solved; " +
                without_contact(pair));

@@ -1731,6 +1731,10 @@ add_scene_test(NAME corner_between_nodes_first SCENE verification/corner_between
 add_scene_test(NAME corner_between_nodes_second SCENE verification/corner_between_nodes.prm SET "Contact corner/Slave=second" CHECK "status is converged" "pairs.0.normal_force.1 ~ 3.57e-4 0.05" "pairs.0.approach ~ 1e-5 1e-6")
 # The first gap is 0 at the circle's lowest point, 9e-6 at the nearest point of integration: -7.6e-6, "exactly".
 add_scene_test(NAME approach_from_first_gap SCENE verification/touched_elsewhere.prm SET "End time=1" "Obstacle circle/Displacement=0| -1e-6*t" "Refinement/Target quantity=approach" CHECK "status is converged" "pairs.0.approach ~ 1e-6 1e-6")
+add_scene_test(NAME tilting_punch SCENE verification/tilting_punch.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -1.3345e-3 0.03" "pairs.0.approach is None")
+add_scene_test(NAME untilted_punch SCENE verification/tilting_punch.prm SET "Obstacle punch/Rotation=0" "Obstacle punch/Displacement=0| -0.0201*t" CHECK "status is converged" "pairs.0.approach ~ 1e-4 1e-9")
+# The first mesh held the node at the circle's lowest point closed.
+add_scene_test(NAME lifted_circle SCENE verification/touched_elsewhere.prm SET "End time=1" "Kinematics=small strain" "Obstacle circle/Displacement=0| 1e-5*t" CHECK "status is converged" "pairs.0.touched is False" "pairs.0.smallest_gap ~ 1e-5 0.005")
 add_scene_test(NAME light_second_circle SCENE verification/light_second_circle.prm CHECK "status is converged" "pairs.1.normal_force.1 ~ -0.0085 0.02")
 
 # The first bump alone: -0.3486 (small strain sees both: -0.3626).

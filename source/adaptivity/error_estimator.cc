@@ -58,6 +58,7 @@ namespace Amontons
       void
       add_interface(const ContactInterface<dim> &interface,
                     const SurfaceFields<dim>    &fields,
+                    const SurfaceApproach<dim>  &approach,
                     const double                 weight_of_pair,
                     const double                 doubt,
                     const bool                   is_unresolved) // and too light to count in full
@@ -86,8 +87,9 @@ namespace Amontons
         facets_of.push_back(facet_error(interface, fields, modulus));
         facets_of.back().pressure *= weight_of_pair;
         const auto is_unseen =
-            is_unresolved ? faces_that_press(interface, fields)
-                          : faces_of_unseen_contact(interface, fields, parts.gap, near, modulus, kind);
+            is_unresolved
+                ? faces_that_press(interface, fields)
+                : faces_of_unseen_contact(interface, fields, approach, parts.gap, near, modulus, kind);
         std::vector<double> face_squares(4 * n, 0.);
         for (unsigned int f = 0; f < slave.faces.size(); ++f)
           if (slave.faces[f].rank == my_rank() &&
@@ -460,6 +462,7 @@ namespace Amontons
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       estimation.add_interface(interfaces[i],
                                fields[i],
+                               SurfaceApproach<dim>(discretization, interfaces[i], displacement),
                                weights[i],
                                doubts.empty() ? 1. : doubts[i],
                                is_unresolved[i] && weights[i] >= largest_pair_weight * (1 - 1e-12));

@@ -1,5 +1,4 @@
 #include <amontons/adaptivity/gap_error.h>
-#include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/declared_gap.h>
 #include <amontons/contact/surface_samples.h>
@@ -105,10 +104,14 @@ namespace Amontons
               point.weight * (point.gap - interface.pair->initial_gap->value(as_3d(X), interface.t));
           weights[point.slave_face] += point.weight;
         }
-      const auto approach = approach_of_nodes(interface, fields, std::numeric_limits<double>::lowest());
+      constexpr double    unknown = std::numeric_limits<double>::lowest();
+      std::vector<double> approach(slave.nodes.size(), unknown);
+      for (const auto &row : interface.coupling.rows)
+        if (std::isfinite(fields.gap[row.node]))
+          approach[row.node] = slave.moved ? 0 : row.gap - fields.gap[row.node];
       for (unsigned int f = 0; f < sum.size(); ++f)
         {
-          double nearer = std::numeric_limits<double>::lowest();
+          double nearer = unknown;
           for (const unsigned int i : slave.faces[f].nodes)
             nearer = std::max(nearer, approach[i]);
           result.push_back(weights[f] > 0 ? sum[f] / weights[f] - nearer

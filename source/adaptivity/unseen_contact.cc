@@ -1,5 +1,4 @@
 #include <amontons/adaptivity/unseen_contact.h>
-#include <amontons/contact/smallest_gap.h>
 #include <amontons/elasticity/kinematics.h>
 
 #include <algorithm>
@@ -7,19 +6,6 @@
 
 namespace Amontons
 {
-  template <int dim>
-  std::vector<double>
-  approach_of_nodes(const ContactInterface<dim> &interface,
-                    const SurfaceFields<dim>    &fields,
-                    const double                 unknown)
-  {
-    std::vector<double> approach(interface.slave->nodes.size(), unknown);
-    for (const auto &row : interface.coupling.rows)
-      if (std::isfinite(fields.gap[row.node]))
-        approach[row.node] = interface.slave->moved ? 0 : row.gap - fields.gap[row.node];
-    return approach;
-  }
-
   namespace
   {
     template <int dim>
@@ -31,33 +17,26 @@ namespace Amontons
       });
     }
 
-    // Of the gaps on each slave face. At small strain those of points are gaps at rest, and the surfaces have
-    // come nearer, by as much as the nodes beside. is_seen: nothing is looked for between the points.
+    // Of the gaps on each slave face that has a row. is_seen: nothing is looked for between the points.
     template <int dim>
     std::vector<FaceGaps>
     gaps_on_faces(const ContactInterface<dim> &interface,
                   const SurfaceFields<dim>    &fields,
+                  const SurfaceApproach<dim>  &approach,
                   const std::vector<bool>     &is_seen)
     {
-      const auto  &slave    = *interface.slave;
-      const double far      = std::numeric_limits<double>::max();
-      const auto   approach = approach_of_nodes(interface, fields, far);
-      auto         result   = gaps_by_face(slave, interface.coupling.points);
+      const auto &slave  = *interface.slave;
+      auto        result = gaps_by_face(slave, interface.coupling.points, approach);
       for (unsigned int f = 0; f < result.size(); ++f)
         {
-          auto  &gaps             = result[f];
-          double approach_of_face = far;
-          for (const unsigned int i : slave.faces[f].unknowns)
-            approach_of_face = std::min(approach_of_face, approach[i]);
-          if (approach_of_face == far)
+          auto       &gaps  = result[f];
+          const auto &nodes = slave.faces[f].unknowns;
+          if (std::all_of(
+                  nodes.begin(), nodes.end(), [&](const auto i) { return std::isnan(fields.gap[i]); }))
             gaps = {};
-          if (gaps.range() < 0)
-            continue;
           constexpr double may_be_near = 0.3; // of what the gap varies by
-          if (!is_seen[f] && gaps.smallest - approach_of_face < may_be_near * gaps.range())
-            gaps.smallest = smallest_gap(interface, f, gaps);
-          gaps.smallest -= approach_of_face;
-          gaps.largest -= approach_of_face;
+          if (gaps.range() >= 0 && !is_seen[f] && gaps.smallest < may_be_near * gaps.range())
+            gaps.smallest = smallest_gap(interface, f, gaps, approach);
         }
       return result;
     }
@@ -67,6 +46,7 @@ namespace Amontons
   std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<dim> &interface,
                           const SurfaceFields<dim>    &fields,
+                          const SurfaceApproach<dim>  &approach,
                           const std::vector<double>   &gap_errors,
                           const std::vector<bool>     &near,
                           const double                 modulus,
@@ -77,7 +57,7 @@ namespace Amontons
     if (interface.pair->tied)
       return unseen;
     const bool   is_off     = n_closed_nodes(fields) == 0;
-    const auto   gaps       = gaps_on_faces(interface, fields, near);
+    const auto   gaps       = gaps_on_faces(interface, fields, approach, near);
     const double noteworthy = 0.01 * fields.normal_force.norm();
     for (unsigned int f = 0; f < unseen.size(); ++f)
       {
@@ -147,11 +127,13 @@ namespace Amontons
 
   template <int dim>
   double
-  smallest_gap_of(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+  smallest_gap_of(const ContactInterface<dim> &interface,
+                  const SurfaceFields<dim>    &fields,
+                  const SurfaceApproach<dim>  &approach)
   {
-    double smallest = std::numeric_limits<double>::max();
-    for (const auto &gaps :
-         gaps_on_faces(interface, fields, std::vector<bool>(interface.slave->faces.size(), false)))
+    const std::vector<bool> none(interface.slave->faces.size(), false);
+    double                  smallest = std::numeric_limits<double>::max();
+    for (const auto &gaps : gaps_on_faces(interface, fields, approach, none))
       smallest = std::min(smallest, gaps.smallest);
     return smallest;
   }
@@ -235,7 +217,8 @@ namespace Amontons
         if (!presses[i] || n_closed_nodes(fields[i]) >= enough_closed_nodes<dim>)
           continue;
         const auto &faces = interfaces[i].slave->faces;
-        const auto  gaps  = gaps_by_face(*interfaces[i].slave, interfaces[i].coupling.points);
+        const auto  gaps  = gaps_by_face(
+            *interfaces[i].slave, interfaces[i].coupling.points, SurfaceApproach<dim>(interfaces[i]));
         for (unsigned int f = 0; f < faces.size(); ++f)
           if (has_closed_node(faces[f], fields[i]))
             doubt = std::max(doubt, gaps[f].range());
@@ -304,13 +287,10 @@ namespace Amontons
     return true;
   }
 
-  template std::vector<double>
-  approach_of_nodes(const ContactInterface<2> &, const SurfaceFields<2> &, const double);
-  template std::vector<double>
-  approach_of_nodes(const ContactInterface<3> &, const SurfaceFields<3> &, const double);
   template std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<2> &,
                           const SurfaceFields<2> &,
+                          const SurfaceApproach<2> &,
                           const std::vector<double> &,
                           const std::vector<bool> &,
                           const double,
@@ -318,14 +298,15 @@ namespace Amontons
   template std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<3> &,
                           const SurfaceFields<3> &,
+                          const SurfaceApproach<3> &,
                           const std::vector<double> &,
                           const std::vector<bool> &,
                           const double,
                           const ProblemType);
   template double
-  smallest_gap_of(const ContactInterface<2> &, const SurfaceFields<2> &);
+  smallest_gap_of(const ContactInterface<2> &, const SurfaceFields<2> &, const SurfaceApproach<2> &);
   template double
-  smallest_gap_of(const ContactInterface<3> &, const SurfaceFields<3> &);
+  smallest_gap_of(const ContactInterface<3> &, const SurfaceFields<3> &, const SurfaceApproach<3> &);
   template std::vector<bool>
   faces_that_press(const ContactInterface<2> &, const SurfaceFields<2> &);
   template std::vector<bool>

@@ -201,12 +201,13 @@ namespace Amontons
             }))
           first.normals.push_back(p.normal);
       // Nearer by less than what it varies by over a face
-      const auto gaps = gaps_by_face(*interface.slave, points);
+      const SurfaceApproach<dim> none(interface);
+      const auto                 gaps = gaps_by_face(*interface.slave, points, none);
       for (unsigned int f = 0; f < gaps.size(); ++f)
         if (const double size = interface.slave->faces[f].size;
             gaps[f].range() > 1e-4 * size && gaps[f].smallest - gaps[f].range() < first.size)
           {
-            const double gap = smallest_gap(interface, f, gaps[f]);
+            const double gap = smallest_gap(interface, f, gaps[f], none);
             first.size =
                 std::min(first.size,
                          !interface.pair->initial_gap && is_adjusted(*interface.pair, gap, size) ? 0 : gap);

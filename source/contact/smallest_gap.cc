@@ -14,16 +14,22 @@ namespace Amontons
 {
   template <int dim>
   std::vector<FaceGaps>
-  gaps_by_face(const ContactSurface<dim> &slave, const std::vector<OverlapPoint<dim>> &points)
+  gaps_by_face(const ContactSurface<dim>            &slave,
+               const std::vector<OverlapPoint<dim>> &points,
+               const SurfaceApproach<dim>           &approach)
   {
     std::vector<FaceGaps> result(slave.faces.size());
-    for (const auto &point : points)
+    for (const auto &p : points)
       {
-        auto &gaps    = result[point.slave_face];
-        gaps.smallest = std::min(gaps.smallest, point.gap);
-        gaps.largest  = std::max(gaps.largest, point.gap);
-        if (point.master_face != numbers::invalid_unsigned_int)
-          gaps.opposite.insert(point.master_face);
+        const bool   at_obstacle = p.master_face == numbers::invalid_unsigned_int;
+        const double nearer =
+            at_obstacle ? approach.to_obstacle(p.slave_face, p.xi_slave, p.normal, p.x_master)
+                        : approach.to_face(p.slave_face, p.xi_slave, p.normal, p.master_face, p.xi_master);
+        auto &gaps    = result[p.slave_face];
+        gaps.smallest = std::min(gaps.smallest, p.gap - nearer);
+        gaps.largest  = std::max(gaps.largest, p.gap - nearer);
+        if (!at_obstacle)
+          gaps.opposite.insert(p.master_face);
       }
     return result;
   }
@@ -54,8 +60,12 @@ namespace Amontons
     class FaceGap
     {
     public:
-      FaceGap(const ContactInterface<dim> &interface, const unsigned int face, const FaceGaps &points)
-          : slave(*interface.slave), master(interface.master), face(face), opposite(points.opposite)
+      FaceGap(const ContactInterface<dim> &interface,
+              const unsigned int           face,
+              const FaceGaps              &points,
+              const SurfaceApproach<dim>  &approach)
+          : slave(*interface.slave), master(interface.master), face(face), opposite(points.opposite),
+            approach(approach)
       {
         if (interface.pair->initial_gap)
           declared.emplace(*interface.pair, slave, interface.t);
@@ -70,26 +80,30 @@ namespace Amontons
         double     result = std::numeric_limits<double>::infinity();
         if (master.obstacle != nullptr)
           if (const auto y = project_to_obstacle(*master.obstacle, master.motion, x, n))
-            result = (y->x - x) * n;
+            result = with_declared(xi, (y->x - x) * n) - approach.to_obstacle(face, xi, n, y->x);
         for (const unsigned int other : opposite)
           if (const auto eta = as_point(project_to_master(*master.surface, other, x, n));
               eta && is_inside(*eta))
-            result = std::min(result, (master.surface->position(other, *eta) - x) * n);
-        return std::isinf(result) ? result : with_declared(xi, result);
+            result = std::min(result,
+                              with_declared(xi, (master.surface->position(other, *eta) - x) * n) -
+                                  approach.to_face(face, xi, n, other, *eta));
+        return result;
       }
 
       // To a node of the master; infinite if no normal of the face meets it.
       double
-      to_node(const Point<dim> &y) const
+      to_node(const unsigned int node) const
       {
-        const auto xi = as_point(project_to_slave(slave, face, y));
+        const auto &y  = master.surface->nodes[node].x;
+        const auto  xi = as_point(project_to_slave(slave, face, y));
         if (!xi || !is_inside(*xi))
           return std::numeric_limits<double>::infinity();
         const auto           n   = slave.nodal_normal(face, *xi);
         const Tensor<1, dim> d   = y - slave.position(face, *xi);
         const double         gap = d * n;
-        return (d - gap * n).norm() < 1e-6 * slave.faces[face].size ? with_declared(*xi, gap)
-                                                                    : std::numeric_limits<double>::infinity();
+        return (d - gap * n).norm() < 1e-6 * slave.faces[face].size
+                   ? with_declared(*xi, gap) - approach.to_node(face, *xi, n, node)
+                   : std::numeric_limits<double>::infinity();
       }
 
     private:
@@ -110,6 +124,7 @@ namespace Amontons
       const MasterSide<dim>          &master;
       const unsigned int              face;
       const std::set<unsigned int>   &opposite;
+      const SurfaceApproach<dim>     &approach;
       std::optional<DeclaredGap<dim>> declared;
     };
 
@@ -142,9 +157,12 @@ namespace Amontons
 
   template <int dim>
   double
-  smallest_gap(const ContactInterface<dim> &interface, const unsigned int face, const FaceGaps &points)
+  smallest_gap(const ContactInterface<dim> &interface,
+               const unsigned int           face,
+               const FaceGaps              &points,
+               const SurfaceApproach<dim>  &approach)
   {
-    const FaceGap<dim> gap(interface, face, points);
+    const FaceGap<dim> gap(interface, face, points, approach);
     const auto         line   = samples_along<dim>(interface.slave->faces.size());
     auto               places = Quadrature<dim - 1>(line).get_points();
     for (const auto &node : lattice<dim - 1>(interface.slave->degree))
@@ -157,16 +175,16 @@ namespace Amontons
     double result = std::min(points.smallest, descend(gap, places[lowest - gaps.begin()], 1. / line.size()));
     for (const unsigned int other : points.opposite)
       for (const unsigned int node : interface.master_surface->faces[other].nodes)
-        result = std::min(result, gap.to_node(interface.master_surface->nodes[node].x));
+        result = std::min(result, gap.to_node(node));
     return result;
   }
 
   template std::vector<FaceGaps>
-  gaps_by_face(const ContactSurface<2> &, const std::vector<OverlapPoint<2>> &);
+  gaps_by_face(const ContactSurface<2> &, const std::vector<OverlapPoint<2>> &, const SurfaceApproach<2> &);
   template std::vector<FaceGaps>
-  gaps_by_face(const ContactSurface<3> &, const std::vector<OverlapPoint<3>> &);
+  gaps_by_face(const ContactSurface<3> &, const std::vector<OverlapPoint<3>> &, const SurfaceApproach<3> &);
   template double
-  smallest_gap(const ContactInterface<2> &, const unsigned int, const FaceGaps &);
+  smallest_gap(const ContactInterface<2> &, const unsigned int, const FaceGaps &, const SurfaceApproach<2> &);
   template double
-  smallest_gap(const ContactInterface<3> &, const unsigned int, const FaceGaps &);
+  smallest_gap(const ContactInterface<3> &, const unsigned int, const FaceGaps &, const SurfaceApproach<3> &);
 } // namespace Amontons

@@ -127,13 +127,36 @@ namespace Amontons
              });
     }
 
+    // Of its reference point.
     template <int dim>
-    double
-    motion_of_carrier(const Answer<dim> &answer, const unsigned int carrier, const Tensor<1, dim> &e)
+    Tensor<1, dim>
+    motion_of_carrier(const Answer<dim> &answer, const unsigned int carrier)
     {
-      double motion = 0;
+      Tensor<1, dim> motion;
       for (unsigned int c = 0; c < dim; ++c)
-        motion += answer.state.displacement(answer.discretization.carrier_dofs[carrier][0][c]) * e[c];
+        motion[c] = answer.state.displacement(answer.discretization.carrier_dofs[carrier][0][c]);
+      return motion;
+    }
+
+    // Along e (of the force on the slave). Nothing if the obstacle has turned so that it is elsewhere at the
+    // contact than its reference point tells: one that is round about that is not.
+    template <int dim>
+    std::optional<double>
+    motion_of_obstacle(const Answer<dim> &answer, const unsigned int pair, const Tensor<1, dim> &e)
+    {
+      const auto &master = answer.interfaces[pair].master;
+      const auto  turned = carrier_motion(answer.discretization, master.carrier, answer.state.displacement);
+      AffineMap<dim> shifted;
+      shifted.b           = motion_of_carrier(answer, master.carrier);
+      const double motion = shifted.b * e;
+      if (turned.A == shifted.A)
+        return motion;
+      const auto      &centre     = answer.fields[pair].centre;
+      const auto       there      = project_to_obstacle(*master.obstacle, turned, centre, -e);
+      const auto       unturned   = project_to_obstacle(*master.obstacle, shifted, centre, -e);
+      constexpr double noteworthy = 0.01;
+      if (!there || !unturned || std::abs((there->x - unturned->x) * e) > noteworthy * std::abs(motion))
+        return {};
       return motion;
     }
 
@@ -148,7 +171,7 @@ namespace Amontons
         if (bodies[b].name == name)
           {
             if (!discretization.is_deformable(b))
-              return motion_of_carrier(answer, discretization.carrier_of_body[b], e);
+              return motion_of_carrier(answer, discretization.carrier_of_body[b]) * e;
             return motion_of_supports(answer, b, e);
           }
       return {};
@@ -171,8 +194,7 @@ namespace Amontons
 
     const auto first = motion_of_body(answer, data.first.body, e);
     const auto second =
-        data.second ? motion_of_body(answer, data.second->body, e)
-                    : motion_of_carrier(answer, answer.discretization.geometry.carrier(data.obstacle), e);
+        data.second ? motion_of_body(answer, data.second->body, e) : motion_of_obstacle(answer, pair, e);
     if (!first || !second)
       return {};
     // What holds both bodies does not move; other loads or an interference press them together.

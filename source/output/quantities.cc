@@ -57,7 +57,11 @@ namespace Amontons
     std::vector<PairSummary> pairs;
     for (unsigned int i = 0; i < answer.interfaces.size(); ++i)
       {
-        pairs.push_back(summarize_pair(answer.interfaces[i], answer.fields[i]));
+        const auto &interface = answer.interfaces[i];
+        pairs.push_back(summarize_pair(
+            interface,
+            answer.fields[i],
+            SurfaceApproach<dim>(answer.discretization, interface, answer.state.displacement)));
         pairs.back().approach = compute_approach(answer, i);
       }
     return pairs;

@@ -235,7 +235,9 @@ namespace Amontons
 
   template <int dim>
   PairSummary
-  summarize_pair(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+  summarize_pair(const ContactInterface<dim> &interface,
+                 const SurfaceFields<dim>    &fields,
+                 const SurfaceApproach<dim>  &approach)
   {
     PairSummary result;
     result.name             = interface.pair->name;
@@ -260,7 +262,7 @@ namespace Amontons
       }
     result.touched = result.n_slip + result.n_stick > 0;
     if (!result.touched && !std::isnan(result.smallest_gap)) // something is opposite
-      result.smallest_gap = smallest_gap_of(interface, fields);
+      result.smallest_gap = smallest_gap_of(interface, fields, approach);
     return result;
   }
 
@@ -274,7 +276,7 @@ namespace Amontons
   }
 
   template PairSummary
-  summarize_pair(const ContactInterface<2> &, const SurfaceFields<2> &);
+  summarize_pair(const ContactInterface<2> &, const SurfaceFields<2> &, const SurfaceApproach<2> &);
   template PairSummary
-  summarize_pair(const ContactInterface<3> &, const SurfaceFields<3> &);
+  summarize_pair(const ContactInterface<3> &, const SurfaceFields<3> &, const SurfaceApproach<3> &);
 } // namespace Amontons

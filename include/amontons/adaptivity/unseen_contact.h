@@ -1,18 +1,10 @@
 // Contact that a mesh is too coarse to see.
 #pragma once
 
-#include <amontons/contact/contact_interface.h>
+#include <amontons/contact/smallest_gap.h>
 
 namespace Amontons
 {
-  // By slave node: by how much the surfaces are nearer there than at the points of the coupling, which are at
-  // rest at small strain; `unknown` without a row.
-  template <int dim>
-  std::vector<double>
-  approach_of_nodes(const ContactInterface<dim> &interface,
-                    const SurfaceFields<dim>    &fields,
-                    const double                 unknown);
-
   // By slave face: whether it may touch though no node there does. The gap g varies by r over the points of a
   // face; beyond the outermost one, at most 5 % of a face from its end, a smooth one falls by about r/400
   // (quadratic), and where that is near, the smallest one is looked for (smallest_gap.h). So g < r/100 says
@@ -23,16 +15,18 @@ namespace Amontons
   std::vector<bool>
   faces_of_unseen_contact(const ContactInterface<dim> &interface,
                           const SurfaceFields<dim>    &fields,
+                          const SurfaceApproach<dim>  &approach,
                           const std::vector<double>   &gap_errors,
                           const std::vector<bool>     &near,
                           const double                 modulus,
                           const ProblemType            kind);
 
-  // Anywhere on the surfaces, also between the points (at small strain as far as the nodes beside have come
-  // nearer). The largest number if nothing is opposite.
+  // Anywhere on the surfaces, also between the points. The largest number if nothing is opposite.
   template <int dim>
   double
-  smallest_gap_of(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
+  smallest_gap_of(const ContactInterface<dim> &interface,
+                  const SurfaceFields<dim>    &fields,
+                  const SurfaceApproach<dim>  &approach);
 
   // By slave face: whether a node of it is closed.
   template <int dim>

@@ -1,7 +1,7 @@
 // Gaps between the points of integration, where corners and tips come nearest.
 #pragma once
 
-#include <amontons/contact/contact_interface.h>
+#include <amontons/contact/surface_approach.h>
 
 #include <limits>
 #include <set>
@@ -23,15 +23,20 @@ namespace Amontons
     }
   };
 
-  // By slave face.
+  // By slave face, nearer by `approach`.
   template <int dim>
   std::vector<FaceGaps>
-  gaps_by_face(const ContactSurface<dim> &slave, const std::vector<OverlapPoint<dim>> &points);
+  gaps_by_face(const ContactSurface<dim>            &slave,
+               const std::vector<OverlapPoint<dim>> &points,
+               const SurfaceApproach<dim>           &approach);
 
   // The smallest gap g of x + g n = y between a slave face and what is opposite, with its continuous normal
-  // n, where the surfaces are that `points` were taken at: at the nodes of both sides, around the lowest of
-  // many places between, and at the points. With the gap that the pair declares, if any.
+  // n, where the surfaces are that `points` were taken at, nearer by `approach`: at the nodes of both sides,
+  // around the lowest of many places between, and at the points. With the gap that the pair declares, if any.
   template <int dim>
   double
-  smallest_gap(const ContactInterface<dim> &interface, const unsigned int face, const FaceGaps &points);
+  smallest_gap(const ContactInterface<dim> &interface,
+               const unsigned int           face,
+               const FaceGaps              &points,
+               const SurfaceApproach<dim>  &approach);
 } // namespace Amontons

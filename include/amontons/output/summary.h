@@ -2,7 +2,7 @@
 #pragma once
 
 #include <amontons/adaptivity/increment_error.h>
-#include <amontons/contact/contact_interface.h>
+#include <amontons/contact/surface_approach.h>
 
 #include <array>
 #include <cmath>
@@ -158,7 +158,9 @@ namespace Amontons
 
   template <int dim>
   PairSummary
-  summarize_pair(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields);
+  summarize_pair(const ContactInterface<dim> &interface,
+                 const SurfaceFields<dim>    &fields,
+                 const SurfaceApproach<dim>  &approach);
 
   // Of a pair that touched nothing: where its surfaces are in the end.
   std::string

@@ -1,6 +1,7 @@
 #include <amontons/adaptivity/load_record.h>
 #include <amontons/adaptivity/state_transfer.h>
 #include <amontons/base/points.h>
+#include <amontons/contact/moving_states.h>
 #include <amontons/discretization/common_turn.h>
 #include <amontons/friction/shear_law.h>
 #include <amontons/load_path.h>
@@ -111,6 +112,23 @@ namespace Amontons
         model->move_to(history.state);
         restore_contact();
       }
+    else if (point == nullptr)
+      move_states();
+  }
+
+  template <int dim>
+  void
+  LoadPath<dim>::move_states()
+  {
+    auto &state = history.state;
+    if (state.contact.empty() || state.contact.size() != before.size() || !(state.committed_t > before_t))
+      return;
+    for (unsigned int i = 0; i < before.size(); ++i)
+      if (const auto &interface = model->interfaces[i];
+          !interface.pair->tied && before[i].size() == state.contact[i].size())
+        if (auto moved =
+                move_states_on(interface, before[i], before_t, state.contact[i], state.committed_t, state.t))
+          state.contact[i] = std::move(*moved);
   }
 
   // Where everything that is given turns as one body, from the state turned likewise: it is the answer unless
@@ -321,6 +339,8 @@ namespace Amontons
       history.state.earlier = history.state.committed;
     else if (!program.at_corner())
       history.state.earlier.reinit(history.state.displacement);
+    before   = program.at_corner() ? std::vector<NodalContacts<dim>>() : history.state.committed_contact;
+    before_t = history.state.committed_t;
     history.state.committed         = history.state.displacement;
     history.state.committed_t       = history.state.t;
     history.state.committed_contact = history.state.contact;

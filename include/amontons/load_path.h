@@ -109,6 +109,9 @@ namespace Amontons
     // Whether tractions rest until then on the mesh before; if so the state goes on as bodies do there.
     bool
     goes_on_at_rest(const typename LoadHistory<dim>::PathPoint &point);
+    // The states as first guess of those at state.t, see move_states_on().
+    void
+    move_states();
     // At history.state.t, with the surfaces coupled as the answer wants it.
     bool
     equilibrate();
@@ -121,5 +124,9 @@ namespace Amontons
     check_bounds() const;
     NewtonReport
     solve(Mechanics<dim> &mechanics, const typename Newton<dim>::Observer &observer);
+
+    std::vector<NodalContacts<dim>>
+           before; // what the present increment started from goes on from that; empty: nothing
+    double before_t = 0;
   };
 } // namespace Amontons

@@ -73,8 +73,9 @@ namespace Amontons
   NodalContacts<dim>
   ContactCompliance<dim>::answers(const LA::Vector &offset, const LA::Vector &force, LA::Vector *motion) const
   {
-    LA::Vector unbalanced = internal_forces(offset), dw = discretization.make_owned_vector(), rhs = dw;
-    unbalanced.sadd(-1, 1, force);
+    LA::Vector unbalanced(force), dw = discretization.make_owned_vector(), rhs = dw;
+    if (offset.linfty_norm() > 0)
+      unbalanced -= internal_forces(offset);
     rhs = condense(unbalanced, constraints.test(), force);
     zero_constrained(constraints.test(), discretization.locally_owned, rhs);
     solver.solve(matrix, dw, rhs, 0);

@@ -17,6 +17,9 @@ namespace Amontons
         else
           steps->measure_increments();
       }
+    else if (const auto &errors = report.error_of_increments();
+             errors && parameters.refinement.history != "transfer")
+      report.set_error_of_increments(errors->for_steps(steps->history.record));
     if (control.stop.is_there())
       return;
     if (!report.error_of_increments())

@@ -400,11 +400,13 @@ namespace Amontons
     constexpr double much = 0.05;
     const double     gap  = std::abs(work.contact_work - work.dissipation);
     if (history.snaps.empty() && gap > much * work.largest_work)
-      text << (text.str().empty() ? "" : "; ") << "the external work is off by about "
+      text << (text.str().empty() ? "" : "; ") << "the external work or that of friction is off by about "
            << gap / work.largest_work
-           << " of its largest value, as far as the work of contact is from that of friction: both are sums "
-              "over increments, of the mean of the forces of their ends, and these are too long for it (the "
-              "stored energy and the work of friction do not suffer from that)";
+           << " of the largest external work, as far as the work of contact is from that of friction: both "
+              "are "
+              "sums over increments, of the mean of what acts at their ends, and these are too long for it "
+              "(the "
+              "stored energy does not suffer from that)";
     if (text.str() != "")
       note("warning: " + text.str());
     if (history.transfer_residual > 0)

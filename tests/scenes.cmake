@@ -415,6 +415,15 @@ add_scene_test(NAME band_pulled_off SCENE verification/band_on_drum.prm FAILS SE
 # The bore's own way is no part of the answer that finite strain would change (it was 0.11, and the run was refused).
 add_scene_test(NAME ring_in_turned_bore SCENE verification/ring_in_turned_bore.prm
                CHECK "status is converged" ${LAWS} "pairs.0.n_stick == 0" "pairs.0.peak_pressure ~ 5.641 1e-2" "reactions.0.moment.0 ~ -10.633 1e-3" "error_estimate.kinematics <= 0.02")
+# 8 increments on the last mesh, after one that 20 were needed on: 42.5 of work where 66.6 are right. What was told was the error of the 20.
+add_scene_test(NAME ring_in_turning_bore_increments SCENE verification/ring_in_turned_bore.prm
+               SET "Kinematics=finite strain" "Increments=automatic" "Refinement/Target error=0.02" "Body ring/Refinements=0" "Obstacle bore/Rotation=2*pi*table(1: 0, 2: 1)"
+               CHECK "increments.measured_with >= 12" "increments.number == 8" "increments.dissipation >= 0.4")
+add_scene_test(NAME loosened_clamp SCENE verification/loosened_clamp.prm CHECK "status is converged" "meshes.-1.dissipation ~ 0.03036 0.005")
+add_scene_test(NAME loosened_friction SCENE verification/loosened_clamp.prm
+               SET "Contact joint/Friction coefficient=table(1: 1, 2: 1, 3: 0.05)" "Boundary condition clamp/Force=0|-40*table(0: 0, 1: 1)"
+               CHECK "status is converged" "meshes.-1.dissipation ~ 0.02922 0.006")
+add_scene_test(NAME twisted_ball SCENE verification/twisted_ball.prm CHECK "notes.0 has the pressure is known to")
 
 # Patch tests: at t = 1 all sticks, at t = 2 all slips. A turned scene turns the loads with it (c, s: cosine and sine of the angle).
 set(STICKS "End time=1" "Output times=")
@@ -1842,7 +1851,7 @@ add_scene_test(NAME column_of_disks SCENE verification/column_of_disks.prm
 # Increments that were never tried: two of them, where eight tell another story. Finer meshes began each increment with the states of the mesh before, and the
 # wedge jumped out when nothing pulled at it any more.
 add_scene_test(NAME wedge_self_lock SCENE verification/wedge_self_lock.prm SET "Refinement/Target error=0.1"
-               CHECK ${LAWS} "pairs.0.normal_force.0 ~ -18.375 1e-3" "pairs.0.tangential_force.1 ~ -3.675 1e-3" "notes.1 has the external work is off by about")
+               CHECK ${LAWS} "pairs.0.normal_force.0 ~ -18.375 1e-3" "pairs.0.tangential_force.1 ~ -3.675 1e-3" "notes.1 has the external work or that of friction is off by about")
 # One increment for the way out finds this answer if it starts from it, and no tension at all if not: no reason to take one (it was, and let go on the third mesh).
 add_scene_test(NAME wedge_self_lock_one_increment SCENE verification/wedge_self_lock.prm SET "Refinement/Target error=0.03" "Refinement/Cycles=3"
                CHECK "pairs.0.normal_force.0 ~ -18.375 1e-3" "meshes.-1.increment >= 4")

@@ -126,6 +126,13 @@ namespace Amontons
     return result;
   }
 
+  IncrementErrors
+  IncrementErrors::for_steps(const LoadRecord &record) const
+  {
+    const unsigned int n = n_increments - n_at_once, now = record.n_in_steps();
+    return n == now || n == 0 || now == 0 ? *this : scaled(double(n) / now);
+  }
+
   double
   IncrementErrors::of(const std::string &target_quantity) const
   {

@@ -165,19 +165,22 @@ namespace Amontons
   namespace
   {
     // The bound at the start of the increment may jump there: its limit from the right; `before`, if the
-    // pressure there is not known.
+    // pressure there is not known. A node that stuck below it slips once it has fallen to the shear.
     template <int dim>
     double
-    bound_after_start(const Answer<dim> &answer,
-                      const unsigned int pair,
-                      const unsigned int node,
-                      const double       before)
+    bound_where_slip_starts(const Answer<dim> &answer,
+                            const unsigned int pair,
+                            const unsigned int node,
+                            const double       before,
+                            const double       at_end)
     {
       const SolutionState<dim> &state = answer.state;
       if (state.committed_contact.empty())
         return before;
-      const double t = state.committed_t + 1e-9 * (state.t - state.committed_t);
-      return bound_at(answer.interfaces[pair], node, t, state.committed_contact[pair][node].pressure);
+      const auto  &known = state.committed_contact[pair][node];
+      const double t     = state.committed_t + 1e-9 * (state.t - state.committed_t),
+                   start = bound_at(answer.interfaces[pair], node, t, known.pressure);
+      return start > at_end ? std::clamp(known.shear.norm(), at_end, start) : start;
     }
   } // namespace
 
@@ -204,10 +207,11 @@ namespace Amontons
                   work += std::max(0., known->second.force * node.slip / 2);
                 continue;
               }
-            const double start = known != friction.end()
-                                     ? bound_after_start(answer, i, row.node, known->second.bound)
-                                 : bears ? bound
-                                         : bound_at(interface, row.node, answer.state.t, 0);
+            const double start =
+                known != friction.end()
+                    ? bound_where_slip_starts(answer, i, row.node, known->second.bound, bound)
+                : bears ? bound
+                        : bound_at(interface, row.node, answer.state.t, 0);
             work += row.area * (start + bound) / (2 * bound) * (node.shear * node.slip);
           }
     return work;

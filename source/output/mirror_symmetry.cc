@@ -156,6 +156,17 @@ namespace Amontons
         });
       });
     }
+    // Mirror images turn the other way, but for turns about the axis.
+    bool
+    turns_obstacles(const Scene &scene, const unsigned int axis)
+    {
+      const auto turns = [](const MotionData &motion, const unsigned int k) {
+        return motion.rotation[k] ? !motion.rotation[k]->is_zero() : !motion.moment[k].is_zero();
+      };
+      return std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [&](const auto &obstacle) {
+        return turns(obstacle.motion, (axis + 1) % 3) || turns(obstacle.motion, (axis + 2) % 3);
+      });
+    }
   } // namespace
 
   template <int dim>
@@ -191,6 +202,7 @@ namespace Amontons
           std::all_of(forces.begin(),
                       forces.end(),
                       [&](const auto &f) { return std::abs(f[axis]) <= 1e-6 * f.norm(); }) &&
+          !turns_obstacles(answer.discretization.scene, axis) &&
           is_mirrored(vertices, axis, middle, size, tolerance * largest) &&
           presses_mirrored(
               answer, axis, corners.first + (corners.second - corners.first) / 2, size, 10 * tolerance))

@@ -85,6 +85,9 @@ namespace Amontons
     // With increments that are `factor` times as long.
     IncrementErrors
     scaled(const double factor) const;
+    // Of those of the record, which may be others where some were cut when these were measured.
+    IncrementErrors
+    for_steps(const LoadRecord &record) const;
 
     // Of the state; the work of friction may be wrong where that is right.
     double

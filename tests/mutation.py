@@ -338,7 +338,7 @@ CHANGES = [
     ("second contact of a pair", "adaptivity/unseen_contact.cc", "!near[f] && may_touch && force > noteworthy", "false", "scenes/second_bump$"),
     ("obstacles that turn, near", "contact/surface_approach.cc", "(motion(y) - y)", "motion.b", "scenes/tilting_punch$"),
     ("approach of obstacles that turn", "output/approach.cc", "if (turned.A == shifted.A)", "if (true)", "scenes/tilting_punch$"),
-    ("touched, by the last mesh", "run_notes.cc", "at[mesh.t] = &mesh;", "at.emplace(mesh.t, &mesh);", "scenes/lifted_circle$"),
+    ("touched by the last mesh", "run_notes.cc", "at[mesh.t] = &mesh;", "at.emplace(mesh.t, &mesh);", "scenes/lifted_circle$"),
     ("gaps of nodes are told", "output/summary.cc", "result.smallest_gap = smallest_gap_of(interface, fields, approach);", ";", "scenes/smooth_ring_between_walls$"),
     ("first gap at the points", "contact/contact_interface.cc", "gaps[f].range() > 1e-4 * size", "gaps[f].range() > 1e4 * size", "scenes/approach_from_first_gap$"),
     ("numbers at all increments", "load_stepping.cc", "(program.is_last() || refinement == Refinement::on_the_way)", "(true || program.is_last())", "scenes/size_of_growing_contact$"),

@@ -106,7 +106,9 @@ namespace Amontons
             return "the solution is not a number: a load or prescribed displacement may not be one, or the "
                    "stiffness is singular";
           case Failure::Kind::linear_solver:
-            return "the linear solver failed after " + std::to_string(failure.n) + " iterations";
+            return failure.n == 0
+                       ? "the stiffness is singular: its matrix has no factors"
+                       : "the linear solver failed after " + std::to_string(failure.n) + " iterations";
           case Failure::Kind::no_memory:
             return "the factors of the matrix need more memory than there is; say 'Linear solver/Type = cg', "
                    "fewer cells, or a smaller 'Maximum DoFs'";

@@ -85,8 +85,11 @@ namespace Amontons
     pressure_norm = error.pressure_norm;
     shear_norm    = error.shear_norm;
     energy_norm   = error.energy_norm;
+    has_touched   = has_touched || touches();
     if (!of_history)
       return;
+    if (!has_touched) // what was not seen on the way
+      error.data = std::max(kept.data, error.data);
     error.worst_pressure = kept.worst_pressure;
     error.worst_shear    = kept.worst_shear;
     error.worst_bulk     = kept.worst_bulk;
@@ -152,7 +155,7 @@ namespace Amontons
     const double doubt      = std::max(height_in_doubt(interfaces, fields),
                                   error.bulk > target ? error.bulk * state.displacement.linfty_norm() : 0.);
     // What is left of the only pair in an unloaded end was seen when it pressed.
-    const bool was_seen = interfaces.size() == 1 && is_judged_by_history();
+    const bool was_seen = interfaces.size() == 1 && has_touched && is_judged_by_history();
     return (!was_seen && !touches() && error.data >= 1) ||
            (error.quantity && !small_contacts_are_resolved(interfaces, fields)) ||
            (quantity == "contact size" && !sizes_are_resolved(interfaces, fields, target)) ||

@@ -4,7 +4,6 @@
 #include <amontons/scene/text.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <sstream>
 
@@ -32,19 +31,19 @@ namespace Amontons
     }
   } // namespace
 
-  // What touches nothing at the end may have touched before: by the last mesh that knows each time.
+  // What touches nothing at the end may have touched before. (Coarse meshes may take what they hardly see for
+  // touching: at the end the last one counts.)
   template <int dim>
   void
   RunReport<dim>::note_untouched_pairs()
   {
-    std::map<double, const MeshSummary *> at;
-    for (const auto &mesh : summary.meshes)
-      at[mesh.t] = &mesh;
     for (unsigned int i = 0; i < summary.pairs.size(); ++i)
       {
         PairSummary &pair = summary.pairs[i];
-        pair.touched      = std::any_of(
-            at.begin(), at.end(), [&](const auto &mesh) { return mesh.second->pairs[i].touched; });
+        pair.touched      = std::any_of(summary.meshes.begin(), summary.meshes.end(), [&](const auto &mesh) {
+          const bool counts = mesh.t != summary.meshes.back().t || &mesh == &summary.meshes.back();
+          return counts && mesh.pairs[i].touched;
+        });
         if (!pair.touched && summary.converged)
           note("warning: pair '" + pair.name + "' touched nothing at any time that was solved; " +
                without_contact(pair));

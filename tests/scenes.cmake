@@ -1741,6 +1741,10 @@ add_scene_test(NAME corner_between_nodes_second SCENE verification/corner_betwee
 # The first gap is 0 at the circle's lowest point, 9e-6 at the nearest point of integration: -7.6e-6, "exactly".
 add_scene_test(NAME approach_from_first_gap SCENE verification/touched_elsewhere.prm SET "End time=1" "Obstacle circle/Displacement=0| -1e-6*t" "Refinement/Target quantity=approach" CHECK "status is converged" "pairs.0.approach ~ 1e-6 1e-6")
 add_scene_test(NAME tilting_punch SCENE verification/tilting_punch.prm CHECK "status is converged" "pairs.0.normal_force.1 ~ -1.3345e-3 0.03" "pairs.0.approach is None")
+# It tilts back: what was unseen at t = 0.5 alone ended the run with a force of 0 "on all meshes".
+add_scene_test(NAME tilted_on_the_way SCENE verification/tilting_punch.prm
+               SET "Obstacle punch/Displacement=0| -0.01001*table(0: 0, 0.5: 1, 1: 0)" "Obstacle punch/Rotation=0.1*table(0: 0, 0.5: 1, 1: 0)" "Contact punch/Friction coefficient=0.3"
+               CHECK "status is converged" "pairs.0.touched is True" "dofs >= 600")
 add_scene_test(NAME untilted_punch SCENE verification/tilting_punch.prm SET "Obstacle punch/Rotation=0" "Obstacle punch/Displacement=0| -0.0201*t" CHECK "status is converged" "pairs.0.approach ~ 1e-4 1e-9")
 # The first mesh held the node at the circle's lowest point closed.
 add_scene_test(NAME lifted_circle SCENE verification/touched_elsewhere.prm SET "End time=1" "Kinematics=small strain" "Obstacle circle/Centre=-1.07, 0.5" "Obstacle circle/Displacement=0| 1e-5*t" CHECK "status is converged" "pairs.0.touched is False" "pairs.0.smallest_gap ~ 1e-5 0.005")

@@ -95,11 +95,13 @@ namespace Amontons
     restart()
     {
       error = kept = ErrorEstimate<dim>();
+      has_touched  = false;
     }
 
   private:
     const bool         of_history;
-    ErrorEstimate<dim> kept; // of the last increment
+    ErrorEstimate<dim> kept;                // of the last increment
+    bool               has_touched = false; // in any increment so far
     // Of the state, what its errors count against.
     double pressure_norm = 0, shear_norm = 0, energy_norm = 0;
 

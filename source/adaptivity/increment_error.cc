@@ -130,7 +130,12 @@ namespace Amontons
   IncrementErrors::for_steps(const LoadRecord &record) const
   {
     const unsigned int n = n_increments - n_at_once, now = record.n_in_steps();
-    return n == now || n == 0 || now == 0 ? *this : scaled(double(n) / now);
+    if (n == now || n == 0 || now == 0)
+      return *this;
+    IncrementErrors result = scaled(double(n) / now);
+    result.n_at_once       = record.n_at_once;
+    result.n_increments    = record.n_increments;
+    return result;
   }
 
   double

@@ -154,9 +154,9 @@ add_scene_test(NAME patch_q2_confined SCENE verification/patch_confined.prm SET 
 foreach(slave first second)
   set(guided SCENE verification/guided_block.prm)
   add_scene_test(NAME guided_block_${slave} ${guided} SET "Contact interface/Slave=${slave}"
-                 CHECK "energy ~ 49.5846205664 1e-9" "meshes.-1.dissipation ~ 0.3840686566 1e-7" "pairs.0.n_stick == 8" "pairs.0.n_slip == 1")
+                 CHECK "energy ~ 49.5846205664 1e-9" "meshes.-1.dissipation ~ 0.3773330506 1e-7" "pairs.0.n_stick == 8" "pairs.0.n_slip == 1")
   add_scene_test(NAME guided_block_symmetry_${slave} ${guided} SET "Contact interface/Slave=${slave}" "Boundary condition wall/Type=symmetry" "Boundary condition wall/Value="
-                 CHECK "energy ~ 49.5846205664 1e-9" "meshes.-1.dissipation ~ 0.3840686566 1e-7")
+                 CHECK "energy ~ 49.5846205664 1e-9" "meshes.-1.dissipation ~ 0.3773330506 1e-7")
   add_scene_test(NAME guided_block_finite_${slave} ${guided} SET "Contact interface/Slave=${slave}" "Kinematics=finite strain"
                  CHECK "energy ~ 48.695 1e-4" "pairs.0.n_stick == 8" "pairs.0.n_slip == 1")
   add_scene_test(NAME guided_block_tied_${slave} ${guided} SET "Contact interface/Slave=${slave}" "Contact interface/Friction coefficient=" "Contact interface/Tied=true"
@@ -1847,7 +1847,7 @@ add_scene_test(NAME microslip_bar_sine_target SCENE microslip_bar.prm
 # The bound falls to a half and rises again while the force stays: F^3/(6 E A tau) and twice that. Two and four equal increments passed the dip.
 add_scene_test(NAME microslip_bar_bound_dips SCENE microslip_bar.prm
                SET "End time=2" "Increments=automatic" "Boundary condition end/Value=table(0: 0, 1: 6)|0" "Contact base/Tresca bound=1 - 0.5*exp(-((t-1.37)/0.05)^2)"
-                   "Refinement/Target quantity=dissipation" "Refinement/Target error=0.05" "Refinement/Cycles=-1"
+                   "Refinement/Target quantity=dissipation" "Refinement/Target error=0.03" "Refinement/Cycles=-1"
                CHECK "status is converged" "meshes.-1.dissipation ~ 0.108 0.01" "increments.number <= 20")
 # Unstable: the trial by finite strain followed the motion on the finest mesh, and four increments did on the first one (2,334 solves).
 add_scene_test(NAME column_of_disks SCENE verification/column_of_disks.prm

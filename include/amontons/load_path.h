@@ -125,8 +125,8 @@ namespace Amontons
     NewtonReport
     solve(Mechanics<dim> &mechanics, const typename Newton<dim>::Observer &observer);
 
-    std::vector<NodalContacts<dim>>
-           before; // what the present increment started from goes on from that; empty: nothing
-    double before_t = 0;
+    // Where the increment before the present one began; empty: loads have turned since, or there was none.
+    std::vector<NodalContacts<dim>> before;
+    double                          before_t = 0;
   };
 } // namespace Amontons

@@ -403,10 +403,9 @@ namespace Amontons
       text << (text.str().empty() ? "" : "; ") << "the external work or that of friction is off by about "
            << gap / work.largest_work
            << " of the largest external work, as far as the work of contact is from that of friction: both "
-              "are "
-              "sums over increments, of the mean of what acts at their ends, and these are too long for it "
-              "(the "
-              "stored energy does not suffer from that)";
+              "are sums over increments, of the mean of what acts at their ends, and these are too long for "
+              "it "
+              "(the stored energy does not suffer from that)";
     if (text.str() != "")
       note("warning: " + text.str());
     if (history.transfer_residual > 0)

@@ -1,7 +1,8 @@
 #include <amontons/contact/moving_states.h>
+#include <amontons/contact/surface_order.h>
 
 #include <algorithm>
-#include <map>
+#include <limits>
 
 namespace Amontons
 {
@@ -9,56 +10,36 @@ namespace Amontons
   {
     constexpr unsigned int few_states = 8; // that change are found at once
 
-    // Nodes with a row, in their order along an open or closed line of faces.
+    // Nodes with a row, in their order along the surface.
     struct Line
     {
       std::vector<unsigned int> nodes;
-      std::vector<double>       place; // length of the line up to there
+      std::vector<double>       place; // length up to there
     };
 
-    std::vector<Line>
-    lines_of(const ContactSurface<2> &surface, const std::vector<bool> &carried)
+    Line
+    line_of(const ContactInterface<2> &interface)
     {
-      std::map<unsigned int, std::vector<unsigned int>> faces_at; // by the node at their end
-      for (unsigned int f = 0; f < surface.faces.size(); ++f)
-        for (const unsigned int end : {surface.faces[f].nodes.front(), surface.faces[f].nodes.back()})
-          faces_at[end].push_back(f);
-      std::vector<bool> taken(surface.faces.size(), false);
-      const auto        follow = [&](unsigned int end) {
-        Line   line;
-        double length = 0;
-        for (const unsigned int *next = nullptr;; next = nullptr)
-          {
-            for (const unsigned int &f : faces_at[end])
-              if (!taken[f])
-                next = &f;
-            if (next == nullptr)
-              break;
-            taken[*next] = true;
-            auto nodes   = surface.faces[*next].nodes;
-            if (nodes.front() != end)
-              std::reverse(nodes.begin(), nodes.end());
-            for (unsigned int k = 0; k < nodes.size(); ++k)
-              {
-                if (k > 0)
-                  length += surface.nodes[nodes[k]].X.distance(surface.nodes[nodes[k - 1]].X);
-                if (carried[nodes[k]] && (k > 0 || line.nodes.empty()))
-                  {
-                    line.nodes.push_back(nodes[k]);
-                    line.place.push_back(length);
-                  }
-              }
-            end = nodes.back();
-          }
-        return line;
-      };
-      std::vector<Line> lines;
-      for (const bool closed : {false, true})
-        for (const auto &[end, faces] : faces_at)
-          if (closed || faces.size() == 1)
-            if (auto line = follow(end); !line.nodes.empty())
-              lines.push_back(std::move(line));
-      return lines;
+      std::vector<Point<2>>                  nodes;
+      std::vector<std::vector<unsigned int>> faces;
+      for (const auto &node : interface.slave->nodes)
+        nodes.push_back(node.X);
+      for (const auto &face : interface.slave->faces)
+        faces.push_back(face.nodes);
+      Line         line;
+      double       length = 0;
+      unsigned int last   = numbers::invalid_unsigned_int;
+      for (const unsigned int i : order_along_surface(nodes, faces))
+        {
+          length += last == numbers::invalid_unsigned_int ? 0. : nodes[i].distance(nodes[last]);
+          last = i;
+          if (interface.carried[i])
+            {
+              line.nodes.push_back(i);
+              line.place.push_back(length);
+            }
+        }
+      return line;
     }
 
     struct Parts
@@ -110,33 +91,30 @@ namespace Amontons
                  const double               t1,
                  const double               t)
   {
-    const double     further   = (t - t1) / (t1 - t0);
+    const double further = (t - t1) / (t1 - t0);
+    const Line   line    = line_of(interface);
+    const auto   before  = parts_of(line, earlier);
+    auto         parts   = parts_of(line, now);
+    if (before.states != parts.states)
+      return {};
+    for (unsigned int e = 0; e < parts.ends.size(); ++e)
+      parts.ends[e] += further * (parts.ends[e] - before.ends[e]);
+    if (!std::is_sorted(parts.ends.begin(), parts.ends.end()))
+      return {};
     NodalContacts<2> result    = now;
     unsigned int     n_changes = 0;
-    for (const Line &line : lines_of(*interface.slave, interface.carried))
+    for (unsigned int k = 0; k < line.nodes.size(); ++k)
       {
-        const auto before = parts_of(line, earlier);
-        auto       parts  = parts_of(line, now);
-        if (before.states != parts.states)
-          return {};
-        for (unsigned int e = 0; e < parts.ends.size(); ++e)
-          parts.ends[e] += further * (parts.ends[e] - before.ends[e]);
-        if (!std::is_sorted(parts.ends.begin(), parts.ends.end()))
-          return {};
-        for (unsigned int k = 0; k < line.nodes.size(); ++k)
-          {
-            const auto part =
-                std::upper_bound(parts.ends.begin(), parts.ends.end(), line.place[k]) - parts.ends.begin();
-            const auto state = parts.states[part];
-            auto      &node  = result[line.nodes[k]];
-            if (state == now[line.nodes[k]].state)
-              continue;
-            const auto &alike = now[nearest_of(line, now, state, k)];
-            node.state        = state;
-            node.trial        = alike.trial;
-            node.pressure     = state == ContactStatus::open ? 0 : node.pressure;
-            ++n_changes;
-          }
+        const auto part =
+            std::upper_bound(parts.ends.begin(), parts.ends.end(), line.place[k]) - parts.ends.begin();
+        const auto state = parts.states[part];
+        auto      &node  = result[line.nodes[k]];
+        if (state == node.state)
+          continue;
+        node.state    = state;
+        node.trial    = now[nearest_of(line, now, state, k)].trial;
+        node.pressure = state == ContactStatus::open ? 0 : node.pressure;
+        ++n_changes;
       }
     return n_changes > few_states ? std::make_optional(result) : std::nullopt;
   }

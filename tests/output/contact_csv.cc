@@ -3,6 +3,7 @@
 #include "contact/contact_scene.h"
 
 #include <amontons/base/points.h>
+#include <amontons/contact/surface_order.h>
 #include <amontons/output/contact_csv.h>
 #include <amontons/output/vtu_output.h>
 

@@ -25,14 +25,6 @@ namespace Amontons
     double        bound = 0; // friction: of the shear at this pressure; NaN without friction
   };
 
-  // The nodes of a surface in the order of a walk over its faces (2D: from the free end with the smallest x;
-  // closed curves from the smallest x; each further piece after the other), or sorted by position (3D).
-  // faces: node indices, ends first and last.
-  template <int dim>
-  std::vector<unsigned int>
-  order_along_surface(const std::vector<Point<dim>>                &nodes,
-                      const std::vector<std::vector<unsigned int>> &faces);
-
   // All slave nodes, pair by pair, in order. t: for bounds that depend on it.
   template <int dim>
   std::vector<ContactNode>

@@ -3,8 +3,8 @@
 #include <amontons/base/silent_errors.h>
 
 #include <Amesos.h>
-#include <Amesos_Mumps.h>
 #include <Epetra_CrsMatrix.h>
+#include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
@@ -30,36 +30,44 @@ namespace Amontons
                                            const std::string      &package,
                                            const bool              symmetric,
                                            const int               workspace)
-      : workspace(workspace)
+      : matrix(matrix.trilinos_matrix()), workspace(workspace)
   {
-    problem.SetOperator(const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
-    solver.reset(Amesos().Create(package, problem));
+    if (package == "Amesos_Mumps")
+      {
+        mumps = std::make_unique<Mumps>(this->matrix, symmetric, is_mostly_diagonal(this->matrix));
+        return;
+      }
+    problem.SetOperator(const_cast<Epetra_CrsMatrix *>(&this->matrix));
+    klu.reset(Amesos().Create(package, problem));
     Teuchos::ParameterList list;
-    list.set("MatrixProperty", symmetric ? "SPD" : "general");
     list.set("PrintTiming", false);
-    solver->SetParameters(list);
-    mumps = dynamic_cast<Amesos_Mumps *>(solver.get());
-    if (mumps != nullptr && is_mostly_diagonal(matrix.trilinos_matrix()))
-      mumps->SetICNTL(7, 0); // approximate minimum degree
+    klu->SetParameters(list);
   }
 
   // MUMPS foresees its workspace in the symbolic part; pivots that it has to delay need more.
   bool
   DirectFactorisation::factorise()
   {
-    const SilentErrors silence; // Amesos repeats there what MUMPS returns
-    constexpr int      most_workspace = 5120;
+    const SilentErrors silence; // KLU speaks there
+    if (klu)
+      {
+        const bool success =
+            (symbolic || klu->SymbolicFactorization() == 0) && klu->NumericFactorization() == 0;
+        symbolic = true;
+        return !is_anywhere(!success);
+      }
+    constexpr int most_workspace = 5120;
     for (;; workspace = std::max(4 * workspace, 80), symbolic = false)
       {
-        if (mumps != nullptr)
-          mumps->SetICNTL(14, workspace);
-        bool              success = symbolic || solver->SymbolicFactorization() == 0;
-        const BlasThreads threads(success && is_large() ? BlasThreads::available() : 1);
-        success  = success && solver->NumericFactorization() == 0;
+        int code = symbolic ? 0 : mumps->analyse(workspace);
+        if (code >= 0)
+          {
+            const BlasThreads threads(is_large() ? BlasThreads::available() : 1);
+            code = mumps->factorise();
+          }
         symbolic = true;
-        if (!is_anywhere(!success))
+        if (!is_anywhere(code < 0))
           return true;
-        const int  code  = mumps != nullptr ? mumps->GetINFOG()[0] : 0; // INFOG(1)
         const auto is_in = [&](const std::initializer_list<int> &codes) {
           return is_anywhere(std::find(codes.begin(), codes.end(), code) != codes.end());
         };
@@ -74,24 +82,45 @@ namespace Amontons
   bool
   DirectFactorisation::is_large() const
   {
-    constexpr double operations = 2e9; // RINFOG(1), foreseen for the elimination
-    return mumps != nullptr && problem.GetOperator()->Comm().NumProc() == 1 &&
-           mumps->GetRINFOG()[0] > operations;
+    constexpr double operations = 2e9;
+    return matrix.Comm().NumProc() == 1 && mumps->n_operations() > operations;
   }
 
   bool
   DirectFactorisation::is_anywhere(const bool here) const
   {
     int one = here ? 1 : 0, all = 0;
-    problem.GetOperator()->Comm().MaxAll(&one, &all, 1);
+    matrix.Comm().MaxAll(&one, &all, 1);
     return all != 0;
   }
 
   void
   DirectFactorisation::vmult(LA::Vector &x, const LA::Vector &rhs) const
   {
+    if (mumps)
+      {
+        x = rhs;
+        return mumps->solve(x.trilinos_vector());
+      }
     problem.SetLHS(&x.trilinos_vector());
     problem.SetRHS(const_cast<Epetra_MultiVector *>(&rhs.trilinos_vector()));
-    solver->Solve();
+    klu->Solve();
+  }
+
+  void
+  DirectFactorisation::solve(std::vector<LA::Vector> &columns) const
+  {
+    if (!mumps)
+      {
+        for (auto &column : columns)
+          vmult(column, LA::Vector(column));
+        return;
+      }
+    Epetra_MultiVector all(matrix.RowMap(), columns.size(), false);
+    for (unsigned int k = 0; k < columns.size(); ++k)
+      all(k)->Update(1, columns[k].trilinos_vector(), 0);
+    mumps->solve(all);
+    for (unsigned int k = 0; k < columns.size(); ++k)
+      columns[k].trilinos_vector().Update(1, *all(k), 0);
   }
 } // namespace Amontons

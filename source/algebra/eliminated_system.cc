@@ -36,21 +36,39 @@ namespace Amontons
     vector.compress(VectorOperation::insert);
   }
 
+  namespace
+  {
+    void
+    distribute_lines(const Constraints &constraints,
+                     const double       part_of_inhomogeneities,
+                     LA::Vector        &owned,
+                     LA::Vector        &readable)
+    {
+      readable            = owned;
+      const IndexSet mine = owned.locally_owned_elements();
+      for (const auto &line : constraints.get_lines())
+        if (mine.is_element(line.index))
+          {
+            double value = part_of_inhomogeneities * line.inhomogeneity;
+            for (const auto &[other, weight] : line.entries)
+              value += weight * readable(other);
+            owned(line.index) = value;
+          }
+      owned.compress(VectorOperation::insert);
+      readable = owned;
+    }
+  } // namespace
+
   void
   distribute(const Constraints &constraints, LA::Vector &owned, LA::Vector &readable)
   {
-    readable            = owned;
-    const IndexSet mine = owned.locally_owned_elements();
-    for (const auto &line : constraints.get_lines())
-      if (mine.is_element(line.index))
-        {
-          double value = line.inhomogeneity;
-          for (const auto &[other, weight] : line.entries)
-            value += weight * readable(other);
-          owned(line.index) = value;
-        }
-    owned.compress(VectorOperation::insert);
-    readable = owned;
+    distribute_lines(constraints, 1, owned, readable);
+  }
+
+  void
+  distribute_change(const Constraints &constraints, LA::Vector &owned, LA::Vector &readable)
+  {
+    distribute_lines(constraints, 0, owned, readable);
   }
 
   EliminatedSystem::EliminatedSystem(const IndexSet &locally_owned,

@@ -413,4 +413,13 @@ namespace Amontons
       }
     return report;
   }
+
+  void
+  LinearSolver::solve(const LA::SparseMatrix &matrix, std::vector<LA::Vector> &columns)
+  {
+    if (has_factors())
+      return direct->solve(columns);
+    for (auto &column : columns)
+      solve(matrix, column, LA::Vector(column), 0);
+  }
 } // namespace Amontons

@@ -290,12 +290,37 @@ namespace Amontons
   LA::Vector
   ElasticityOperator<dim>::multiply(const LA::Vector &u) const
   {
-    LA::Vector          result = discretization.make_owned_vector();
+    LA::Vector                result = discretization.make_owned_vector();
+    std::vector<unsigned int> all(cells.size());
+    std::iota(all.begin(), all.end(), 0);
+    add_internal_forces(all, u, result);
+    return result;
+  }
+
+  template <int dim>
+  std::vector<unsigned int>
+  ElasticityOperator<dim>::cells_with(const std::set<types::global_dof_index> &dofs) const
+  {
+    std::vector<unsigned int> result;
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      if (std::any_of(cells[c].dofs.begin(), cells[c].dofs.end(), [&](const auto dof) {
+            return dofs.count(dof) > 0;
+          }))
+        result.push_back(c);
+    return result;
+  }
+
+  template <int dim>
+  void
+  ElasticityOperator<dim>::add_internal_forces(const std::vector<unsigned int> &of_cells,
+                                               const LA::Vector                &u,
+                                               LA::Vector                      &forces) const
+  {
     std::vector<double> local(discretization.fe.n_dofs_per_cell()), force(local.size());
-    const double       *value = values.data();
-    for (const auto &cell : cells)
+    for (const unsigned int c : of_cells)
       {
-        u.extract_subvector_to(cell.dofs, local);
+        const double *value = &values[c * n_values];
+        u.extract_subvector_to(cells[c].dofs, local);
         for (unsigned int i = 0; i < local.size(); ++i)
           {
             double sum = 0;
@@ -307,10 +332,9 @@ namespace Amontons
             force[i] = sum + value[i] * local[i];
             value += i + 1;
           }
-        result.add(cell.dofs, force);
+        forces.add(cells[c].dofs, force);
       }
-    result.compress(VectorOperation::add);
-    return result;
+    forces.compress(VectorOperation::add);
   }
 
   template <int dim>

@@ -128,20 +128,23 @@ namespace Amontons
   std::optional<std::map<ContactInput, double>>
   ActiveSetLookahead<dim>::inputs(const NodeStates<dim> &states)
   {
-    if (responses.size() + n_unknown(states) > n_most)
+    const auto                rows = inputs_between(base, base.states, base.laws, states);
+    std::vector<ContactInput> unknown;
+    for (const auto &input : rows)
+      if (responses.count(input) == 0)
+        unknown.push_back(input);
+    if (responses.size() + unknown.size() > n_most)
       return {};
-    const auto                              rows = inputs_between(base, base.states, base.laws, states);
+    if (!unknown.empty())
+      {
+        auto found = respond(unknown);
+        for (unsigned int i = 0; i < unknown.size(); ++i)
+          responses.emplace(unknown[i], std::move(found[i]));
+        n_new += unknown.size();
+      }
     std::vector<const NodalContacts<dim> *> columns;
     for (const auto &input : rows)
-      {
-        auto response = responses.find(input);
-        if (response == responses.end())
-          {
-            response = responses.emplace(input, respond(input.first, input.second)).first;
-            ++n_new;
-          }
-        columns.push_back(&response->second);
-      }
+      columns.push_back(&responses.at(input));
     FullMatrix<double> matrix(rows.size());
     Vector<double>     x(rows.size());
     for (unsigned int i = 0; i < rows.size(); ++i)

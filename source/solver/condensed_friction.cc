@@ -35,32 +35,40 @@ namespace Amontons
       return node.frictional ? answer.slip * node.tangent() : 0.;
     }
 
+    // The columns of M that responses make.
     template <int dim>
     void
-    add_columns(const BaseSolution<dim>                         &base,
-                const typename ActiveSetLookahead<dim>::Respond &respond,
-                const Unknowns                                  &unknowns,
-                const unsigned int                               j,
-                FullMatrix<double>                              &M)
+    fill_columns(const BaseSolution<dim>                         &base,
+                 const typename ActiveSetLookahead<dim>::Respond &respond,
+                 const Unknowns                                  &unknowns,
+                 FullMatrix<double>                              &M)
     {
-      const unsigned int k    = unknowns.node[j];
-      const auto         fill = [&](const NodeInput input, const unsigned int column, const double factor) {
-        const auto response = respond(k, input);
-        for (unsigned int i = 0; i < unknowns.n(); ++i)
-          {
-            const auto  &answer = response[unknowns.node[i]];
-            const double v      = factor * slip_along(base.nodes[unknowns.node[i]], answer);
-            M(i, column)        = factor * answer.gap;
-            for (const int sign : {1, -1})
-              M(unknowns.shear(i, sign), column) = -sign * v;
-          }
-      };
-      fill(NodeInput::across, j, unknowns.factor[j]);
-      if (base.nodes[k].frictional && base.movable[k])
+      std::vector<ContactInput> inputs;
+      std::vector<unsigned int> columns, of;
+      for (unsigned int j = 0; j < unknowns.n(); ++j)
+        for (const auto input : {NodeInput::across, NodeInput::along})
+          if (const unsigned int k = unknowns.node[j];
+              input == NodeInput::across || (base.nodes[k].frictional && base.movable[k]))
+            {
+              inputs.emplace_back(k, input);
+              columns.push_back(input == NodeInput::across ? j : unknowns.shear(j, 1));
+              of.push_back(j);
+            }
+      const auto responses = respond(inputs);
+      for (unsigned int r = 0; r < inputs.size(); ++r)
         {
-          fill(NodeInput::along, unknowns.shear(j, 1), unknowns.factor[j]);
-          for (unsigned int i = 0; i < 4 * unknowns.n(); ++i)
-            M(i, unknowns.shear(j, -1)) = -M(i, unknowns.shear(j, 1));
+          for (unsigned int i = 0; i < unknowns.n(); ++i)
+            {
+              const auto  &answer = responses[r][unknowns.node[i]];
+              const double factor = unknowns.factor[of[r]],
+                           v      = factor * slip_along(base.nodes[unknowns.node[i]], answer);
+              M(i, columns[r])    = factor * answer.gap;
+              for (const int sign : {1, -1})
+                M(unknowns.shear(i, sign), columns[r]) = -sign * v;
+            }
+          if (inputs[r].second == NodeInput::along)
+            for (unsigned int i = 0; i < 3 * unknowns.n(); ++i)
+              M(i, unknowns.shear(of[r], -1)) = -M(i, columns[r]);
         }
     }
 
@@ -91,13 +99,13 @@ namespace Amontons
                  FullMatrix<double>                              &M,
                  Vector<double>                                  &q)
     {
+      fill_columns(base, respond, unknowns, M);
       for (unsigned int i = 0; i < unknowns.n(); ++i)
         {
           const unsigned int k    = unknowns.node[i];
           const auto        &node = base.nodes[k];
           const double       v    = slip_along(node, base.answers[k]);
-          add_columns(base, respond, unknowns, i, M);
-          q[i] = base.answers[k].gap;
+          q[i]                    = base.answers[k].gap;
           if (node.frictional && base.movable[k])
             {
               q[unknowns.slip(i)]    = bounds[k].value / (node.c * unknowns.factor[i]);
@@ -178,12 +186,20 @@ namespace Amontons
     }
 
     void
-    add(const unsigned int k)
+    add(const std::vector<unsigned int> &more)
     {
-      takes_part[k] = true;
-      nodes.push_back(k);
-      responses.push_back(respond(k, NodeInput::across));
-      own.push_back(is_open(k) ? responses.back()[k].pressure / base.nodes[k].c : responses.back()[k].gap);
+      std::vector<ContactInput> inputs;
+      for (const unsigned int k : more)
+        inputs.emplace_back(k, NodeInput::across);
+      auto found = respond(inputs);
+      for (unsigned int i = 0; i < more.size(); ++i)
+        {
+          const unsigned int k = more[i];
+          takes_part[k]        = true;
+          nodes.push_back(k);
+          own.push_back(is_open(k) ? found[i][k].pressure / base.nodes[k].c : found[i][k].gap);
+          responses.push_back(std::move(found[i]));
+        }
     }
 
     unsigned int
@@ -273,8 +289,7 @@ namespace Amontons
       {
         if (contact.n() + more.size() > n_most)
           return {};
-        for (const unsigned int k : more)
-          contact.add(k);
+        contact.add(more);
         if (!contact.solve())
           return {};
       }

@@ -28,69 +28,147 @@ namespace Amontons
                                             const BaseSolution<dim>         &base,
                                             const LA::SparseMatrix          &matrix,
                                             LinearSolver                    &solver)
-      : discretization(discretization), elasticity(elasticity), supports(supports), constraints(constraints),
-        first_equation(first_equation), base(base), matrix(matrix), solver(solver)
+      : discretization(discretization), elasticity(elasticity), constraints(constraints),
+        first_equation(first_equation), base(base), matrix(matrix), solver(solver),
+        readable(discretization.make_relevant_vector())
   {
+    std::set<types::global_dof_index> at_pivots;
     for (const auto &pivot : constraints.pivots())
       if (pivot)
-        equations_of_pivot[*pivot];
+        {
+          equations_of_pivot[*pivot];
+          hanging_on_pivot[*pivot];
+          at_pivots.insert(*pivot);
+        }
     for (unsigned int e = 0; e < constraints.equations().size(); ++e)
       for (const auto &[dof, coefficient] : constraints.equations()[e].equation.coefficients)
         if (const auto pivot = equations_of_pivot.find(dof); pivot != equations_of_pivot.end())
           pivot->second.emplace_back(e, coefficient);
+    for (const auto &line : supports.get_lines())
+      for (const auto &[dof, weight] : line.entries)
+        if (const auto pivot = hanging_on_pivot.find(dof); pivot != hanging_on_pivot.end())
+          {
+            pivot->second[line.index] = weight;
+            at_pivots.insert(line.index);
+          }
+    cells_at_pivots = elasticity.cells_with(at_pivots);
   }
 
   template <int dim>
-  NodalContacts<dim>
-  ContactCompliance<dim>::respond(const unsigned int node, const NodeInput input, LA::Vector *motion) const
+  std::vector<NodalContacts<dim>>
+  ContactCompliance<dim>::respond(const std::vector<ContactInput> &inputs) const
   {
-    const auto &n      = base.nodes[node];
-    const auto  state  = base.states[node];
-    const bool  across = input == NodeInput::across;
-    if (state == ContactStatus::stick || (state == ContactStatus::slip && across))
-      return answers(displacement_of(node, across ? n.normal / n.normal.norm_square() : n.tangent()),
-                     discretization.make_owned_vector(),
-                     motion);
-    const Tensor<1, dim> traction = n.c * (across ? n.normal : n.tangent());
-    auto result = answers(discretization.make_owned_vector(), force_of(node, traction), motion);
-    if (across)
-      result[node].pressure += n.c;
-    else
-      result[node].shear += traction;
+    constexpr unsigned int          n_at_once = 32; // more are not faster
+    std::vector<NodalContacts<dim>> result;
+    while (result.size() < inputs.size())
+      {
+        const unsigned int first = result.size();
+        std::vector<Load>  loads(std::min<std::size_t>(n_at_once, inputs.size() - first));
+        for (unsigned int i = 0; i < loads.size(); ++i)
+          add(inputs[first + i], 1, loads[i]);
+        const auto w = motions(loads);
+        for (unsigned int i = 0; i < loads.size(); ++i)
+          {
+            const auto [node, input] = inputs[first + i];
+            result.push_back(answers(loads[i], w[i]));
+            if (loads[i].force.empty())
+              continue;
+            auto &own = result.back()[node];
+            if (input == NodeInput::across)
+              own.pressure += base.nodes[node].c;
+            else
+              own.shear += base.nodes[node].c * base.nodes[node].tangent();
+          }
+      }
     return result;
   }
 
   template <int dim>
   LA::Vector
-  ContactCompliance<dim>::internal_forces(const LA::Vector &w) const
+  ContactCompliance<dim>::motion(const std::map<ContactInput, double> &inputs) const
   {
-    LA::Vector readable = discretization.make_relevant_vector();
-    readable            = w;
-    return elasticity.internal_forces(readable);
+    std::vector<Load> all(1);
+    for (const auto &[input, factor] : inputs)
+      add(input, factor, all[0]);
+    return motions(all)[0];
+  }
+
+  template <int dim>
+  void
+  ContactCompliance<dim>::add(const ContactInput &input, const double factor, Load &load) const
+  {
+    const auto [node, direction] = input;
+    const auto &n                = base.nodes[node];
+    const auto  state            = base.states[node];
+    const bool  across           = direction == NodeInput::across;
+    if (state == ContactStatus::stick || (state == ContactStatus::slip && across))
+      add_offset(node, factor * (across ? n.normal / n.normal.norm_square() : n.tangent()), load.offset);
+    else
+      add_force(node, factor * n.c * (across ? n.normal : n.tangent()), load.force);
+  }
+
+  template <int dim>
+  std::vector<LA::Vector>
+  ContactCompliance<dim>::motions(const std::vector<Load> &loads) const
+  {
+    LA::Vector              unbalanced = discretization.make_owned_vector(), w(unbalanced);
+    std::vector<LA::Vector> result;
+    for (const Load &load : loads)
+      {
+        unbalanced = 0;
+        if (!load.offset.empty())
+          {
+            w = 0;
+            set(load.offset, w);
+            readable = w;
+            elasticity.add_internal_forces(cells_at_pivots, readable, unbalanced);
+            unbalanced *= -1;
+          }
+        for (const auto &[dof, value] : load.force)
+          if (discretization.locally_owned.is_element(dof))
+            unbalanced(dof) += value;
+        unbalanced.compress(VectorOperation::add);
+        result.push_back(condense(unbalanced, constraints.test(), unbalanced));
+        zero_constrained(constraints.test(), discretization.locally_owned, result.back());
+      }
+    solver.solve(matrix, result);
+    for (unsigned int i = 0; i < loads.size(); ++i)
+      {
+        distribute_change(constraints.trial(), result[i], readable);
+        if (!loads[i].offset.empty())
+          {
+            w = 0;
+            set(loads[i].offset, w);
+            result[i] += w;
+          }
+      }
+    return result;
   }
 
   template <int dim>
   NodalContacts<dim>
-  ContactCompliance<dim>::answers(const LA::Vector &offset, const LA::Vector &force, LA::Vector *motion) const
+  ContactCompliance<dim>::answers(const Load &load, const LA::Vector &w) const
   {
-    LA::Vector unbalanced(force), dw = discretization.make_owned_vector(), rhs = dw;
-    if (offset.linfty_norm() > 0)
-      unbalanced -= internal_forces(offset);
-    rhs = condense(unbalanced, constraints.test(), force);
-    zero_constrained(constraints.test(), discretization.locally_owned, rhs);
-    solver.solve(matrix, dw, rhs, 0);
-    // The base obeys the constraints: what they add to it and dw is C dw.
-    dw += base.displacement;
-    constraints.trial().distribute(dw);
-    dw -= base.displacement;
-    dw += offset;
-    if (motion != nullptr)
-      *motion = dw;
-    unbalanced = internal_forces(dw);
-    unbalanced -= force;
-    const auto mu       = multipliers_of(unbalanced, supports, constraints);
-    LA::Vector readable = discretization.make_relevant_vector();
-    readable            = dw;
+    readable              = w;
+    LA::Vector unbalanced = w;
+    unbalanced            = 0;
+    elasticity.add_internal_forces(cells_at_pivots, readable, unbalanced);
+    const auto at = [&](const types::global_dof_index dof) {
+      const auto external = load.force.find(dof);
+      return discretization.locally_owned.is_element(dof)
+                 ? unbalanced(dof) - (external != load.force.end() ? external->second : 0)
+                 : 0;
+    };
+    std::vector<double> at_pivots(constraints.pivots().size(), 0.);
+    for (unsigned int e = 0; e < at_pivots.size(); ++e)
+      if (const auto pivot = constraints.pivots()[e])
+        {
+          at_pivots[e] = at(*pivot);
+          for (const auto &[dof, weight] : hanging_on_pivot.at(*pivot))
+            at_pivots[e] += weight * at(dof);
+        }
+    Utilities::MPI::sum(at_pivots, w.get_mpi_communicator(), at_pivots);
+    const auto         mu = constraints.recover_multipliers(at_pivots);
     NodalContacts<dim> result;
     for (unsigned int k = 0; k < base.nodes.size(); ++k)
       result.push_back(answer(k, readable, mu));
@@ -100,8 +178,10 @@ namespace Amontons
   // Moves pivots so that the jump of a closed node changes and that of no other. An equation may contain
   // pivots of others (quadratic faces, chains of pairs): their nodes follow.
   template <int dim>
-  LA::Vector
-  ContactCompliance<dim>::displacement_of(const unsigned int node, const Tensor<1, dim> &jump) const
+  void
+  ContactCompliance<dim>::add_offset(const unsigned int    node,
+                                     const Tensor<1, dim> &jump,
+                                     Coefficients         &offset) const
   {
     std::deque<std::pair<unsigned int, double>> missing; // equation and value
     if (base.states[node] == ContactStatus::slip)
@@ -109,7 +189,6 @@ namespace Amontons
     else
       for (unsigned int c = 0; c < dim; ++c)
         missing.emplace_back(first_equation[node] + c, jump * base.nodes[node].directions[c]);
-    Coefficients moved;
     for (unsigned int n = 0; n < 1000 && !missing.empty(); ++n)
       {
         const auto [e, value] = missing.front();
@@ -118,47 +197,37 @@ namespace Amontons
           continue;
         const auto   pivot = *constraints.pivots()[e];
         const double step  = value / constraints.equations()[e].equation.coefficients.at(pivot);
-        moved[pivot] += step;
+        offset[pivot] += step;
+        Amontons::add(offset, step, hanging_on_pivot.at(pivot));
         for (const auto &[other, coefficient] : equations_of_pivot.at(pivot))
           if (other != e)
             missing.emplace_back(other, -coefficient * step);
       }
-    const auto motion = [&](const types::global_dof_index dof) {
-      const auto pivot = moved.find(dof);
-      return pivot == moved.end() ? 0. : pivot->second;
-    };
-    LA::Vector w = discretization.make_owned_vector();
-    for (const auto dof : discretization.locally_owned)
-      {
-        double value = motion(dof);
-        if (supports.is_constrained(dof))
-          for (const auto &[other, weight] : *supports.get_constraint_entries(dof))
-            value += weight * motion(other);
-        if (value != 0)
-          w(dof) = value;
-      }
-    w.compress(VectorOperation::insert);
-    return w;
   }
 
   template <int dim>
-  LA::Vector
-  ContactCompliance<dim>::force_of(const unsigned int node, const Tensor<1, dim> &traction) const
+  void
+  ContactCompliance<dim>::add_force(const unsigned int    node,
+                                    const Tensor<1, dim> &traction,
+                                    Coefficients         &force) const
   {
-    const auto &n      = base.nodes[node];
-    LA::Vector  forces = discretization.make_owned_vector();
-    const auto  add    = [&](const ContactEquation &jump, const double t) {
-      for (const auto &[dof, weight] : jump.equation.coefficients)
-        if (discretization.locally_owned.is_element(dof))
-          forces(dof) -= n.area * t * weight;
-    };
+    const auto &n = base.nodes[node];
     if (!n.frictional)
-      add(n.closing, traction * n.normal / n.normal.norm_square());
+      Amontons::add(
+          force, -n.area * (traction * n.normal / n.normal.norm_square()), n.closing.equation.coefficients);
     else
       for (unsigned int c = 0; c < dim; ++c)
-        add(n.components[c], traction[c]);
-    forces.compress(VectorOperation::add);
-    return forces;
+        Amontons::add(force, -n.area * traction[c], n.components[c].equation.coefficients);
+  }
+
+  template <int dim>
+  void
+  ContactCompliance<dim>::set(const Coefficients &values, LA::Vector &owned) const
+  {
+    for (const auto &[dof, value] : values)
+      if (discretization.locally_owned.is_element(dof))
+        owned(dof) = value;
+    owned.compress(VectorOperation::insert);
   }
 
   template <int dim>

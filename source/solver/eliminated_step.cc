@@ -7,13 +7,14 @@ namespace Amontons
 {
   namespace
   {
-    // A response costs a tenth to a twentieth of a factorisation, in small systems less than their assembly:
-    // beyond that a new one, from which they are nearer, is better. The known ones take memory.
+    // A response costs a fiftieth of a factorisation, and serves as long as the factors do: those that are
+    // new may cost two. All of them take memory.
     unsigned int
-    most_responses(const unsigned int n_known, const types::global_dof_index n_dofs)
+    most_responses(const unsigned int n_known, const std::size_t n_nodes)
     {
-      const unsigned int of_small = 400000 / n_dofs;
-      return std::min(n_known + std::max(16u, of_small), std::max(100u, of_small));
+      constexpr unsigned int n_new = 128;
+      constexpr std::size_t  bytes = 256 << 20;
+      return std::min<std::size_t>(n_known + n_new, bytes / (sizeof(NodalContact<2>) * n_nodes));
     }
 
     template <int dim>
@@ -81,7 +82,7 @@ namespace Amontons
   bool
   EliminatedStep<dim>::is_near_base(const Iterate<dim> &now)
   {
-    constexpr unsigned int n_most_unknown = 8;
+    constexpr unsigned int n_most_unknown = 64;
     if (!looks_ahead(now) || !kept.has_states() || !kept.solver->has_factors() || !kept.has_springs(springs))
       return false;
     const auto from = base_solution(kept.states, kept.laws, now);
@@ -195,10 +196,12 @@ namespace Amontons
       return {};
     result.linear.iterations += only.n_asked();
     moved = base->u;
-    for (const auto &[input, factor] : *x)
-      moved.add(factor, kept.motions.at(input));
-    const Push left = push_at(now, moved);
-    if (!(left.condensed.l2_norm() <= fine_tolerance() * std::max(start.condensed.l2_norm(), left.internal)))
+    if (!x->empty())
+      moved += compliance(*base, from).motion(*x);
+    const Push   left     = push_at(now, moved);
+    const double enough   = fine_tolerance() * std::max(start.condensed.l2_norm(), left.internal),
+                 rounding = 1e-14 * problem.mechanics.bodies().rounding_scale(problem.state.displacement);
+    if (!(left.condensed.l2_norm() <= std::max(enough, rounding)))
       return {};
     result.change = moved;
     result.change -= now.u;
@@ -272,15 +275,12 @@ namespace Amontons
   EliminatedStep<dim>::condensed(const BaseSolution<dim> &from)
   {
     const auto respond = [this, &from, solver = std::shared_ptr<ContactCompliance<dim>>()](
-                             const unsigned int k, const NodeInput input) mutable {
+                             const std::vector<ContactInput> &inputs) mutable {
       if (solver == nullptr) // takes a while
         solver = std::make_shared<ContactCompliance<dim>>(compliance(*base, from));
-      return solver->respond(k, input, &kept.motions[{k, input}]);
+      return solver->respond(inputs);
     };
-    return {from,
-            respond,
-            most_responses(kept.responses.size(), problem.discretization.dof_handler.n_dofs()),
-            kept.responses};
+    return {from, respond, most_responses(kept.responses.size(), from.nodes.size()), kept.responses};
   }
 
   // Where this ends where it began, rounding speaks differently here and there: systems of the bodies decide
@@ -412,7 +412,7 @@ namespace Amontons
     const auto responses = compliance(open, from);
     const auto found     = solve_condensed_friction<dim>(
         from,
-        [&](const unsigned int k, const NodeInput input) { return responses.respond(k, input); },
+        [&](const std::vector<ContactInput> &inputs) { return responses.respond(inputs); },
         linear_bounds(now));
     if (found)
       now.states.impose(*found);
@@ -435,9 +435,9 @@ namespace Amontons
     const auto   responses   = compliance(now, from);
     const auto   found       = solve_condensed_contact<dim>(
         from,
-        [&](const unsigned int k, const NodeInput input) {
-          ++n_responses;
-          return responses.respond(k, input);
+        [&](const std::vector<ContactInput> &inputs) {
+          n_responses += inputs.size();
+          return responses.respond(inputs);
         },
         n_most);
     if (!found)

@@ -144,7 +144,6 @@ namespace Amontons
     states.clear();
     laws.clear();
     responses.clear();
-    motions.clear();
     springs = LA::Vector();
   }
 

@@ -336,7 +336,12 @@ namespace Amontons
     Responses<dim>          responses;
     ActiveSetLookahead<dim> condensed(
         base,
-        [&](const unsigned int k, const NodeInput) { return respond(now, base, k); },
+        [&](const std::vector<ContactInput> &inputs) {
+          std::vector<NodalContacts<dim>> answers;
+          for (const auto &[k, input] : inputs)
+            answers.push_back(respond(now, base, k));
+          return answers;
+        },
         n_most,
         responses);
     now.states.forget();

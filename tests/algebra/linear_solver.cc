@@ -144,6 +144,41 @@ keep_hierarchy()
                  "nothing to solve");
 }
 
+// More columns than are solved at once, one of them zero.
+void
+many_columns(const bool symmetric, const std::string &package)
+{
+  LinearSolverParameters parameters;
+  parameters.type                = "direct";
+  parameters.direct_package      = package;
+  const LA::SparseMatrix  matrix = laplacian(9, symmetric);
+  LA::Vector              x(complete_index_set(matrix.m()), MPI_COMM_SELF), rhs(x);
+  std::vector<LA::Vector> expected, columns;
+  for (unsigned int k = 0; k < 40; ++k)
+    {
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        x(i) = k == 7 ? 0 : std::sin(i * (k + 1));
+      x.compress(VectorOperation::insert);
+      matrix.vmult(rhs, x);
+      expected.push_back(x);
+      columns.push_back(rhs);
+    }
+  LinearSolver solver(parameters, 2, symmetric);
+  for (const bool has_factors : {false, true})
+    {
+      auto solutions = columns;
+      check::is_true(solver.has_factors() == has_factors, "factors: those of the solve before");
+      solver.solve(matrix, solutions);
+      double error = 0;
+      for (unsigned int k = 0; k < columns.size(); ++k)
+        {
+          solutions[k] -= expected[k];
+          error = std::max(error, solutions[k].linfty_norm());
+        }
+      check::is_true(error < 1e-12, package + ": columns are off by " + std::to_string(error));
+    }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -165,6 +200,9 @@ main(int argc, char **argv)
     for (const unsigned int after : {0, 1, 3}) // before the first step, at its start, at the sixteenth
       give_up(symmetric, after);
   keep_hierarchy();
+  for (const bool symmetric : {true, false})
+    for (const char *const package : {"Amesos_Mumps", "Amesos_Klu"})
+      many_columns(symmetric, package);
 
   std::ifstream("/proc/self/statm") >> error; // pages of addresses
   rlimit limit;

@@ -1,15 +1,13 @@
-// A sparse factorisation by one of Amesos' packages.
+// A sparse factorisation by MUMPS, or by KLU through Amesos.
 #pragma once
 
+#include <amontons/algebra/mumps.h>
 #include <amontons/base/linear_algebra.h>
 
 #include <Amesos_BaseSolver.h>
 #include <Epetra_LinearProblem.h>
 
-#include <memory>
 #include <string>
-
-class Amesos_Mumps;
 
 namespace Amontons
 {
@@ -30,6 +28,9 @@ namespace Amontons
 
     void
     vmult(LA::Vector &x, const LA::Vector &rhs) const;
+    // Of many right-hand sides at once, each in its place.
+    void
+    solve(std::vector<LA::Vector> &columns) const;
 
     bool
     lacks_memory() const
@@ -43,9 +44,10 @@ namespace Amontons
     bool
     is_anywhere(const bool here) const;
 
-    mutable Epetra_LinearProblem       problem;
-    std::unique_ptr<Amesos_BaseSolver> solver;
-    Amesos_Mumps                      *mumps = nullptr; // if it is that
+    const Epetra_CrsMatrix            &matrix;
+    mutable Epetra_LinearProblem       problem; // of KLU
+    std::unique_ptr<Amesos_BaseSolver> klu;
+    std::unique_ptr<Mumps>             mumps; // or this
     int                                workspace;
     bool                               symbolic = false, no_memory = false;
   };

@@ -26,6 +26,9 @@ namespace Amontons
   // already; AffineConstraints would find out each time which DoFs of other ranks it needs.
   void
   distribute(const Constraints &constraints, LA::Vector &owned, LA::Vector &readable);
+  // The same of a change of what obeys them already: without their inhomogeneities.
+  void
+  distribute_change(const Constraints &constraints, LA::Vector &owned, LA::Vector &readable);
 
   // A linear scene does not change between iterations but for the closed nodes. So cells without a DoF of a
   // possible slave node (the bulk) are assembled once per mesh; a change of state restores their sum in the

@@ -86,6 +86,10 @@ namespace Amontons
           const double            tolerance,
           const EliminatedForm   *eliminated = nullptr);
 
+    // Many right-hand sides, each in its place.
+    void
+    solve(const LA::SparseMatrix &matrix, std::vector<LA::Vector> &columns);
+
     bool
     is_direct(const types::global_dof_index n_dofs) const;
 

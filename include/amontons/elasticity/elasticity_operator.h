@@ -8,6 +8,7 @@
 #include <amontons/elasticity/linear_elastic.h>
 
 #include <optional>
+#include <set>
 
 namespace Amontons
 {
@@ -119,6 +120,15 @@ namespace Amontons
     // were free); u readable at relevant DoFs. Not a number on cells that u inverts.
     LA::Vector
     internal_forces(const LA::Vector &u) const;
+
+    // Those of this rank that have one of these DoFs; small strain: K u of such cells alone, which is right
+    // at these DoFs. Collective.
+    std::vector<unsigned int>
+    cells_with(const std::set<types::global_dof_index> &dofs) const;
+    void
+    add_internal_forces(const std::vector<unsigned int> &of_cells,
+                        const LA::Vector                &u,
+                        LA::Vector                      &forces) const;
 
     // Collective; small strain: u.K u / 2. Infinite if u inverts a cell.
     double

@@ -54,7 +54,7 @@ namespace Amontons
   class ActiveSetLookahead
   {
   public:
-    using Respond = std::function<NodalContacts<dim>(const unsigned int node, const NodeInput input)>;
+    using Respond = std::function<std::vector<NodalContacts<dim>>(const std::vector<ContactInput> &)>;
 
     // responses: those that are known already, to which others are added, n_most in all.
     ActiveSetLookahead(const BaseSolution<dim> &base,

@@ -44,7 +44,6 @@ namespace Amontons
     std::vector<ContactStatus>        states; // of the matrix, by contact node
     std::vector<SlipLaw<dim>>         laws;
     Responses<dim>                    responses; // of contact nodes, by the factors of this matrix
-    std::map<ContactInput, LA::Vector> motions;  // of the bodies in each of them
 
   private:
     std::optional<std::size_t> fingerprint; // of all that prepare() has read

@@ -297,6 +297,9 @@ namespace Amontons
     history.record.n_increments += program.is_beginning() ? 0 : 1;
     history.record.n_at_once += program.is_at_once() ? 1 : 0;
     history.record.largest_work = history.work.largest_work;
+    for (const auto &fields : evaluation.fields)
+      history.record.largest_force =
+          std::max(history.record.largest_force, (fields.normal_force + fields.tangential_force).norm());
     if (has_closed())
       history.record.closing.push_back({{history.state.committed_t, program.time()}});
     if (program.is_at_breakpoint())

@@ -174,9 +174,17 @@ namespace Amontons
         auto values = target_quantity(name, answer(), history.work);
         if ((name == "energy" ? error.energy_norm : error.pressure_norm) == 0) // no more than rounding
           std::fill(values.begin(), values.end(), 0.);
-        const bool has_size = !is_size(name) || sizes_are_seen(model->interfaces, evaluation.fields);
+        const double rest = rest_of_value(name, history.work.largest_work, history.record.largest_force),
+                     noteworthy = noteworthy_value(name, answer(), history.work);
+        std::replace_if(
+            values.begin(), values.end(), [&](const double v) { return std::abs(v) <= rest; }, 0.);
+        const bool has_size =
+            !is_size(name) || sizes_are_seen(model->interfaces,
+                                             evaluation.fields,
+                                             noteworthy > 0 ? parameters.refinement.target_error * noteworthy
+                                                            : std::numeric_limits<double>::infinity());
         if (is_resolved && has_size)
-          history.quantity.add(n_dofs, values, noteworthy_value(name, answer(), history.work));
+          history.quantity.add(n_dofs, values, noteworthy);
         else // meshes before did not see all that touches
           history.quantity = {};
         evaluation.judge_quantity(name, history.quantity);

@@ -2116,6 +2116,13 @@ foreach(n 1 5)
   add_scene_test(NAME proportional_dissipation_${n} SCENE verification/receding_layer_rough.prm SET "Increments=${n}"
                  CHECK "status is converged" "meshes.-1.dissipation ~ 5.1727e-6 0.01" "meshes.-1.contact_work ~ meshes.-1.dissipation 1e-6")
 endforeach()
+# Stick size 0.0006 to 0.8 %, where one node of the middle stuck on all meshes; and what rounding leaves of an energy or a force was refined without end.
+add_scene_test(NAME sticking_middle SCENE verification/sticking_middle.prm CHECK "status is converged" "pairs.0.stick_size ~ 0.1648 0.05" "error_estimate.quantity <= 0.05")
+foreach(quantity energy total_force)
+  string(REPLACE "_" " " name ${quantity})
+  add_scene_test(NAME pressed_and_lifted_${quantity} SCENE verification/pressed_and_lifted.prm SET "Refinement/Target quantity=${name}"
+                 CHECK "status is converged" "dofs <= 2000" "notes.-1 has has no meaning")
+endforeach()
 # The stick zone is smaller than the faces of the first mesh.
 add_scene_test(NAME target_stick_size_unseen_at_first SCENE verification/receding_layer_rough.prm
                SET "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target error=0.01" "Refinement/Target quantity=stick size"

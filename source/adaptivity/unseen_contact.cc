@@ -249,16 +249,41 @@ namespace Amontons
         is_unresolved.begin(), is_unresolved.end(), [](const bool unresolved) { return unresolved; });
   }
 
+  namespace
+  {
+    template <int dim>
+    double
+    smallest_sticking_face(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
+    {
+      double smallest = std::numeric_limits<double>::infinity();
+      for (const auto &face : interface.slave->faces)
+        if (std::any_of(face.unknowns.begin(), face.unknowns.end(), [&](const unsigned int node) {
+              return fields.state[node] == ContactStatus::stick;
+            }))
+          smallest = std::min(smallest, face.size);
+      return std::isfinite(smallest) ? smallest : 0;
+    }
+  } // namespace
+
   template <int dim>
   bool
   sizes_are_seen(const std::vector<ContactInterface<dim>> &interfaces,
-                 const std::vector<SurfaceFields<dim>>    &fields)
+                 const std::vector<SurfaceFields<dim>>    &fields,
+                 const double                              enough_to_stick)
   {
     const auto presses = pairs_that_press(interfaces, fields);
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      if (presses[i] && fields[i].contact_size < smallest_closed_face(interfaces[i], fields[i]) / 2 &&
-          !contact_is_resolved(interfaces[i], fields[i], std::numeric_limits<double>::infinity()))
-        return false;
+      {
+        if (!presses[i])
+          continue;
+        if (fields[i].contact_size < smallest_closed_face(interfaces[i], fields[i]) / 2 &&
+            !contact_is_resolved(interfaces[i], fields[i], std::numeric_limits<double>::infinity()))
+          return false;
+        const double sticking =
+            interfaces[i].pair->has_friction() ? smallest_sticking_face(interfaces[i], fields[i]) : 0;
+        if (sticking > enough_to_stick && fields[i].stick_size < sticking / 2)
+          return false;
+      }
     return true;
   }
 
@@ -340,9 +365,13 @@ namespace Amontons
   template double
   smallest_closed_face(const ContactInterface<3> &, const SurfaceFields<3> &);
   template bool
-  sizes_are_seen(const std::vector<ContactInterface<2>> &, const std::vector<SurfaceFields<2>> &);
+  sizes_are_seen(const std::vector<ContactInterface<2>> &,
+                 const std::vector<SurfaceFields<2>> &,
+                 const double);
   template bool
-  sizes_are_seen(const std::vector<ContactInterface<3>> &, const std::vector<SurfaceFields<3>> &);
+  sizes_are_seen(const std::vector<ContactInterface<3>> &,
+                 const std::vector<SurfaceFields<3>> &,
+                 const double);
   template bool
   small_contacts_are_resolved(const std::vector<ContactInterface<2>> &,
                               const std::vector<SurfaceFields<2>> &);

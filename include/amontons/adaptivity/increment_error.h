@@ -41,7 +41,7 @@ namespace Amontons
     std::vector<double>  times; // that increments end at
     unsigned int         n_increments = 0;
     unsigned int         n_at_once    = 0; // of these: in pieces between landings that take a single one
-    double               largest_work = 0;
+    double               largest_work = 0, largest_force = 0; // of a pair
     // From when to when: increments in which nodes with friction have closed.
     using Closing = std::vector<std::array<double, 2>>;
     Closing closing;

@@ -88,11 +88,14 @@ namespace Amontons
                               const std::vector<SurfaceFields<dim>>    &fields);
 
   // Whether none of those that press is measured to be smaller than half of a face: where one node carries
-  // nearly all, there is no size. Sharp edges and points: as above.
+  // nearly all, there is no size. Sharp edges and points: as above. Nor any zone that sticks to be smaller
+  // than half of a face in it: where the bound is reached beside one node that sticks, the zone ends anywhere
+  // in between. enough_to_stick: faces up to this size do.
   template <int dim>
   bool
   sizes_are_seen(const std::vector<ContactInterface<dim>> &interfaces,
-                 const std::vector<SurfaceFields<dim>>    &fields);
+                 const std::vector<SurfaceFields<dim>>    &fields,
+                 const double enough_to_stick = std::numeric_limits<double>::infinity());
 
   // Whether contacts have as many closed nodes as their size to this relative error takes, which goes like
   // the square of the faces' part of it: two coarse meshes may agree by chance. Sharp edges: as above. In

@@ -34,4 +34,8 @@ namespace Amontons
   template <int dim>
   double
   noteworthy_value(const std::string &name, const Answer<dim> &answer, const WorkDone<dim> &work);
+
+  /// What iterations leave, of the largest work and force of a load program, of one that comes back to zero.
+  double
+  rest_of_value(const std::string &name, const double largest_work, const double largest_force);
 } // namespace Amontons

@@ -50,7 +50,7 @@ GROUPS = [
 AROUND, COARSE = ("Around the contact",), ("Deformed mesh", "Refinement/Cycles=1")
 PICTURES = {name: AROUND for name in (
     "hertz_cylinder hertz_sphere_axisymmetric half_plane_box cattaneo_mindlin ironing nafems_roller_finite walk/pin_in_lug verification/bulk_tension verification/cone "
-    "verification/peers_cylinder verification/peers_shear verification/peers_sphere verification/pin_in_hole verification/stepped_punch verification/thin_wire verification/sliding_pad").split()}
+    "verification/peers_cylinder verification/peers_shear verification/peers_sphere verification/pin_in_hole verification/stepped_punch verification/thin_wire verification/sliding_pad verification/sticking_middle").split()}
 PICTURES |= {name: ("Contact pressure",) for name in ("verification/hertz_on_cantilever", "verification/flat_punch_axisymmetric", "verification/flat_punch_line", "verification/punch_moment", "verification/tied_patch_3d")}
 PICTURES |= {
     "greco": ("Shear traction",), "microslip_bar": ("Hysteresis", "Increments=30"), "nafems_roller_friction": ("Shear traction",), "nafems_punch_friction": ("Shear traction",),

@@ -7,14 +7,16 @@ namespace Amontons
 {
   namespace
   {
-    // A response costs a fiftieth of a factorisation, and serves as long as the factors do: those that are
-    // new may cost two. All of them take memory.
+    // A response costs a fiftieth of a factorisation, in small systems less than their assembly does, and
+    // serves as long as the factors: those that are new may cost two. All of them take memory.
     unsigned int
-    most_responses(const unsigned int n_known, const std::size_t n_nodes)
+    most_responses(const unsigned int            n_known,
+                   const std::size_t             n_nodes,
+                   const types::global_dof_index n_dofs)
     {
-      constexpr unsigned int n_new = 128;
-      constexpr std::size_t  bytes = 256 << 20;
-      return std::min<std::size_t>(n_known + n_new, bytes / (sizeof(NodalContact<2>) * n_nodes));
+      constexpr std::size_t bytes = 256 << 20;
+      const std::size_t     n_new = std::max<std::size_t>(128, 400000 / n_dofs);
+      return std::min(n_known + n_new, bytes / (sizeof(NodalContact<2>) * n_nodes));
     }
 
     template <int dim>
@@ -280,7 +282,11 @@ namespace Amontons
         solver = std::make_shared<ContactCompliance<dim>>(compliance(*base, from));
       return solver->respond(inputs);
     };
-    return {from, respond, most_responses(kept.responses.size(), from.nodes.size()), kept.responses};
+    return {
+        from,
+        respond,
+        most_responses(kept.responses.size(), from.nodes.size(), problem.discretization.dof_handler.n_dofs()),
+        kept.responses};
   }
 
   // Where this ends where it began, rounding speaks differently here and there: systems of the bodies decide

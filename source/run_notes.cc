@@ -1,5 +1,6 @@
 // RunReport: what its answer is not.
 #include <amontons/adaptivity/unseen_contact.h>
+#include <amontons/contact/declared_gap.h>
 #include <amontons/run_report.h>
 #include <amontons/scene/text.h>
 
@@ -217,6 +218,29 @@ namespace Amontons
     note(text.str());
   }
 
+  namespace
+  {
+    template <int dim>
+    std::string
+    warning_of_step(const Answer<dim> &answer, const unsigned int i)
+    {
+      const auto &interface = answer.interfaces[i];
+      const auto  step =
+          answer.discretization.finite_strain
+               ? std::nullopt
+               : step_by_adjust(
+                    *interface.pair, *interface.slave, interface.coupling.points, answer.state.contact[i]);
+      if (!step)
+        return "";
+      std::ostringstream text;
+      text << "warning: pair '" << interface.pair->name << "': 'Adjust' (" << interface.pair->adjust
+           << ") makes a step in the contact, near (" << *step
+           << "): gaps are none up to there and more than that beyond, which presses as an edge does; it is "
+              "for gaps that meshes make, and has to be much smaller than those between the bodies";
+      return text.str();
+    }
+  } // namespace
+
   // What the answer is not, or not the whole of.
   template <int dim>
   void
@@ -241,6 +265,8 @@ namespace Amontons
       note("without friction meshes are refined at the end: at the 'Output times' before, forces and "
            "pressures are those of the first mesh (a run that ends there keeps the target there)");
     note_free_motions(answer.discretization);
+    for (unsigned int i = 0; i < answer.fields.size(); ++i)
+      note(warning_of_step(answer, i));
     for (unsigned int i = 0; i < answer.fields.size(); ++i)
       if (leaves_plane(answer, i))
         note(

@@ -286,6 +286,7 @@ CHANGES = [
     ("zones that stick are seen", "adaptivity/unseen_contact.cc", "sticking > enough_to_stick &&", "false &&", "scenes/sticking_middle$"),
     ("rest of an energy", "output/target_quantity.cc", "part * largest_work :", "0 :", "scenes/pressed_and_lifted_energy"),
     ("rest of a force", "output/target_quantity.cc", "part * largest_force :", "0 :", "scenes/pressed_and_lifted_total_force"),
+    ("step by Adjust", "contact/declared_gap.cc", "p.gap < 2 * pair.adjust)", "p.gap < 0)", "scenes/step_by_adjust"),
     ("two signals at once", "base/stop_request.cc", "> at_once)", "> -1)", "^stopped$"),
     ("tip between the nodes", "adaptivity/gap_error.cc", "sum[f] / weights[f] - nearer", "sum[f] / weights[f]", "scenes/tip_by_displacement_small$"),
     ("round obstacle behind a side", "contact/overlap_search.cc", "return is_round &&", "return false &&", "scenes/round_obstacle_behind_a_side$"),

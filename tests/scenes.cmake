@@ -1970,6 +1970,13 @@ endforeach()
 # Pairs count alike: the light cylinder was answered by three nodes, its peak a twelfth of Hertz's.
 add_scene_test(NAME two_loads SCENE verification/two_loads.prm
                CHECK "status is converged" "pairs.0.peak_pressure ~ 1870.3 1e-2" "pairs.1.peak_pressure ~ 187.03 1e-2" "pairs.1.contact_size ~ 0.034038 2e-3")
+# `Adjust` that is no small part of the gap between the bodies makes a step there, whose peaks were told as those of a sharp edge.
+foreach(adjust 1e-4 1e-3)
+  add_scene_test(NAME step_by_adjust_${adjust} SCENE verification/two_equal_disks.prm SET "Kinematics=small strain" "Contact line/Adjust=${adjust}"
+                 CHECK "notes.-1 has makes a step in the contact")
+endforeach()
+add_scene_test(NAME step_by_adjust_none SCENE verification/two_equal_disks.prm SET "Kinematics=small strain" "Contact line/Adjust=1e-7"
+               CHECK "status is converged" "count(notes.:) == 3")
 # `Adjust` on finer meshes: the surfaces were not found again.
 add_scene_test(NAME adjusted_overlap SCENE verification/equal_blocks.prm
                SET "Body upper/Lower corner=-0.5,-0.001" "Contact face/Adjust=0.002" "Refinement/Target error=0" "Refinement/Cycles=2"

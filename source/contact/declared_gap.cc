@@ -146,6 +146,31 @@ namespace Amontons
       }
   }
 
+  template <int dim>
+  std::optional<Point<dim>>
+  step_by_adjust(const PairData                       &pair,
+                 const ContactSurface<dim>            &slave,
+                 const std::vector<OverlapPoint<dim>> &points,
+                 const NodalContacts<dim>             &contact)
+  {
+    if (pair.tied || pair.initial_gap || pair.adjust == 0)
+      return {};
+    std::vector<bool> has_none(slave.nodes.size(), false); // nodes of faces that touch
+    for (const auto &p : points)
+      if (const auto &nodes = slave.faces[p.slave_face].unknowns;
+          p.gap == 0 && std::any_of(nodes.begin(), nodes.end(), [&](const unsigned int node) {
+            return contact[node].state != ContactStatus::open;
+          }))
+        for (const unsigned int node : nodes)
+          has_none[node] = true;
+    for (const auto &p : points)
+      if (pair.adjust < p.gap && p.gap < 2 * pair.adjust) // more: it is one of the bodies
+        for (const unsigned int node : slave.faces[p.slave_face].unknowns)
+          if (has_none[node])
+            return p.x_slave;
+    return {};
+  }
+
   template class DeclaredGap<2>;
   template class DeclaredGap<3>;
   template void
@@ -154,4 +179,14 @@ namespace Amontons
   template void
   declare_gaps(
       const PairData &, const ContactSurface<3> &, const double, const bool, std::vector<OverlapPoint<3>> &);
+  template std::optional<Point<2>>
+  step_by_adjust(const PairData &,
+                 const ContactSurface<2> &,
+                 const std::vector<OverlapPoint<2>> &,
+                 const NodalContacts<2> &);
+  template std::optional<Point<3>>
+  step_by_adjust(const PairData &,
+                 const ContactSurface<3> &,
+                 const std::vector<OverlapPoint<3>> &,
+                 const NodalContacts<3> &);
 } // namespace Amontons

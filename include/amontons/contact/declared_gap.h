@@ -2,8 +2,10 @@
 #pragma once
 
 #include <amontons/contact/mortar_integrator.h>
+#include <amontons/contact/nodal_contact.h>
 
 #include <map>
+#include <optional>
 
 namespace Amontons
 {
@@ -50,4 +52,13 @@ namespace Amontons
                const double                    t,
                const bool                      moved,
                std::vector<OverlapPoint<dim>> &points);
+
+  // Where `Adjust` makes a step in gaps that open evenly, from none to its size, beside a node that touches;
+  // bodies that have not moved.
+  template <int dim>
+  std::optional<Point<dim>>
+  step_by_adjust(const PairData                       &pair,
+                 const ContactSurface<dim>            &slave,
+                 const std::vector<OverlapPoint<dim>> &points,
+                 const NodalContacts<dim>             &contact);
 } // namespace Amontons

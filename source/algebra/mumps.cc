@@ -15,6 +15,23 @@ namespace Amontons
       factorise = 2,
       solution  = 3
     };
+
+    // Of this rank, row by row: (row, column, value), numbered from 0.
+    template <typename Visit>
+    void
+    for_each_entry(const Epetra_CrsMatrix &matrix, const bool lower_triangle, const Visit &visit)
+    {
+      for (int i = 0; i < matrix.NumMyRows(); ++i)
+        {
+          double *value;
+          int     n, *column;
+          matrix.ExtractMyRowView(i, n, value, column);
+          const int row = matrix.GRID(i);
+          for (int k = 0; k < n; ++k)
+            if (const int other = matrix.GCID(column[k]); !lower_triangle || other <= row)
+              visit(row, other, value[k]);
+        }
+    }
   } // namespace
 
   // The parameters of the manual count from 1.
@@ -70,19 +87,10 @@ namespace Amontons
   {
     rows.clear();
     columns.clear();
-    for (int i = 0; i < matrix.NumMyRows(); ++i)
-      {
-        double *value;
-        int     n, *column;
-        matrix.ExtractMyRowView(i, n, value, column);
-        const int row = matrix.GRID(i);
-        for (int k = 0; k < n; ++k)
-          if (const int other = matrix.GCID(column[k]); !symmetric || other <= row)
-            {
-              rows.push_back(row + 1);
-              columns.push_back(other + 1);
-            }
-      }
+    for_each_entry(matrix, symmetric, [&](const int row, const int column, const double) {
+      rows.push_back(row + 1);
+      columns.push_back(column + 1);
+    });
     values.assign(rows.size(), 0.);
     auto &data          = instance->data;
     data.n              = matrix.NumGlobalRows();
@@ -108,16 +116,7 @@ namespace Amontons
   Mumps::factorise()
   {
     auto place = values.begin();
-    for (int i = 0; i < matrix.NumMyRows(); ++i)
-      {
-        double *value;
-        int     n, *column;
-        matrix.ExtractMyRowView(i, n, value, column);
-        const int row = matrix.GRID(i);
-        for (int k = 0; k < n; ++k)
-          if (!symmetric || matrix.GCID(column[k]) <= row)
-            *place++ = value[k];
-      }
+    for_each_entry(matrix, symmetric, [&](const int, const int, const double value) { *place++ = value; });
     return run(Job::factorise);
   }
 

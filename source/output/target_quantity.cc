@@ -97,8 +97,8 @@ namespace Amontons
   double
   rest_of_value(const std::string &name, const double largest_work, const double largest_force)
   {
-    constexpr double part = 1e-9;
-    return name == "energy" ? part * largest_work : name == "total force" ? part * largest_force : 0;
+    constexpr double of_work = 1e-11, of_force = 1e-9; // a work goes like the square of its force
+    return name == "energy" ? of_work * largest_work : name == "total force" ? of_force * largest_force : 0;
   }
 
   template double

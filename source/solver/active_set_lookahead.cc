@@ -143,6 +143,7 @@ namespace Amontons
         n_new += unknown.size();
       }
     std::vector<const NodalContacts<dim> *> columns;
+    columns.reserve(rows.size());
     for (const auto &input : rows)
       columns.push_back(&responses.at(input));
     FullMatrix<double> matrix(rows.size());

@@ -151,15 +151,31 @@ namespace Amontons
     return smallest;
   }
 
+  namespace
+  {
+    // Of the faces with a node in such a state; 0 if there are none.
+    template <int dim, typename Predicate>
+    double
+    smallest_face(const ContactInterface<dim> &interface,
+                  const SurfaceFields<dim>    &fields,
+                  const Predicate             &is_wanted)
+    {
+      double smallest = std::numeric_limits<double>::max();
+      for (const auto &face : interface.slave->faces)
+        if (std::any_of(face.unknowns.begin(), face.unknowns.end(), [&](const unsigned int node) {
+              return is_wanted(fields.state[node]);
+            }))
+          smallest = std::min(smallest, face.size);
+      return smallest < std::numeric_limits<double>::max() ? smallest : 0;
+    }
+  } // namespace
+
   template <int dim>
   double
   smallest_closed_face(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
   {
-    double smallest = std::numeric_limits<double>::max();
-    for (const auto &face : interface.slave->faces)
-      if (has_closed_node(face, fields))
-        smallest = std::min(smallest, face.size);
-    return smallest < std::numeric_limits<double>::max() ? smallest : 0;
+    return smallest_face(
+        interface, fields, [](const ContactStatus state) { return state != ContactStatus::open; });
   }
 
   template <int dim>
@@ -249,22 +265,6 @@ namespace Amontons
         is_unresolved.begin(), is_unresolved.end(), [](const bool unresolved) { return unresolved; });
   }
 
-  namespace
-  {
-    template <int dim>
-    double
-    smallest_sticking_face(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields)
-    {
-      double smallest = std::numeric_limits<double>::infinity();
-      for (const auto &face : interface.slave->faces)
-        if (std::any_of(face.unknowns.begin(), face.unknowns.end(), [&](const unsigned int node) {
-              return fields.state[node] == ContactStatus::stick;
-            }))
-          smallest = std::min(smallest, face.size);
-      return std::isfinite(smallest) ? smallest : 0;
-    }
-  } // namespace
-
   template <int dim>
   bool
   sizes_are_seen(const std::vector<ContactInterface<dim>> &interfaces,
@@ -280,7 +280,11 @@ namespace Amontons
             !contact_is_resolved(interfaces[i], fields[i], std::numeric_limits<double>::infinity()))
           return false;
         const double sticking =
-            interfaces[i].pair->has_friction() ? smallest_sticking_face(interfaces[i], fields[i]) : 0;
+            interfaces[i].pair->has_friction()
+                ? smallest_face(interfaces[i],
+                                fields[i],
+                                [](const ContactStatus state) { return state == ContactStatus::stick; })
+                : 0;
         if (sticking > enough_to_stick && fields[i].stick_size < sticking / 2)
           return false;
       }

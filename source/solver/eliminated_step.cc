@@ -200,10 +200,11 @@ namespace Amontons
     moved = base->u;
     if (!x->empty())
       moved += compliance(*base, from).motion(*x);
-    const Push   left     = push_at(now, moved);
-    const double enough   = fine_tolerance() * std::max(start.condensed.l2_norm(), left.internal),
-                 rounding = 1e-14 * problem.mechanics.bodies().rounding_scale(problem.state.displacement);
-    if (!(left.condensed.l2_norm() <= std::max(enough, rounding)))
+    const Push   left   = push_at(now, moved);
+    const double rest   = left.condensed.l2_norm(),
+                 enough = fine_tolerance() * std::max(start.condensed.l2_norm(), left.internal);
+    if (!(rest <= enough) &&
+        !(rest <= 1e-14 * problem.mechanics.bodies().rounding_scale(problem.state.displacement)))
       return {};
     result.change = moved;
     result.change -= now.u;

@@ -332,21 +332,23 @@ namespace Amontons
   }
 
   // The largest relative change of contact forces and, unless these are there and all that is asked for, of
-  // pressures, of their place and of the displacement.
+  // pressures, of their place and of the displacement; of the energy if that is asked for, which singular
+  // pressures hardly change.
   template <int dim>
   typename SmallStrainCheck<dim>::Change
-  SmallStrainCheck<dim>::change_to(const std::vector<ContactInterface<dim>> &finite_interfaces,
-                                   const SolutionState<dim>                 &finite_state,
-                                   const Model<dim>                         &model,
-                                   const SolutionState<dim>                 &state) const
+  SmallStrainCheck<dim>::change_to(const Model<dim>         &finite,
+                                   const SolutionState<dim> &finite_state,
+                                   const Model<dim>         &model,
+                                   const SolutionState<dim> &state) const
   {
     const auto &sizes   = model.mesh->geometry.body_sizes;
     const auto  contact = change_of_contact(model.interfaces,
                                            state,
-                                           finite_interfaces,
+                                           finite.interfaces,
                                            finite_state,
                                            *std::max_element(sizes.begin(), sizes.end()));
-    if (parameters.refinement.target_quantity == "total force" && contact.touches)
+    const auto &quantity = parameters.refinement.target_quantity;
+    if (quantity == "total force" && contact.touches)
       return {contact.forces, contact.forces};
     LA::Vector difference = model.discretization().make_owned_vector(), old = difference;
     difference = finite_state.displacement;
@@ -356,6 +358,12 @@ namespace Amontons
       leave_out_carriers(model.discretization(), *v);
     const double size = old.linfty_norm(), displacement = size > 0 ? difference.linfty_norm() / size : 0.,
                  rest = std::max({contact.forces, contact.shift, displacement});
+    if (const double energy = model.elasticity.stored_energy(state.displacement);
+        quantity == "energy" && energy > 0)
+      {
+        const double by = std::abs(finite.elasticity.stored_energy(finite_state.displacement) / energy - 1);
+        return {by, std::max(rest, by)};
+      }
     return {std::max(rest, contact.pressures), rest};
   }
 
@@ -383,7 +391,7 @@ namespace Amontons
           solver.solve(*mechanics, finite.interfaces, finite.supports, trial, observer, FollowMotion::never);
       if (report.converged)
         {
-          result = change_to(finite.interfaces, trial, model, state);
+          result = change_to(finite, trial, model, state);
           if (nearby != nullptr && result->largest <= too_much && !scene.has_friction())
             {
               Evaluation<dim> evaluation(false);
@@ -419,7 +427,7 @@ namespace Amontons
       program.start_before();
     LoadPath<dim> path(parameters, make_model(model.mesh, true, program.next(), timer), timer, control);
     if (path.run(program, most_cut_backs))
-      result = change_to(path.model->interfaces, path.history.state, model, state);
+      result = change_to(*path.model, path.history.state, model, state);
     model.resume();
     return result;
   }

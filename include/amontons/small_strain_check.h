@@ -151,10 +151,10 @@ namespace Amontons
                             TimerOutput              &timer,
                             RunControl               &control);
     Change
-    change_to(const std::vector<ContactInterface<dim>> &finite_interfaces,
-              const SolutionState<dim>                 &finite_state,
-              const Model<dim>                         &model,
-              const SolutionState<dim>                 &state) const;
+    change_to(const Model<dim>         &finite,
+              const SolutionState<dim> &finite_state,
+              const Model<dim>         &model,
+              const SolutionState<dim> &state) const;
     // Of what is neglected: where it is more, what it does is looked for.
     double
     bound() const;

@@ -9,34 +9,6 @@
 namespace Amontons
 {
   template <int dim>
-  std::vector<bool>
-  choose_slaves(const Discretization<dim> &discretization)
-  {
-    const Scene      &scene = discretization.scene;
-    std::vector<bool> first_is_slave;
-    for (const auto &pair : scene.pairs)
-      {
-        const auto decide = [&]() {
-          if (!pair.second)
-            return true;
-          const Boundary &first  = discretization.geometry.boundary(pair.first, scene);
-          const Boundary &second = discretization.geometry.boundary(*pair.second, scene);
-          if (scene.bodies[first.body].rigid || scene.bodies[second.body].rigid)
-            return !scene.bodies[first.body].rigid;
-          if (pair.slave != PairData::Slave::automatic)
-            return pair.slave == PairData::Slave::first;
-          const auto measure = [&](const BoundaryName &name, const Boundary &boundary) {
-            return ContactSurface<dim>(discretization, name).mean_size *
-                   scene.bodies[boundary.body].material.young;
-          };
-          return measure(pair.first, first) <= 1.001 * measure(*pair.second, second);
-        };
-        first_is_slave.push_back(decide());
-      }
-    return first_is_slave;
-  }
-
-  template <int dim>
   std::vector<ContactInterface<dim>>
   make_interfaces(const Discretization<dim> &discretization, const std::vector<bool> &first_is_slave)
   {
@@ -306,8 +278,6 @@ namespace Amontons
                const LA::Vector &,
                const double,
                std::vector<ContactInterface<3>> &);
-  template std::vector<bool>
-  choose_slaves(const Discretization<2> &);
   template std::vector<ContactInterface<2>>
   make_interfaces(const Discretization<2> &, const std::vector<bool> &);
   template void
@@ -317,8 +287,6 @@ namespace Amontons
                       const bool);
   template bool
   move_interface(const Discretization<2> &, const LA::Vector &, ContactInterface<2> &);
-  template std::vector<bool>
-  choose_slaves(const Discretization<3> &);
   template std::vector<ContactInterface<3>>
   make_interfaces(const Discretization<3> &, const std::vector<bool> &);
   template void

@@ -53,7 +53,10 @@ namespace Amontons
 
   // Which side of each pair is the slave, decided once on the first mesh: true = first. Automatic: rigid
   // bodies and obstacles are masters; else the finer, softer side: the smaller product of mean face size and
-  // Young modulus; the first if they are equal.
+  // Young modulus; the first if they are equal. Pairs of the same two bodies that meet at a corner of both
+  // (a key in its keyway) decide together, in the mean of the logarithms: a corner of each body, slave in one
+  // pair and master in the other, would be held twice by nearly the same equations, where friction has no
+  // solution or many.
   template <int dim>
   std::vector<bool>
   choose_slaves(const Discretization<dim> &discretization);

@@ -1,0 +1,41 @@
+// A hub around a shaft of radius 20, with a keyway, 6 wide and up to y = 24.
+Mesh.RecombineAll = 1;
+Mesh.SubdivisionAlgorithm = 1;
+Mesh.MeshSizeMin = 6;
+Mesh.MeshSizeMax = 6;
+
+y = Sqrt(20^2 - 3^2);
+Point(1) = {0, 0, 0};
+Point(2) = {3, y, 0};
+Point(3) = {3, 24, 0};
+Point(4) = {-3, 24, 0};
+Point(5) = {-3, y, 0};
+Point(6) = {-20, 0, 0};
+Point(7) = {0, -20, 0};
+Point(8) = {20, 0, 0};
+Line(1) = {2, 3};
+Line(2) = {3, 4};
+Line(3) = {4, 5};
+Circle(4) = {5, 1, 6};
+Circle(5) = {6, 1, 7};
+Circle(6) = {7, 1, 8};
+Circle(7) = {8, 1, 2};
+
+Point(11) = {36, 0, 0};
+Point(12) = {0, 36, 0};
+Point(13) = {-36, 0, 0};
+Point(14) = {0, -36, 0};
+Circle(11) = {11, 1, 12};
+Circle(12) = {12, 1, 13};
+Circle(13) = {13, 1, 14};
+Circle(14) = {14, 1, 11};
+
+Curve Loop(1) = {1, 2, 3, 4, 5, 6, 7};
+Curve Loop(2) = {11, 12, 13, 14};
+Plane Surface(1) = {2, 1};
+Physical Curve("right side") = {1};
+Physical Curve("roof") = {2};
+Physical Curve("left side") = {3};
+Physical Curve("bore") = {4, 5, 6, 7};
+Physical Curve("outer") = {11, 12, 13, 14};
+Physical Surface("hub") = {1};

@@ -1,0 +1,41 @@
+// A hollow shaft of radius 20 with a keyway, 6 wide and down to y = 16.
+Mesh.RecombineAll = 1;
+Mesh.SubdivisionAlgorithm = 1;
+Mesh.MeshSizeMin = 6;
+Mesh.MeshSizeMax = 6;
+
+y = Sqrt(20^2 - 3^2);
+Point(1) = {0, 0, 0};
+Point(2) = {3, y, 0};
+Point(3) = {3, 16, 0};
+Point(4) = {-3, 16, 0};
+Point(5) = {-3, y, 0};
+Point(6) = {-20, 0, 0};
+Point(7) = {0, -20, 0};
+Point(8) = {20, 0, 0};
+Line(1) = {2, 3};
+Line(2) = {3, 4};
+Line(3) = {4, 5};
+Circle(4) = {5, 1, 6};
+Circle(5) = {6, 1, 7};
+Circle(6) = {7, 1, 8};
+Circle(7) = {8, 1, 2};
+
+Point(11) = {8, 0, 0};
+Point(12) = {0, 8, 0};
+Point(13) = {-8, 0, 0};
+Point(14) = {0, -8, 0};
+Circle(11) = {11, 1, 12};
+Circle(12) = {12, 1, 13};
+Circle(13) = {13, 1, 14};
+Circle(14) = {14, 1, 11};
+
+Curve Loop(1) = {1, 2, 3, 4, 5, 6, 7};
+Curve Loop(2) = {11, 12, 13, 14};
+Plane Surface(1) = {1, 2};
+Physical Curve("right side") = {1};
+Physical Curve("floor") = {2};
+Physical Curve("left side") = {3};
+Physical Curve("outer") = {4, 5, 6, 7};
+Physical Curve("inner") = {11, 12, 13, 14};
+Physical Surface("shaft") = {1};

@@ -1,0 +1,126 @@
+#include <amontons/contact/contact_interface.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Amontons
+{
+  namespace
+  {
+    // The two sides of a pair: first, second.
+    struct Sides
+    {
+      unsigned int                                        pair;
+      PairData::Slave                                     given; // by the scene
+      std::array<unsigned int, 2>                         bodies;
+      std::array<std::vector<types::global_dof_index>, 2> dofs;    // ascending
+      std::array<double, 2>                               measure; // mean face size times Young modulus
+    };
+
+    template <int dim>
+    Sides
+    sides_of(const Discretization<dim> &discretization, const unsigned int pair)
+    {
+      const Scene    &scene = discretization.scene;
+      const PairData &data  = scene.pairs[pair];
+      Sides           result{pair, data.slave, {}, {}, {}};
+      for (const unsigned int side : {0, 1})
+        {
+          const ContactSurface<dim> surface(discretization, side == 0 ? data.first : *data.second);
+          for (const auto &node : surface.nodes)
+            result.dofs[side].push_back(node.dofs[0]);
+          std::sort(result.dofs[side].begin(), result.dofs[side].end());
+          result.bodies[side]  = surface.body;
+          result.measure[side] = surface.mean_size * scene.bodies[surface.body].material.young;
+        }
+      return result;
+    }
+
+    // Pairs of the same two bodies, at a corner of both.
+    bool
+    meet(const Sides &a, const Sides &b)
+    {
+      const auto share = [](const auto &some, const auto &others) {
+        return std::any_of(some.begin(), some.end(), [&](const auto dof) {
+          return std::binary_search(others.begin(), others.end(), dof);
+        });
+      };
+      for (const unsigned int first : {0, 1})
+        if (a.bodies[0] == b.bodies[first] && a.bodies[1] == b.bodies[1 - first])
+          return share(a.dofs[0], b.dofs[first]) && share(a.dofs[1], b.dofs[1 - first]);
+      return false;
+    }
+
+    // By place in `all`: the smallest place in its group.
+    std::vector<unsigned int>
+    groups_of(const std::vector<Sides> &all)
+    {
+      std::vector<unsigned int> result;
+      for (unsigned int i = 0; i < all.size(); ++i)
+        {
+          result.push_back(i);
+          for (unsigned int k = 0; k < i; ++k)
+            if (result[k] != result[i] && meet(all[k], all[i]))
+              {
+                const auto larger = std::max(result[k], result[i]), smaller = std::min(result[k], result[i]);
+                std::replace(result.begin(), result.end(), larger, smaller);
+              }
+        }
+      return result;
+    }
+
+    // Whether it is the first one. What the scene says of one pair holds for those of its group of which it
+    // says nothing.
+    bool
+    is_slave(const Sides &sides, const std::vector<const Sides *> &group)
+    {
+      const Sides *given = nullptr;
+      double       sum   = 0;
+      for (const Sides *one : group)
+        {
+          const bool is_turned = one->bodies[0] != sides.bodies[0];
+          sum += std::log(one->measure[is_turned] / one->measure[!is_turned]);
+          if (one->given != PairData::Slave::automatic && (given == nullptr || one == &sides))
+            given = one;
+        }
+      if (given == nullptr)
+        return sum / group.size() <= std::log(1.001);
+      return (given->given == PairData::Slave::first) == (given->bodies[0] == sides.bodies[0]);
+    }
+  } // namespace
+
+  template <int dim>
+  std::vector<bool>
+  choose_slaves(const Discretization<dim> &discretization)
+  {
+    const Scene &scene    = discretization.scene;
+    const auto   is_rigid = [&](const BoundaryName &name) {
+      return scene.bodies[discretization.geometry.boundary(name, scene).body].rigid;
+    };
+    std::vector<bool>  result(scene.pairs.size(), true);
+    std::vector<Sides> deform;
+    for (unsigned int i = 0; i < result.size(); ++i)
+      if (const auto &pair = scene.pairs[i]; pair.second)
+        {
+          if (is_rigid(pair.first) || is_rigid(*pair.second))
+            result[i] = !is_rigid(pair.first);
+          else
+            deform.push_back(sides_of(discretization, i));
+        }
+    const auto groups = groups_of(deform);
+    for (unsigned int i = 0; i < deform.size(); ++i)
+      {
+        std::vector<const Sides *> group;
+        for (unsigned int k = 0; k < deform.size(); ++k)
+          if (groups[k] == groups[i])
+            group.push_back(&deform[k]);
+        result[deform[i].pair] = is_slave(deform[i], group);
+      }
+    return result;
+  }
+
+  template std::vector<bool>
+  choose_slaves(const Discretization<2> &);
+  template std::vector<bool>
+  choose_slaves(const Discretization<3> &);
+} // namespace Amontons

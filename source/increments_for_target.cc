@@ -64,7 +64,7 @@ namespace Amontons
     report.set_error_of_increments(*errors);
     const bool are_others = increments.lengths().times != before;
     if (are_others) // the errors of meshes so far tell nothing of how they fall with these
-      history.meshes = {};
+      history.meshes.restart();
     if (!again)
       save_increments(before, try_these);
     if (!mesh_is_last && !(evaluation.error.quantity && are_others))

@@ -1,5 +1,6 @@
 #include <amontons/adaptivity/mesh_sequence.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -12,7 +13,10 @@ namespace Amontons
     least_growth = growth;
     always_falls = has_limit;
     if (!meshes.empty() && meshes.back().n_dofs == n_dofs)
-      meshes.pop_back();
+      {
+        meshes.pop_back();
+        begin = std::min(begin, meshes.size());
+      }
     if (error > 0 && std::isfinite(error))
       meshes.push_back({n_dofs, error});
   }
@@ -33,7 +37,8 @@ namespace Amontons
   MeshSequence::order() const
   {
     constexpr unsigned int n_refinements = 4;
-    const unsigned int     first         = meshes.size() > 1 && meshes[1].error > meshes[0].error ? 1 : 0;
+    const unsigned int     first =
+        meshes.size() > begin + 1 && meshes[begin + 1].error > meshes[begin].error ? begin + 1 : begin;
     if (meshes.size() <= first + n_refinements)
       return std::numeric_limits<double>::quiet_NaN();
     const auto &last = meshes.back();
@@ -43,11 +48,29 @@ namespace Amontons
     return std::numeric_limits<double>::quiet_NaN();
   }
 
+  double
+  MeshSequence::trend() const
+  {
+    constexpr unsigned int n = 9;
+    if (meshes.size() < n || meshes.back().n_dofs < least_growth * meshes[meshes.size() - n].n_dofs)
+      return std::numeric_limits<double>::quiet_NaN();
+    double x = 0, y = 0, xx = 0, xy = 0;
+    for (auto mesh = meshes.end() - n; mesh != meshes.end(); ++mesh)
+      {
+        const double log_n = std::log(mesh->n_dofs), log_e = std::log(mesh->error);
+        x += log_n / n;
+        y += log_e / n;
+        xx += log_n * log_n / n;
+        xy += log_n * log_e / n;
+      }
+    return -(xy - x * y) / (xx - x * x);
+  }
+
   bool
   MeshSequence::stands_still() const
   {
     constexpr unsigned int n_refinements = 2;
-    if (meshes.size() <= n_refinements)
+    if (meshes.size() <= begin + n_refinements)
       return false;
     const auto &last = meshes.back(), &before = meshes[meshes.size() - 1 - n_refinements];
     return last.n_dofs >= least_growth * least_growth * before.n_dofs &&
@@ -57,7 +80,12 @@ namespace Amontons
   double
   MeshSequence::dofs_for(const double target) const
   {
-    const double r = stands_still() ? 0 : order();
+    return dofs_at(stands_still() ? 0 : order(), target);
+  }
+
+  double
+  MeshSequence::dofs_at(const double r, const double target) const
+  {
     return std::isnan(r) ? r
            : r > 0       ? meshes.back().n_dofs * std::pow(meshes.back().error / target, 1 / r)
                          : std::numeric_limits<double>::infinity();
@@ -66,8 +94,10 @@ namespace Amontons
   bool
   MeshSequence::is_hopeless(const double target, const double max_dofs) const
   {
-    return has_ended ||
-           ((stands_still() || (!always_falls && order() < 0.1)) && dofs_for(target) > 10 * max_dofs);
+    constexpr double least = 0.1;
+    const double     far   = 10 * max_dofs;
+    return has_ended || ((stands_still() || (!always_falls && order() < least)) && dofs_for(target) > far) ||
+           (!always_falls && trend() < least && dofs_at(trend(), target) > far);
   }
 
   std::string

@@ -25,7 +25,7 @@ GROUPS = [
      "verification/shrink_fit verification/shrink_fit_spheres verification/three_shrunk_rings verification/column_of_disks verification/growing_interference verification/cap_in_seat verification/disk_platen verification/disk_above_block "
      "verification/disk_weight verification/quarter_cylinder verification/two_equal_disks verification/receding_layer verification/ring_contact verification/three_point_bending verification/beam_on_floor verification/leaf_spring verification/two_leaves verification/rubber_bush"),
     ("Friction", "half_plane_box_friction cattaneo_mindlin verification/cattaneo_mindlin_disks verification/sheared_half_disk verification/tilted_block verification/bulk_tension microslip_bar capstan greco walk/pin_in_lug small_scene "
-     "verification/klarbring verification/patch_friction verification/equal_blocks verification/clamped verification/tee verification/oblique_touch verification/opened_again verification/large_increment verification/wedge_self_lock verification/small_shear"),
+     "verification/klarbring verification/patch_friction verification/equal_blocks verification/clamped verification/tee verification/oblique_touch verification/opened_again verification/large_increment verification/wedge_self_lock verification/small_shear verification/keyway verification/pulled_from_jaws"),
     ("Held by contact and friction alone", "floating_slab incline verification/leaning_weight verification/steep_slope verification/tipping verification/tipping_tower "
      "verification/far_gap verification/floating_slab_3d verification/tipping_3d"),
     ("Finite strain", "ironing wall_buckling snap_away nafems_roller_finite verification/rubber_indentation verification/passing_disks verification/fluid_pressure verification/tube_in_bore verification/compressed_rubber verification/compressed_block_3d verification/o_ring verification/o_ring_half verification/ring_in_groove verification/thin_ring "
@@ -53,7 +53,7 @@ PICTURES = {name: AROUND for name in (
     "verification/peers_cylinder verification/peers_shear verification/peers_sphere verification/pin_in_hole verification/stepped_punch verification/thin_wire verification/sliding_pad verification/sticking_middle").split()}
 PICTURES |= {name: ("Contact pressure",) for name in ("verification/hertz_on_cantilever", "verification/flat_punch_axisymmetric", "verification/flat_punch_line", "verification/punch_moment", "verification/tied_patch_3d")}
 PICTURES |= {
-    "greco": ("Shear traction",), "microslip_bar": ("Hysteresis", "Increments=30"), "nafems_roller_friction": ("Shear traction",), "nafems_punch_friction": ("Shear traction",),
+    "greco": ("Shear traction",), "verification/pulled_from_jaws": ("Shear traction",), "microslip_bar": ("Hysteresis", "Increments=30"), "nafems_roller_friction": ("Shear traction",), "nafems_punch_friction": ("Shear traction",),
     "mindlin_sphere": ("States",), "verification/compressed_block_3d": ("Bodies",), "verification/split_slave_3d": ("Bodies",), "verification/oblique_drag": ("States",), "verification/turned_platens": ("Where the work goes",),
     "verification/rings": COARSE, "verification/wavy_gap": ("Contact pressure",), "verification/turned_rings": COARSE, "verification/peers_sphere_3d": ("Pressure on the surface", "Refinement/Cycles=3"),
     "verification/slide_off_edge": ("Deformed mesh", "End time=1.4"), "verification/slide_over_edges": ("Deformed mesh", "End time=0.3", "Increments=18"),

@@ -1,5 +1,6 @@
 #include <amontons/adaptivity/smallest_cells.h>
 #include <amontons/adaptivity/unseen_contact.h>
+#include <amontons/adaptivity/zone_ends.h>
 #include <amontons/load_stepping.h>
 #include <amontons/output/target_quantity.h>
 
@@ -184,10 +185,16 @@ namespace Amontons
                                              noteworthy > 0 ? parameters.refinement.target_error * noteworthy
                                                             : std::numeric_limits<double>::infinity());
         if (is_resolved && has_size)
-          history.quantity.add(n_dofs, values, noteworthy);
+          history.quantity.add(n_dofs,
+                               values,
+                               noteworthy,
+                               is_size(name) ? doubts_of_sizes(name, model->interfaces, evaluation.fields)
+                                             : std::vector<double>());
         else // meshes before did not see all that touches
           history.quantity = {};
         evaluation.judge_quantity(name, history.quantity);
+        if (history.quantity.doubt() > parameters.refinement.target_error)
+          add_ends_of_sizes(name, model->discretization(), model->interfaces, evaluation.fields, error);
       }
     // Where error.data is 1 what touches is unseen.
     const bool is_known =

@@ -186,6 +186,8 @@ namespace Amontons
           mark(error.pollution_indicators);
         if (is_peak)
           mark(error.cusp_indicators);
+        if (error.end_indicators.size() > 0)
+          mark(error.end_indicators);
       }
     return any;
   }

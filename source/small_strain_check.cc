@@ -341,8 +341,8 @@ namespace Amontons
                                    const Model<dim>         &model,
                                    const SolutionState<dim> &state) const
   {
-    const auto &sizes   = model.mesh->geometry.body_sizes;
-    const auto  contact = change_of_contact(model.interfaces,
+    const auto &sizes    = model.mesh->geometry.body_sizes;
+    const auto  contact  = change_of_contact(model.interfaces,
                                            state,
                                            finite.interfaces,
                                            finite_state,

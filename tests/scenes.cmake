@@ -2134,6 +2134,12 @@ foreach(quantity energy total_force)
   add_scene_test(NAME pressed_and_lifted_${quantity} SCENE verification/pressed_and_lifted.prm SET "Refinement/Target quantity=${name}"
                  CHECK "status is converged" "dofs <= 2000" "notes.-1 has has no meaning")
 endforeach()
+# Where sticking ends inside, no mesh was refined: 0.5455 to 1.9 %, and 0.5460 to 0.5 %.
+add_scene_test(NAME stick_size_between_corners SCENE verification/pulled_from_jaws.prm
+               CHECK "status is converged" "pairs.0.stick_size ~ 0.5677 0.03" "error_estimate.quantity <= 0.03" "pairs.0.tangential_force.0 ~ -180 1e-8")
+# Corners of key and shaft were each slave in one pair and master in the other: no state converged.
+add_scene_test(NAME keyway SCENE verification/keyway.prm
+               CHECK "status is converged" "reactions.0.moment.0 ~ 20000 1e-10" "pairs.1.normal_force.0 ~ 888.04 0.01" "pairs.1.tangential_force.1 ~ 88.804 0.01" "linear_solves <= 60")
 # The stick zone is smaller than the faces of the first mesh.
 add_scene_test(NAME target_stick_size_unseen_at_first SCENE verification/receding_layer_rough.prm
                SET "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target error=0.01" "Refinement/Target quantity=stick size"

@@ -58,6 +58,28 @@ namespace Amontons
   }
 
   template <int dim>
+  void
+  indicate_at_faces(const Discretization<dim>   &discretization,
+                    const ContactInterface<dim> &interface,
+                    const std::vector<double>   &of_faces,
+                    Vector<float>               &indicators)
+  {
+    const unsigned int me = Utilities::MPI::this_mpi_process(discretization.geometry.communicator);
+    const auto add = [&](const ContactSurface<dim> &side, const unsigned int face, const double value) {
+      if (side.faces[face].rank != me)
+        return;
+      auto &cell = indicators[side.owned[side.faces[face].owned_index].first->active_cell_index()];
+      cell       = std::max(cell, float(value));
+    };
+    for (unsigned int f = 0; f < of_faces.size(); ++f)
+      if (of_faces[f] > 0)
+        add(*interface.slave, f, of_faces[f]);
+    for (const auto &point : interface.coupling.points)
+      if (interface.master_surface && of_faces[point.slave_face] > 0)
+        add(*interface.master_surface, point.master_face, of_faces[point.slave_face]);
+  }
+
+  template <int dim>
   Point<dim>
   place_of_largest(const Discretization<dim> &discretization, const Vector<float> &indicators)
   {
@@ -88,6 +110,16 @@ namespace Amontons
   combined_modulus(const Scene &, const ContactInterface<2> &);
   template double
   combined_modulus(const Scene &, const ContactInterface<3> &);
+  template void
+  indicate_at_faces(const Discretization<2> &,
+                    const ContactInterface<2> &,
+                    const std::vector<double> &,
+                    Vector<float> &);
+  template void
+  indicate_at_faces(const Discretization<3> &,
+                    const ContactInterface<3> &,
+                    const std::vector<double> &,
+                    Vector<float> &);
   template Point<2>
   place_of_largest(const Discretization<2> &, const Vector<float> &);
   template Point<3>

@@ -169,7 +169,6 @@ namespace Amontons
                      const std::vector<SurfaceFields<dim>>    &fields,
                      ErrorEstimate<dim>                       &estimate)
   {
-    const unsigned int me = Utilities::MPI::this_mpi_process(discretization.geometry.communicator);
     estimate.cusp_indicators.reinit(discretization.geometry.triangulation.n_active_cells());
     bool any_presses = false; // where it does, tied pairs do not count
     for (unsigned int i = 0; i < interfaces.size(); ++i)
@@ -181,21 +180,12 @@ namespace Amontons
           continue;
         const auto peak =
             peak_error(interface, fields[i], discretization.scene.kind == ProblemType::axisymmetric);
-        const double error  = peak.error;
-        estimate.cusp       = std::max(estimate.cusp, error);
+        estimate.cusp       = std::max(estimate.cusp, peak.error);
         estimate.cusp_grows = estimate.cusp_grows || peak.grows;
-        const auto add      = [&](const ContactSurface<dim> &side, const unsigned int face) {
-          if (side.faces[face].rank == me)
-            estimate.cusp_indicators[side.owned[side.faces[face].owned_index].first->active_cell_index()] =
-                error;
-        };
-        if (error == 0)
-          continue;
+        std::vector<double> of_faces(interface.slave->faces.size(), 0.);
         for (const unsigned int f : peak.faces)
-          add(*interface.slave, f);
-        for (const auto &point : interface.coupling.points)
-          if (interface.master_surface && std::count(peak.faces.begin(), peak.faces.end(), point.slave_face))
-            add(*interface.master_surface, point.master_face);
+          of_faces[f] = peak.error;
+        indicate_at_faces(discretization, interface, of_faces, estimate.cusp_indicators);
       }
   }
 

@@ -22,14 +22,17 @@ namespace Amontons
   } // namespace
 
   void
-  QuantitySequence::add(const double n_dofs, const std::vector<double> &values, const double least)
+  QuantitySequence::add(const double               n_dofs,
+                        const std::vector<double> &values,
+                        const double               least,
+                        const std::vector<double> &doubts)
   {
     least_value = least;
     if (!meshes.empty() && meshes.back().n_dofs == n_dofs)
       meshes.pop_back();
     else
       settle();
-    meshes.push_back({n_dofs, values});
+    meshes.push_back({n_dofs, values, doubts});
   }
 
   void
@@ -117,19 +120,15 @@ namespace Amontons
     if (n < 2)
       return std::numeric_limits<double>::infinity();
     const double before = error_on(n - 2, is_smooth);
-    return std::max(error_on(n - 1, is_smooth), std::isfinite(before) ? before / 4 : 0.);
+    return std::max(
+        {error_on(n - 1, is_smooth), std::isfinite(before) ? before / 4 : 0., doubt_on(n - 2) / 2});
   }
 
   double
   QuantitySequence::error_on(const unsigned int last, const bool is_smooth) const
   {
     const unsigned int n = meshes.size(), half = half_of(last), quarter = half < n ? half_of(half) : n;
-    if (half == n)
-      return std::numeric_limits<double>::infinity();
-    double largest = least_value;
-    for (unsigned int i = 0; i < meshes[last].values.size(); ++i)
-      largest = std::max(largest, std::abs(value(last, i)));
-    if (largest == 0)
+    if (half == n || meshes[last].values.empty() || norm(last, 0) == 0)
       return std::numeric_limits<double>::infinity();
     double worst = 0;
     for (unsigned int i = 0; i < meshes[last].values.size(); ++i)
@@ -147,9 +146,35 @@ namespace Amontons
                                (!is_smooth || settles(half, last, i) ? 1 : largest_rho / (1 - largest_rho)),
                            change(half > 0 ? half - 1 : 0, half) * smallest_rho * smallest_rho /
                                (1 - smallest_rho));
-        worst = std::max(
-            worst, left / std::max({std::abs(value(last, i)), least_of_largest * largest, least_value}));
+        worst = std::max(worst, left / norm(last, i));
       }
+    return std::max(worst, doubt_on(last));
+  }
+
+  double
+  QuantitySequence::norm(const unsigned int mesh, const unsigned int i) const
+  {
+    double largest = 0;
+    for (unsigned int k = 0; k < meshes[mesh].values.size(); ++k)
+      largest = std::max(largest, std::abs(value(mesh, k)));
+    return std::max({std::abs(value(mesh, i)), least_of_largest * largest, least_value});
+  }
+
+  double
+  QuantitySequence::doubt() const
+  {
+    return meshes.empty() ? 0 : doubt_on(meshes.size() - 1);
+  }
+
+  double
+  QuantitySequence::doubt_on(const unsigned int last) const
+  {
+    constexpr double   enough = 0.75;
+    const unsigned int half   = half_of(last);
+    double             worst  = 0;
+    for (unsigned int i = 0; half < meshes.size() && i < meshes[last].doubts.size(); ++i)
+      if (const double now = meshes[last].doubts[i]; now > enough * meshes[half].doubts[i])
+        worst = std::max(worst, now / norm(last, i));
     return worst;
   }
 } // namespace Amontons

@@ -175,6 +175,35 @@ main(int, char **)
   check::is_close(error_of_two(0.01), 0.1, 1e-12, "a small number");
   check::is_close(error_of_two(1e-5), 1e-3, 1e-12, "one that is hardly there");
 
+  // A size whose ends no mesh refines agrees on all of them; refined ends tell.
+  QuantitySequence coarse, refined;
+  for (const double m : {1000., 2000., 4000.})
+    {
+      coarse.add(m, {0.5455}, 0, {0.02});
+      refined.add(m, {0.5455}, 0, {20 / m});
+    }
+  check::is_close(coarse.error(), 0.02 / 0.5455, 1e-12, "ends as coarse as before");
+  check::is_close(coarse.doubt(), coarse.error(), 1e-12, "is their doubt");
+  check::is_true(refined.doubt() == 0 && refined.error() == 0, "ends that are refined");
+
+  // Errors that swing, with increments that change on each mesh, so that no order is known.
+  MeshSequence falls, restarted;
+  double       m = 9404;
+  for (const double error : {0.8, 2.1, 1.1, 1.2, 1.0, 1.1, 1.3, 8.3, 15.})
+    {
+      check::is_true(!restarted.is_hopeless(0.05, 1e6), "not yet");
+      restarted.add(m, error);
+      restarted.restart();
+      restarted.add(m, error);
+      m *= 1.18;
+    }
+  check::is_true(restarted.is_hopeless(0.05, 1e6) && std::isnan(restarted.order()), "swings for ever");
+  check::is_true(restarted.trend() < 0, "grows");
+  for (unsigned int i = 0; i < 9; ++i)
+    falls.add(1000 * std::pow(1.5, i), std::pow(1.5, -0.3 * i));
+  check::is_close(falls.trend(), 0.3, 1e-12, "least squares");
+  check::is_true(!falls.is_hopeless(0.05, 1e6), "falls");
+
   // Estimates of numbers stand still between doublings of the unknowns, those of fields do not.
   MeshSequence of_field, of_number;
   for (unsigned int i = 0; i < 7; ++i)

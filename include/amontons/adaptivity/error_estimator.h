@@ -33,6 +33,7 @@ namespace Amontons
     Vector<float> shear_indicators;     // and of the tangential traction, with friction
     Vector<float> pollution_indicators; // of coarse cells around the contact, for the pressure
     Vector<float> cusp_indicators;      // of the peak of the pressure where it is a cusp
+    Vector<float> end_indicators;       // of sizes, where the meshes so far do not tell them
     double        energy_norm = 0, pressure_norm = 0, shear_norm = 0; // what these count against
     double        bulk = 0; // sqrt(sum eta_K^2) / energy norm of the recovered stress: relative
     double        contact =
@@ -108,6 +109,14 @@ namespace Amontons
                  const bool                                finite_strain,
                  const FaceLoads<dim>                     *face_loads = nullptr,
                  const std::vector<double>                &doubts     = {});
+
+  // By slave face, to the cells of this rank on both sides, of which each gets the largest.
+  template <int dim>
+  void
+  indicate_at_faces(const Discretization<dim>   &discretization,
+                    const ContactInterface<dim> &interface,
+                    const std::vector<double>   &of_faces,
+                    Vector<float>               &indicators);
 
   // The centre of the cell with the largest indicator. Collective.
   template <int dim>

@@ -12,9 +12,13 @@ namespace Amontons
     static constexpr double least_of_largest = 1e-3;
 
     /// The same number of values each time; of the same number of DoFs as the last ones: instead of those.
-    /// least: size of a value that is worth telling, against which smaller ones count.
+    /// least: size of a value that is worth telling, against which smaller ones count. doubts: by how much
+    /// each value is off where its mesh is as coarse as before (empty: not known).
     void
-    add(const double n_dofs, const std::vector<double> &values, const double least = 0);
+    add(const double               n_dofs,
+        const std::vector<double> &values,
+        const double               least  = 0,
+        const std::vector<double> &doubts = {});
 
     /// What has come of the last mesh is computed anew there, with other increments. What changes by them is
     /// none of the mesh: the numbers on the meshes before change alike.
@@ -28,10 +32,16 @@ namespace Amontons
     /// 0.8 where numbers that change smoothly (is_smooth: forces, not sizes of sets of nodes) swing on the
     /// meshes between, or change by more and more. (A change is the largest from any mesh between.) Where
     /// the first of the two has changed them more, that change counts as one of three meshes does. At least a
-    /// quarter of the error on the mesh before: one mesh more does not take away more. Infinite as long as
-    /// there are no two meshes.
+    /// quarter of the error on the mesh before: one mesh more does not take away more; and doubt(), or half
+    /// of that on the mesh before. Infinite as long as there are no two meshes.
     double
     error(const bool is_smooth = false) const;
+
+    /// The part of the error that no change tells: of values whose doubts have not fallen by a quarter
+    /// between the first and the last of the meshes that are compared. (Refined elsewhere alone, these
+    /// agree.)
+    double
+    doubt() const;
 
     bool
     is_empty() const
@@ -56,10 +66,15 @@ namespace Amontons
     struct Mesh
     {
       double              n_dofs;
-      std::vector<double> values;
+      std::vector<double> values, doubts;
     };
     double
     error_on(const unsigned int last, const bool is_smooth) const;
+    double
+    doubt_on(const unsigned int last) const;
+    // What the errors of a mesh's i-th value count against.
+    double
+    norm(const unsigned int mesh, const unsigned int i) const;
     unsigned int
     half_of(const unsigned int k) const;
     bool

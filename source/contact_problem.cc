@@ -322,7 +322,10 @@ namespace Amontons
     checks.insert(neglected.begin(), neglected.end());
     KinematicsErrors kinematics;
     if (!steps->model->finite_strain())
-      kinematics = {small_strain.error(), small_strain.error_of_shear(), small_strain.error_of_target()};
+      kinematics = {small_strain.error(),
+                    small_strain.error_of_shear(),
+                    small_strain.error_of_target(),
+                    small_strain.has_alternative()};
     return {success, steps->evaluation, steps->history, parameters.refinement, kinematics, checks};
   }
 

@@ -164,6 +164,41 @@ namespace Amontons
 
   template <int dim>
   void
+  LoadStepping<dim>::follow_quantity()
+  {
+    const std::string &name       = parameters.refinement.target_quantity;
+    const double       target     = parameters.refinement.target_error;
+    auto              &error      = evaluation.error;
+    const auto        &interfaces = model->interfaces;
+    auto               values     = target_quantity(name, answer(), history.work);
+    if ((name == "energy" ? error.energy_norm : error.pressure_norm) == 0) // no more than rounding
+      std::fill(values.begin(), values.end(), 0.);
+    const double rest       = rest_of_value(name, history.work.largest_work, history.record.largest_force),
+                 noteworthy = noteworthy_value(name, answer(), history.work);
+    std::replace_if(
+        values.begin(), values.end(), [&](const double v) { return std::abs(v) <= rest; }, 0.);
+    const double enough_to_stick =
+        noteworthy > 0 ? target * noteworthy : std::numeric_limits<double>::infinity();
+    std::vector<double> doubts;
+    if (is_size(name))
+      doubts = doubts_of_sizes(name, interfaces, evaluation.fields);
+    if (small_contacts_are_resolved(interfaces, evaluation.fields) &&
+        (!is_size(name) || sizes_are_seen(interfaces, evaluation.fields, enough_to_stick)))
+      history.quantity.add(model->discretization().dof_handler.n_dofs(), values, noteworthy, doubts);
+    else // meshes before did not see all that touches
+      history.quantity = {};
+    evaluation.judge_quantity(name, history.quantity);
+    if (is_size(name))
+      add_ends_of_sizes(name,
+                        model->discretization(),
+                        interfaces,
+                        evaluation.fields,
+                        history.quantity.doubt() > target,
+                        error);
+  }
+
+  template <int dim>
+  void
   LoadStepping<dim>::follow_target()
   {
     const double       n_dofs      = model->discretization().dof_handler.n_dofs();
@@ -171,31 +206,7 @@ namespace Amontons
     auto              &error       = evaluation.error;
     const bool         is_resolved = small_contacts_are_resolved(model->interfaces, evaluation.fields);
     if (name != "contact pressure")
-      {
-        auto values = target_quantity(name, answer(), history.work);
-        if ((name == "energy" ? error.energy_norm : error.pressure_norm) == 0) // no more than rounding
-          std::fill(values.begin(), values.end(), 0.);
-        const double rest = rest_of_value(name, history.work.largest_work, history.record.largest_force),
-                     noteworthy = noteworthy_value(name, answer(), history.work);
-        std::replace_if(
-            values.begin(), values.end(), [&](const double v) { return std::abs(v) <= rest; }, 0.);
-        const bool has_size =
-            !is_size(name) || sizes_are_seen(model->interfaces,
-                                             evaluation.fields,
-                                             noteworthy > 0 ? parameters.refinement.target_error * noteworthy
-                                                            : std::numeric_limits<double>::infinity());
-        if (is_resolved && has_size)
-          history.quantity.add(n_dofs,
-                               values,
-                               noteworthy,
-                               is_size(name) ? doubts_of_sizes(name, model->interfaces, evaluation.fields)
-                                             : std::vector<double>());
-        else // meshes before did not see all that touches
-          history.quantity = {};
-        evaluation.judge_quantity(name, history.quantity);
-        if (history.quantity.doubt() > parameters.refinement.target_error)
-          add_ends_of_sizes(name, model->discretization(), model->interfaces, evaluation.fields, error);
-      }
+      follow_quantity();
     // Where error.data is 1 what touches is unseen.
     const bool is_known =
         evaluation.touches() ? evaluation.resolves_contact() && is_resolved : error.data < 1;
@@ -208,7 +219,7 @@ namespace Amontons
       history.meshes.add_lasting(
           n_dofs,
           error_of_smallest_cells(model->discretization(),
-                                  is_peak ? error.cusp_indicators : error.indicators_for(0)),
+                                  is_peak ? error.quantity_indicators : error.indicators_for(0)),
           parameters.refinement.target_error);
   }
 

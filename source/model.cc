@@ -184,10 +184,8 @@ namespace Amontons
                    is_size = parameters.target_quantity == "contact size";
         if (is_peak || (is_size && error.contact < 0.5)) // more: what is not known is beside an edge
           mark(error.pollution_indicators);
-        if (is_peak)
-          mark(error.cusp_indicators);
-        if (error.end_indicators.size() > 0)
-          mark(error.end_indicators);
+        if (is_peak || is_size || parameters.target_quantity == "stick size")
+          mark(error.quantity_indicators);
       }
     return any;
   }

@@ -124,7 +124,7 @@ namespace Amontons
     const std::string &name       = ending.refinement.target_quantity;
     const bool         touches    = ending.evaluation.touches();
     const auto         indicators = !touches                                      ? error.cell_indicators
-                                    : name == "peak pressure" && error.cusp_grows ? error.cusp_indicators
+                                    : name == "peak pressure" && error.cusp_grows ? error.quantity_indicators
                                                                                   : error.indicators_for(0);
     std::ostringstream place;
     place.precision(2);
@@ -179,8 +179,9 @@ namespace Amontons
     const double target = refinement.target_error, left = target - error.of_target() - by_increments;
     if (left >= 0 && by_kinematics <= std::max(left, target / 4))
       return;
-    const bool by_these  = by_increments >= std::min(target / 4, by_kinematics),
-               by_strain = by_kinematics >= std::min(target / 4, by_increments);
+    const bool by_these    = by_increments >= std::min(target / 4, by_kinematics),
+               by_strain   = by_kinematics >= std::min(target / 4, by_increments),
+               may_be_less = by_strain && kinematics.has_alternative;
     std::ostringstream text;
     text.precision(2);
     text << "warning: the target error was not reached: the mesh alone reaches it, with what";
@@ -188,10 +189,12 @@ namespace Amontons
       text << " the increments add (" << by_increments << ")" << (by_strain ? " and" : "");
     if (by_strain)
       text << " small strain leaves out (" << by_kinematics << ")";
-    text << " it is missed: " << (by_these ? "more of them ('Increments') make that less" : "")
-         << (by_these && by_strain ? ", and so does " : "")
-         << (by_strain ? "finite strain ('Kinematics')" + std::string(by_these ? "" : " leaves out less")
-                       : "");
+    text << " it is missed";
+    if (by_these || may_be_less)
+      text << ": " << (by_these ? "more of them ('Increments') make that less" : "")
+           << (by_these && may_be_less ? ", and so does " : "")
+           << (may_be_less ? "finite strain ('Kinematics')" + std::string(by_these ? "" : " leaves out less")
+                           : "");
     note(text.str());
   }
 

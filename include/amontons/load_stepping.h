@@ -109,6 +109,8 @@ namespace Amontons
     // The error that `Target error` is asked for.
     void
     follow_target();
+    void
+    follow_quantity();
     bool
     follows_work() const
     {

@@ -169,7 +169,7 @@ namespace Amontons
                      const std::vector<SurfaceFields<dim>>    &fields,
                      ErrorEstimate<dim>                       &estimate)
   {
-    estimate.cusp_indicators.reinit(discretization.geometry.triangulation.n_active_cells());
+    estimate.quantity_indicators.reinit(discretization.geometry.triangulation.n_active_cells());
     bool any_presses = false; // where it does, tied pairs do not count
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       any_presses = any_presses || (!interfaces[i].pair->tied && fields[i].peak_pressure > 0);
@@ -185,7 +185,7 @@ namespace Amontons
         std::vector<double> of_faces(interface.slave->faces.size(), 0.);
         for (const unsigned int f : peak.faces)
           of_faces[f] = peak.error;
-        indicate_at_faces(discretization, interface, of_faces, estimate.cusp_indicators);
+        indicate_at_faces(discretization, interface, of_faces, estimate.quantity_indicators);
       }
   }
 

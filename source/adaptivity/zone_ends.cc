@@ -68,10 +68,11 @@ namespace Amontons
                     const Discretization<dim>                &discretization,
                     const std::vector<ContactInterface<dim>> &interfaces,
                     const std::vector<SurfaceFields<dim>>    &fields,
+                    const bool                                is_needed,
                     ErrorEstimate<dim>                       &estimate)
   {
-    estimate.end_indicators.reinit(discretization.geometry.triangulation.n_active_cells());
-    for (unsigned int i = 0; i < interfaces.size(); ++i)
+    estimate.quantity_indicators.reinit(discretization.geometry.triangulation.n_active_cells());
+    for (unsigned int i = 0; is_needed && i < interfaces.size(); ++i)
       {
         const auto         &slave = *interfaces[i].slave;
         const auto          parts = parts_of_zone(name, interfaces[i], fields[i]);
@@ -79,7 +80,7 @@ namespace Amontons
         lengths.reserve(parts.size());
         for (unsigned int f = 0; f < parts.size(); ++f)
           lengths.push_back(is_end(parts[f]) ? slave.faces[f].size : 0);
-        indicate_at_faces(discretization, interfaces[i], lengths, estimate.end_indicators);
+        indicate_at_faces(discretization, interfaces[i], lengths, estimate.quantity_indicators);
       }
   }
 
@@ -96,11 +97,13 @@ namespace Amontons
                     const Discretization<2> &,
                     const std::vector<ContactInterface<2>> &,
                     const std::vector<SurfaceFields<2>> &,
+                    const bool,
                     ErrorEstimate<2> &);
   template void
   add_ends_of_sizes(const std::string &,
                     const Discretization<3> &,
                     const std::vector<ContactInterface<3>> &,
                     const std::vector<SurfaceFields<3>> &,
+                    const bool,
                     ErrorEstimate<3> &);
 } // namespace Amontons

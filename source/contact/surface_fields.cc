@@ -85,7 +85,8 @@ namespace Amontons
     }
 
     // Half-width or radius about `centre` of the Hertzian traction with the moments of the field f:
-    // sqrt(4 int f x^2 / int f), for points 2.5 instead of 4.
+    // sqrt(4 int f x^2 / int f), for points 2.5 instead of 4; 0 where the field is all around its centre, as
+    // in a shrink fit, and x is what the mesh makes of nothing.
     template <int dim>
     double
     size_of(const ContactInterface<dim> &interface,
@@ -93,14 +94,18 @@ namespace Amontons
             const Point<dim>            &centre,
             const std::vector<double>   &field)
     {
-      double force = 0, second_moment = 0;
+      constexpr double all_around = 1e-4;
+      double           force = 0, second_moment = 0, polar_moment = 0;
       for (const auto &p : interface.coupling.points)
         {
           const double f = value_on_face(*interface.slave, field, p.slave_face, p.xi_slave) * p.weight;
           const auto   r = p.x_slave - centre;
           force += f;
           second_moment += f * (r * r - (r * p.normal) * (r * p.normal));
+          polar_moment += f * (r * r);
         }
+      if (second_moment < all_around * polar_moment)
+        return 0;
       const double factor = of_a_point ? 2.5 : 4;
       return force > 0 ? std::sqrt(std::max(0., factor * second_moment / force)) : 0;
     }

@@ -32,8 +32,7 @@ namespace Amontons
     Vector<float> contact_indicators;   // the same for the L2 error of the contact pressure alone
     Vector<float> shear_indicators;     // and of the tangential traction, with friction
     Vector<float> pollution_indicators; // of coarse cells around the contact, for the pressure
-    Vector<float> cusp_indicators;      // of the peak of the pressure where it is a cusp
-    Vector<float> end_indicators;       // of sizes, where the meshes so far do not tell them
+    Vector<float> quantity_indicators;  // where the peak is a cusp; of sizes: ends that meshes do not tell
     double        energy_norm = 0, pressure_norm = 0, shear_norm = 0; // what these count against
     double        bulk = 0; // sqrt(sum eta_K^2) / energy norm of the recovered stress: relative
     double        contact =

@@ -22,7 +22,7 @@ namespace Amontons
   PeakError
   peak_error(const ContactInterface<dim> &interface, const SurfaceFields<dim> &fields, bool has_axis);
 
-  /// Of all pairs, as `cusp` and, at the cells of both sides, as `cusp_indicators`.
+  /// Of all pairs, as `cusp` and, at the cells of both sides, as `quantity_indicators`.
   template <int dim>
   void
   add_error_of_peaks(const Discretization<dim>                &discretization,

@@ -15,12 +15,14 @@ namespace Amontons
                   const std::vector<ContactInterface<dim>> &interfaces,
                   const std::vector<SurfaceFields<dim>>    &fields);
 
-  /// The cells of both sides there, as `end_indicators`: the lengths of the slave's faces.
+  /// The cells of both sides there, as `quantity_indicators`: the lengths of the slave's faces. is_needed: no
+  /// mesh tells where they are; else none.
   template <int dim>
   void
   add_ends_of_sizes(const std::string                        &name,
                     const Discretization<dim>                &discretization,
                     const std::vector<ContactInterface<dim>> &interfaces,
                     const std::vector<SurfaceFields<dim>>    &fields,
+                    const bool                                is_needed,
                     ErrorEstimate<dim>                       &estimate);
 } // namespace Amontons

@@ -49,10 +49,11 @@ namespace Amontons
   };
 
   // Of small strain, relative: of the answer, of the tangential traction (with friction), of the
-  // `Target quantity`.
+  // `Target quantity`; whether finite strain may take its place.
   struct KinematicsErrors
   {
     double answer = unknown, shear = unknown, target = unknown;
+    bool   has_alternative = true;
   };
 
   struct EstimateSummary // relative

@@ -30,7 +30,7 @@ namespace Amontons
       return {};
     std::optional<IncrementErrors> of_these = of_first.scaled(at_first / n);
     if (n < at_first)
-      of_these = try_fewer(n, of_first, record, repeat);
+      of_these = try_fewer(n, errors, record, repeat);
     if (!of_these)
       {
         n        = at_first;
@@ -103,7 +103,8 @@ namespace Amontons
     return n > 1 ? n : 10 * error <= allowed() ? 1 : 2;
   }
 
-  // Fewer than at first only if they do where they are tried.
+  // Fewer than at first only if they do where they are tried, where it shows how many that are: what begins a
+  // piece is none of them.
   std::optional<IncrementErrors>
   IncrementChoice::try_fewer(const double           n,
                              const IncrementErrors &errors,
@@ -114,10 +115,10 @@ namespace Amontons
     const auto       tried       = repeat({by_default / n, at_once});
     if (!tried)
       return {};
-    const auto found = error_of_increments(record, *tried).scaled(at_first / n);
+    const auto found = error_of_increments(record, *tried).for_steps(*tried);
     if (counted(found) > allowed() || found.dissipation > another_way)
       return {};
-    const auto expected = errors.scaled(at_first / n);
+    const auto expected = errors.for_steps(*tried);
     return counted(found) > counted(expected) ? found : expected;
   }
 

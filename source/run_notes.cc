@@ -62,12 +62,16 @@ namespace Amontons
           std::ostringstream text;
           text.precision(2);
           text << "warning: pair '" << interfaces[i].pair->name
-               << (facets.is_curved
-                       ? "' touches on arcs of second order that stand for a curve: kinks of up to "
-                       : "' touches on facets, flat faces that stand for a curve: kinks of up to ")
-               << facets.angle * 180 / numbers::PI << " degrees between lengths of " << facets.size
-               << " make an error of about " << facets.gap << " in the gap, of which the load closes "
-               << facets.closed_gap << ", and of " << 100 * facets.pressure
+               << (facets.is_curved ? "' touches on arcs of second order that stand for a curve: "
+                                    : "' touches on facets, flat faces that stand for a curve: ");
+          if (facets.angle > 0)
+            text << "kinks of up to " << facets.angle * 180 / numbers::PI << " degrees";
+          if (facets.step > 0)
+            text << (facets.angle > 0 ? " and curvatures" : "curvatures") << " that change by "
+                 << facets.step;
+          text << " between lengths of " << facets.size << " make an error of about " << facets.gap
+               << " in the gap, of which the load closes " << facets.closed_gap << ", and of "
+               << 100 * facets.pressure
                << " % in the pressure. Refinement does not mend it: declare 'Curved boundaries', "
                << (facets.is_curved
                        ? "or give a finer mesh"
@@ -252,6 +256,7 @@ namespace Amontons
     const auto &error = ending.evaluation.error;
     // A run that was stopped or has failed is not at its end: that is said.
     const double target = control.stop.is_there() || !ending.converged ? 0. : ending.refinement.target_error;
+    const auto  &quantity = ending.refinement.target_quantity;
     if (target > 0 && error.quantity && ending.history.quantity.vanishes())
       note("the target error has no meaning: there is no " + ending.refinement.target_quantity +
            ", or it is 0 on all meshes");
@@ -260,6 +265,8 @@ namespace Amontons
            : !error.quantity && error.facets > target
                ? "the target error cannot be reached: facets alone make a larger one"
                : missed_target(answer.discretization, ending));
+    else if (target > 0 && error.facets > target && !always_converges(quantity) && quantity != "dissipation")
+      note("warning: the target error was not reached: the mesh alone reaches it, facets do not");
     else if (target > 0)
       note_what_adds_to_the_mesh(error, ending.refinement, ending.kinematics);
     note_corner_forces(ending);

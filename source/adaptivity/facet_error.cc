@@ -61,13 +61,37 @@ namespace Amontons
       return places;
     }
 
+    template <int dim>
+    double
+    step_of(const Facet<dim> &facet)
+    {
+      double largest = 0;
+      for (const double step : facet.steps)
+        largest = std::max(largest, std::abs(step));
+      return largest;
+    }
+
     // How far it lies off the curve. Quadratic arcs cross it in their middle: w^4 / (32 R^3) with half the
-    // length w and kinks of (w / R)^3 / 2.
+    // length w and kinks of (w / R)^3 / 2. At steps D of the curvature: D s (s^2 - w^2)/(12 w).
     template <int dim>
     double
     gap_of(const Facet<dim> &facet)
     {
-      return facet.size * std::abs(facet.angle) / (facet.is_curved ? 32 : 8);
+      return std::max(facet.size * std::abs(facet.angle) / (facet.is_curved ? 32 : 8),
+                      0.008 * facet.size * facet.size * step_of(facet));
+    }
+
+    // Of the curvature's error d = D s/h, in the place of kinks. A contact no wider than a face sees
+    // another radius: of p = E*/(2 R) sqrt(a^2 - x^2) at the same force, (E* a d)^2/12 in the mean square
+    // (the ends move by 1 %). In wider ones such errors cancel each other: as in (32), of the slopes
+    // D (s^2/(2 h) - h/24).
+    template <int dim>
+    double
+    steps_squared(const Facet<dim> &facet, const Point<dim> &X, const double half_width)
+    {
+      const double D = step_of(facet), s = X.distance(facet.centre);
+      return 2 * half_width > facet.size ? std::pow(D * facet.size, 2) / 60
+                                         : std::pow(2 * half_width * D * s / facet.size, 2);
     }
 
     // Mean square for (32) at a node. Off a circle, quadratic arcs have the fourth derivative of a curve of
@@ -89,7 +113,8 @@ namespace Amontons
           if (std::abs((X - facet->ridges[k]) * across) <= half_width * across.norm())
             wedge += 3 * facet->kinks[k] * facet->kinks[k];
         }
-      return std::max(wedge, (facet->is_curved ? 0.314 : 1) * facet->mean_square);
+      return std::max(wedge, (facet->is_curved ? 0.314 : 1) * facet->mean_square) +
+             steps_squared(*facet, X, half_width);
     }
 
     // Of both sides, s and m. Polygons that fit into each other leave no gap, but where their kinks lie a
@@ -140,9 +165,10 @@ namespace Amontons
                                 kinks_squared(slave, interface.slave->nodes[row.node].X, fields.contact_size),
                                 kinks_squared(master, opposite, fields.contact_size));
         for (const auto *facet : {slave, master})
-          if (facet != nullptr && std::abs(facet->angle) > error.angle)
+          if (facet != nullptr && gap_of(*facet) > error.gap)
             {
               error.angle     = std::abs(facet->angle);
+              error.step      = step_of(*facet);
               error.is_curved = facet->is_curved;
               error.size      = facet->size;
               error.gap       = gap_of(*facet);

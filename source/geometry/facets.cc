@@ -22,10 +22,11 @@ namespace Amontons
       Point<dim>                           centre;
       double                               radius;
       bool                                 is_curved;
-      std::array<unsigned int, n_ridges>   ridges;  // their numbers in the triangulation
-      std::array<Point<dim>, n_ridges>     places;  // their middles
-      std::array<Tensor<1, dim>, n_ridges> normals; // outward, at the ridges
-      std::array<double, n_ridges>         sizes;   // from a ridge to the opposite one
+      std::array<unsigned int, n_ridges>   ridges;          // their numbers in the triangulation
+      std::array<Point<dim>, n_ridges>     places;          // their middles
+      std::array<Tensor<1, dim>, n_ridges> normals;         // outward, at the ridges
+      std::array<double, n_ridges>         sizes;           // from a ridge to the opposite one
+      std::array<double, n_ridges>         curvatures = {}; // there, in the plane; > 0: convex
     };
 
     // By nodes of its own: a chart that its neighbours do not share.
@@ -55,6 +56,13 @@ namespace Amontons
           result.places[k]  = here;
           result.normals[k] = n;
           result.sizes[k]   = here.distance(there);
+          if (result.is_curved) // x(t) = here + a t + b t^2 through the middle
+            {
+              const auto middle    = face->get_manifold().get_new_point_on_line(face);
+              const auto b         = 2 * (here - 2 * middle + there);
+              const auto a         = there - here - b;
+              result.curvatures[k] = -2 * (b * n) / a.norm_square();
+            }
         }
       return result;
     }
@@ -123,7 +131,8 @@ namespace Amontons
             facet.ridges    = faces[f].places;
             for (unsigned int k = 0; k < faces[f].ridges.size(); ++k)
               if (const double angle = kink(f, k);
-                  angle != 0 && 1 + row(f, k, angle) + row_beyond(f, k, angle) >= 3)
+                  angle != 0 &&
+                  1 + row(f, k, angle, &Kinks::kink) + row_beyond(f, k, angle, &Kinks::kink) >= 3)
                 {
                   facet.kinks[k] = angle;
                   facet.mean_square += 0.5 * angle * angle;
@@ -133,7 +142,14 @@ namespace Amontons
                       facet.size  = faces[f].sizes[k];
                     }
                 }
-            if (facet.angle != 0)
+            for (unsigned int k = 0; k < faces[f].ridges.size(); ++k)
+              if (const double by = step(f, k);
+                  by != 0 && 1 + row(f, k, -by, &Kinks::step) + row_beyond(f, k, by, &Kinks::step) >= 3)
+                {
+                  facet.steps[k] = by;
+                  facet.size     = std::max(facet.size, faces[f].sizes[k]);
+                }
+            if (facet.angle != 0 || facet.steps != decltype(facet.steps)())
               result.push_back(facet);
           }
         return result;
@@ -181,15 +197,28 @@ namespace Amontons
         return way * (m - n) > 0 ? angle : -angle;
       }
 
-      // How many kinks like this one follow in a row across the face, up to 2.
+      // 0: none, or less than the length of the face makes of an angle that counts.
+      double
+      step(const unsigned int f, const unsigned int k) const
+      {
+        constexpr double smallest = 1e-6;
+        const Place     *other    = beyond(f, k);
+        if (other == nullptr || !faces[f].is_curved || !faces[other->face].is_curved)
+          return 0;
+        const double by = faces[other->face].curvatures[other->ridge] - faces[f].curvatures[k];
+        return std::abs(by) * faces[f].sizes[k] < smallest ? 0 : by;
+      }
+
+      // How many kinks or steps like the last one, by which the way comes through ridge k into the face,
+      // follow in a row across it, up to 2.
+      using Value = double (Kinks::*)(const unsigned int, const unsigned int) const;
       unsigned int
-      row(const unsigned int f, const unsigned int k, const double angle) const
+      row(const unsigned int f, const unsigned int k, double last, const Value value) const
       {
         unsigned int count = 0;
-        Place        here{f, k};
-        for (double last = angle; count < 2; ++count)
+        for (Place here{f, k}; count < 2; ++count)
           {
-            const double next = kink(here.face, here.ridge ^ 1);
+            const double next = (this->*value)(here.face, here.ridge ^ 1);
             if (next * last <= 0 || std::abs(next) > 4 * std::abs(last) ||
                 std::abs(last) > 4 * std::abs(next))
               break;
@@ -201,10 +230,10 @@ namespace Amontons
       }
 
       unsigned int
-      row_beyond(const unsigned int f, const unsigned int k, const double angle) const
+      row_beyond(const unsigned int f, const unsigned int k, const double last, const Value value) const
       {
         const Place *other = beyond(f, k);
-        return other != nullptr ? row(other->face, other->ridge, angle) : row(f, k, angle);
+        return other != nullptr ? row(other->face, other->ridge, last, value) : row(f, k, last, value);
       }
 
       std::vector<CoarseFace<dim>>               faces;

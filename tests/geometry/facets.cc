@@ -5,6 +5,7 @@
 #include <amontons/geometry/quadratic_faces.h>
 
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
 namespace test_facets
@@ -139,6 +140,46 @@ check_arcs()
     }
 }
 
+// A block above y = x^2/40 + x^3/600, whose curvature goes from 0 by 1/100 per length; n faces through points
+// of the curve, straight: of the parabola without the second term.
+std::vector<Facet<2>>
+facets_of_parabolas(const unsigned int n, const double third)
+{
+  const auto       y = [third](const double x) { return x * x / 40 + third * x * x * x; };
+  Triangulation<2> block;
+  GridGenerator::subdivided_hyper_rectangle(block, {n, 1}, Point<2>(-1, -10), Point<2>(1, 10), true);
+  GridTools::transform([&](const Point<2> &p) { return p[1] < 0 ? Point<2>(p[0], y(p[0])) : p; }, block);
+  MiddleNodes<2> nodes;
+  for (const auto &face : block.active_face_iterators())
+    if (face->at_boundary() && face->boundary_id() == 2)
+      {
+        const double x                                                             = face->center()[0];
+        nodes.of_edges[{{std::min(face->vertex_index(0), face->vertex_index(1)),
+                         std::max(face->vertex_index(0), face->vertex_index(1))}}] = Point<2>(x, y(x));
+      }
+  attach_quadratic_faces(nodes, 7, block);
+  return facets_of<2>(block, false, {2});
+}
+
+void
+check_steps()
+{
+  constexpr double third = 1. / 600; // y''' = 1/100
+  for (const unsigned int n : {4, 8})
+    {
+      const double h      = 2. / n;
+      const auto   facets = facets_of_parabolas(n, third);
+      check::is_true(facets.size() == n, "parabolas along a curve of third degree");
+      for (const auto &facet : facets)
+        for (const double step : facet.steps)
+          check::is_true(step == 0 || std::abs(std::abs(step) * 100 / h - 1) < 0.02,
+                         "steps of its curvature");
+      check::is_true(facets[1].steps[0] * facets[1].steps[1] < 0, "down on one side, up on the other");
+    }
+  check::is_true(facets_of_parabolas(3, third).empty(), "two steps");
+  check::is_true(facets_of_parabolas(8, 0).empty(), "one parabola");
+}
+
 void
 check_space()
 {
@@ -186,6 +227,7 @@ main(int argc, char **argv)
   check_rings();
   check_lines();
   check_arcs();
+  check_steps();
   check_space();
   return check::result();
 }

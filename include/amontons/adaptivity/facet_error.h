@@ -5,13 +5,13 @@
 
 namespace Amontons
 {
-  // What facets (see geometry/facets.h) do to the contact of a pair: their largest kink, length and error of
-  // the gap where they touch, whether they are curved, the gap that the load closes, and the relative L2
-  // error of the pressure.
+  // What facets (see geometry/facets.h) do to the contact of a pair: of the one that leaves the largest error
+  // of the gap where they touch that error, kink, step of the curvature and length, and whether it is curved;
+  // the gap that the load closes, and the relative L2 error of the pressure.
   struct FacetError
   {
     bool   is_curved = false;
-    double angle = 0, size = 0, gap = 0, closed_gap = 0, pressure = 0;
+    double angle = 0, step = 0, size = 0, gap = 0, closed_gap = 0, pressure = 0;
   };
 
   /// doc/introduction.md, (32), over what touches on facets of either side that `Adjust` does not close; the

@@ -256,6 +256,7 @@ CHANGES = [
     ("energy by small strain", "small_strain_check.cc", 'quantity == "energy" && energy > 0', 'quantity == "nothing" && energy > 0', "scenes/small_strain_of_an_energy$"),
     ("steps of curvature", "adaptivity/facet_error.cc", "2 * half_width > facet.size ?", "true ?", "scenes/curve_in_steps$"),
     ("rows of steps", "geometry/facets.cc", "row(f, k, -by, &Kinks::step)", "row(f, k, by, &Kinks::step)", "^geometry/facets$"),
+    ("dissipation by the shear", "evaluation.cc", "std::pow(error.shear, 2) / 2", "0.", "scenes/dissipation_below_corners"),
     ("size all around", "contact/surface_fields.cc", "second_moment < all_around * polar_moment", "second_moment < 0 * polar_moment", "scenes/size_of_a_shrink_fit$"),
     ("a first mesh that sees no edge", "adaptivity/mesh_sequence.cc", "meshes[begin + 1].error > meshes[begin].error ? begin + 1 : begin", "false ? begin + 1 : begin", "scenes/target_of_what_the_first"),
     ("peaks that rise for ever", "adaptivity/peak_error.cc", "fall(1) * of_power(0) < of_power(1) * fall(0)", "false", "scenes/kink_of_gap_at_0.7$"),

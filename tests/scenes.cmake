@@ -2149,6 +2149,10 @@ add_scene_test(NAME curve_in_steps SCENE verification/curve_in_steps.prm
                      "notes.-1 has facets alone make a larger one")
 add_scene_test(NAME curve_in_steps_size SCENE verification/curve_in_steps.prm SET "Refinement/Target quantity=contact size"
                CHECK "status is converged" "error_estimate.quantity <= 0.01" "notes.-1 has facets do not")
+# 7.6 % off, told 4, where two meshes agreed by chance; and "out of reach" at 2 %.
+add_scene_test(NAME dissipation_below_corners SCENE verification/pressed_and_sheared.prm CHECK "status is converged" "meshes.-1.dissipation ~ 2.654e-5 0.05" "error_estimate.quantity <= 0.05")
+add_scene_test(NAME dissipation_below_corners_2 SCENE verification/pressed_and_sheared.prm SET "Refinement/Target error=0.02"
+               CHECK "status is converged" "meshes.-1.dissipation ~ 2.654e-5 0.02" "error_estimate.quantity <= 0.02")
 # The stick zone is smaller than the faces of the first mesh.
 add_scene_test(NAME target_stick_size_unseen_at_first SCENE verification/receding_layer_rough.prm
                SET "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target error=0.01" "Refinement/Target quantity=stick size"

@@ -76,7 +76,8 @@ namespace Amontons
     bool
     has_limit(const std::string &name) const
     {
-      return always_converges(name) || is_size(name) || (name == "peak pressure" && !error.cusp_grows);
+      return always_converges(name) || is_size(name) || name == "dissipation" ||
+             (name == "peak pressure" && !error.cusp_grows);
     }
 
     /// The increment is over: its error counts from now on; or it failed: back to that of the last one.

@@ -252,7 +252,7 @@ CHANGES = [
     ("ends that no mesh refines", "adaptivity/quantity_sequence.cc", "now > enough * meshes[half].doubts[i]", "false", "scenes/stick_size_between_corners$|^adaptivity/mesh_difference$"),
     ("refined ends of sizes", "adaptivity/zone_ends.cc", "is_needed && i < interfaces.size()", "false && i < interfaces.size()", "scenes/stick_size_between_corners$"),
     ("slaves at corners", "contact/slave_choice.cc", "result[k] != result[i] && meet(all[k], all[i])", "false && meet(all[k], all[i])", "scenes/keyway$"),
-    ("errors that swing", "adaptivity/mesh_sequence.cc", "(!always_falls && trend() < least", "(false && trend() < least", "^adaptivity/mesh_difference$"),
+    ("errors that swing", "adaptivity/mesh_sequence.cc", "(begin > 0 && !always_falls && trend() < least", "(false && trend() < least", "^adaptivity/mesh_difference$"),
     ("energy by small strain", "small_strain_check.cc", 'quantity == "energy" && energy > 0', 'quantity == "nothing" && energy > 0', "scenes/small_strain_of_an_energy$"),
     ("steps of curvature", "adaptivity/facet_error.cc", "2 * half_width > facet.size ?", "true ?", "scenes/curve_in_steps$"),
     ("rows of steps", "geometry/facets.cc", "row(f, k, -by, &Kinks::step)", "row(f, k, by, &Kinks::step)", "^geometry/facets$"),

@@ -97,7 +97,7 @@ namespace Amontons
     constexpr double least = 0.1;
     const double     far   = 10 * max_dofs;
     return has_ended || ((stands_still() || (!always_falls && order() < least)) && dofs_for(target) > far) ||
-           (!always_falls && trend() < least && dofs_at(trend(), target) > far);
+           (begin > 0 && !always_falls && trend() < least && dofs_at(trend(), target) > far);
   }
 
   std::string

@@ -50,8 +50,9 @@ namespace Amontons
 
     /// The meshes have ended, or the quantity does not converge: the error stands still, or, where there may
     /// be no limit, its order is below 0.1, where smooth contact has 1/2 (3D) and more, and contact at an
-    /// edge with a pressure that is square integrable 1/4 on uniform and more on graded meshes. (Where a
-    /// corner fits a corner with friction, errors swing by a factor of ten: there the trend says so.)
+    /// edge with a pressure that is square integrable 1/4 on uniform and more on graded meshes. After a
+    /// restart, which leaves that unknown, the trend says so. (Where a corner fits a corner with friction,
+    /// errors swing by a factor of ten.)
     bool
     is_hopeless(const double target, const double max_dofs) const;
 

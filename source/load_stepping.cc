@@ -164,7 +164,7 @@ namespace Amontons
 
   template <int dim>
   void
-  LoadStepping<dim>::follow_quantity()
+  LoadStepping<dim>::follow_quantity(const bool is_resolved)
   {
     const std::string &name       = parameters.refinement.target_quantity;
     const double       target     = parameters.refinement.target_error;
@@ -182,8 +182,7 @@ namespace Amontons
     std::vector<double> doubts;
     if (is_size(name))
       doubts = doubts_of_sizes(name, interfaces, evaluation.fields);
-    if (small_contacts_are_resolved(interfaces, evaluation.fields) &&
-        (!is_size(name) || sizes_are_seen(interfaces, evaluation.fields, enough_to_stick)))
+    if (is_resolved && (!is_size(name) || sizes_are_seen(interfaces, evaluation.fields, enough_to_stick)))
       history.quantity.add(model->discretization().dof_handler.n_dofs(), values, noteworthy, doubts);
     else // meshes before did not see all that touches
       history.quantity = {};
@@ -206,7 +205,7 @@ namespace Amontons
     auto              &error       = evaluation.error;
     const bool         is_resolved = small_contacts_are_resolved(model->interfaces, evaluation.fields);
     if (name != "contact pressure")
-      follow_quantity();
+      follow_quantity(is_resolved);
     // Where error.data is 1 what touches is unseen.
     const bool is_known =
         evaluation.touches() ? evaluation.resolves_contact() && is_resolved : error.data < 1;

@@ -109,8 +109,9 @@ namespace Amontons
     // The error that `Target error` is asked for.
     void
     follow_target();
+    // is_resolved: every contact, see small_contacts_are_resolved().
     void
-    follow_quantity();
+    follow_quantity(const bool is_resolved);
     bool
     follows_work() const
     {

@@ -6,7 +6,10 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
+#include <sstream>
 
 namespace Amontons
 {
@@ -56,6 +59,47 @@ namespace Amontons
       return (n_positive == n) - (n_negative == n);
     }
 
+    // Whether the face runs from its lowest vertex to the lower one of that vertex's neighbours, seen from
+    // outside the cell: the two cells of a face see it run either way.
+    template <int dim>
+    bool
+    runs_upwards(const CellData<dim> &cell, const unsigned int face)
+    {
+      const auto vertex = [&](const unsigned int v) {
+        return cell.vertices[GeometryInfo<dim>::face_to_cell_vertices(face, v)];
+      };
+      if (dim == 2)
+        return (vertex(0) < vertex(1)) == (face == 1 || face == 2);
+      const std::array<unsigned int, 4> loop{{vertex(0), vertex(1), vertex(3), vertex(2)}};
+      const unsigned int                at = std::min_element(loop.begin(), loop.end()) - loop.begin();
+      return (loop[(at + 1) % 4] < loop[(at + 3) % 4]) == (face % 2 == 1);
+    }
+
+    // Of convex cells, two at most share a face, one on each side of it. lines: of the cells.
+    template <int dim>
+    void
+    check_neighbours(const CoarseMesh<dim> &mesh, const std::vector<int> &lines, const SourceLocation &where)
+    {
+      std::map<FaceKey<dim>, std::array<std::optional<unsigned int>, 2>> cells_at; // by the way it runs
+      for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+        for (const unsigned int f : GeometryInfo<dim>::face_indices())
+          {
+            auto &other = cells_at[face_key(mesh.cells[c], f)][runs_upwards(mesh.cells[c], f)];
+            if (other)
+              {
+                std::ostringstream found;
+                found << "the cell lies on the same side of a face as that of line " << lines[*other]
+                      << ": they overlap near ("
+                      << mesh.vertices[mesh.cells[c].vertices[GeometryInfo<dim>::face_to_cell_vertices(f, 0)]]
+                      << ")";
+                throw InputError({where.file, lines[c], where.entry},
+                                 found.str(),
+                                 "one cell on each side of a face (gmsh: a finer mesh, another algorithm)");
+              }
+            other = c;
+          }
+    }
+
     template <int dim>
     void
     add_cells(const FileMesh &file, const SourceLocation &where, CoarseMesh<dim> &mesh)
@@ -77,6 +121,7 @@ namespace Amontons
 
       // gmsh writes a cell once for every group that it belongs to
       std::set<std::array<unsigned int, 8>> known;
+      std::vector<int>                      lines;
       for (const auto &c : file.cells)
         {
           std::array<unsigned int, 8> sorted = c.nodes;
@@ -93,7 +138,9 @@ namespace Amontons
             throw InputError(
                 {where.file, c.line, where.entry}, "the cell is degenerate or folded", "convex cells");
           mesh.cells.push_back(cell[0]);
+          lines.push_back(c.line);
         }
+      check_neighbours(mesh, lines, where);
     }
 
     // The named faces, of those on the boundary; names without any are dropped.

@@ -223,6 +223,10 @@ check_abaqus()
   check_error<2>(write("type.inp", "*NODE\n1,0,0\n*ELEMENT, TYPE=COH2D4\n1, 1, 1, 1, 1\n"),
                  {"type.inp:", "COH2D4"});
   check_error<2>(write("set.inp", abaqus + "*SURFACE, NAME=x\n secnod, S1\n"), {"did you mean"});
+  std::string folded = abaqus;
+  for (const std::string node : {" 3, 2., 0.", " 6, 2.0e0, +1."})
+    folded.replace(folded.find(node) + 4, 2, "0.");
+  check_error<2>(write("folded.inp", folded), {"folded.inp:14", "that of line 13: they overlap near (1 "});
   check_error<2>(write("cut.inp", abaqus.substr(0, abaqus.find("    6\n"))), {"an element with 3 nodes"});
 
   std::string cube = "*NODE\n";
@@ -300,6 +304,12 @@ check_cube_orientations()
         triangulation.create_triangulation(mesh.vertices, mesh.cells, SubCellData());
         triangulation.refine_global(1);
         check::is_close(GridTools::volume(triangulation), 2, 1e-12, "two cubes, refined");
+        std::string folded = text.str();
+        for (unsigned int i = 2; i < 12; i += 3) // x = 0.4, within the first cube
+          folded.replace(folded.find("\n" + std::to_string(i + 1) + ", 2, "),
+                         ("\n" + std::to_string(i + 1) + ", 2, ").size(),
+                         "\n" + std::to_string(i + 1) + ", 0.4, ");
+        check_error<3>(write("folded.inp", folded), {"that of line 15: they overlap near (1 "});
         MPI_Barrier(MPI_COMM_WORLD);
       }
   while (std::next_permutation(axes.begin(), axes.end()));

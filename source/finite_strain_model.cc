@@ -19,7 +19,9 @@ namespace Amontons
       : Model<dim>(other.mesh, true, state.t, timer)
   {
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      interfaces[i].first_gap = other.interfaces[i].first_gap;
+      if (const PairData &pair = *interfaces[i].pair;
+          other.finite_strain() || (!pair.initial_gap && pair.adjust == 0))
+        interfaces[i].first_gap = other.interfaces[i].first_gap;
     couple_refined();
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       interfaces[i].search_distance = other.interfaces[i].search_distance;

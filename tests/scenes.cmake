@@ -1985,6 +1985,13 @@ add_scene_test(NAME step_by_adjust_none SCENE verification/two_equal_disks.prm S
 add_scene_test(NAME adjusted_overlap SCENE verification/equal_blocks.prm
                SET "Body upper/Lower corner=-0.5,-0.001" "Contact face/Adjust=0.002" "Refinement/Target error=0" "Refinement/Cycles=2"
                CHECK "status is converged" "pairs.0.normal_force.1 ~ 2.2510 1e-3" "meshes.-1.mesh == 2")
+# Finite strain leaves gaps open that `Adjust` closes, and adds declared ones: `approach` begins where the bodies touch (it took none away).
+add_scene_test(NAME approach_adjusted SCENE verification/two_equal_disks.prm
+               SET "Kinematics=finite strain" "Body upper/Centre=0, 1.005" "Contact line/Adjust=0.01"
+               CHECK "status is converged" "pairs.0.approach ~ 0.035 1e-9")
+add_scene_test(NAME approach_declared SCENE verification/two_equal_disks.prm
+               SET "Kinematics=finite strain" "Body upper/Centre=0, 1.005" "Contact line/Initial gap=0.002"
+               CHECK "status is converged" "pairs.0.approach ~ 0.033 1e-6")
 # Flanks that lean away by more than 72 degrees are not opposite: without them in the list the force is the same.
 foreach(sides "punch/bottom" "punch/bottom, punch/left, punch/right")
   string(REGEX REPLACE "[^a-z]+" "_" name "${sides}")

@@ -36,7 +36,7 @@ namespace Amontons
             gaps = {};
           constexpr double may_be_near = 0.3; // of what the gap varies by
           if (gaps.range() >= 0 && !is_seen[f] && gaps.smallest < may_be_near * gaps.range())
-            gaps.smallest = smallest_gap(interface, f, gaps, approach);
+            gaps.smallest = smallest_gap(interface, f, gaps, approach, interface.slave->moved);
         }
       return result;
     }

@@ -159,8 +159,14 @@ namespace Amontons
   {
     template <int dim>
     void
-    note_first_gap(const std::vector<OverlapPoint<dim>> &points, ContactInterface<dim> &interface)
+    note_first_gap(std::vector<OverlapPoint<dim>> points,
+                   const bool                     finite_strain,
+                   ContactInterface<dim>         &interface)
     {
+      const PairData &pair = *interface.pair;
+      if (finite_strain) // meshes lie as they do: nothing is closed, and declared gaps are added
+        for (auto &p : points)
+          p.gap = (p.x_master - p.x_slave) * p.normal + (pair.initial_gap ? p.gap : 0);
       const bool is_at_end = interface.first_gap && interface.first_gap->is_at_end;
       auto      &first     = interface.first_gap.emplace();
       first.is_at_end      = is_at_end;
@@ -179,10 +185,9 @@ namespace Amontons
         if (const double size = interface.slave->faces[f].size;
             gaps[f].range() > 1e-4 * size && gaps[f].smallest - gaps[f].range() < first.size)
           {
-            const double gap = smallest_gap(interface, f, gaps[f], none);
-            first.size =
-                std::min(first.size,
-                         !interface.pair->initial_gap && is_adjusted(*interface.pair, gap, size) ? 0 : gap);
+            const double gap    = smallest_gap(interface, f, gaps[f], none, finite_strain);
+            const bool   closed = !finite_strain && !pair.initial_gap && is_adjusted(pair, gap, size);
+            first.size          = std::min(first.size, closed ? 0 : gap);
           }
     }
   } // namespace
@@ -201,7 +206,7 @@ namespace Amontons
         carries.push_back(find_carrying_nodes(*interface.slave, supports, interface.pair->tied));
         auto points = find_partners(discretization, interface, moved);
         if (!moved)
-          note_first_gap(points, interface);
+          note_first_gap(points, discretization.finite_strain, interface);
         for (auto &point : points)
           point.ray = point.normal;
         if (!moved)
@@ -236,7 +241,7 @@ namespace Amontons
         auto points = std::move(interface.coupling.points);
         declare_gaps(*interface.pair, *interface.slave, t, false, points);
         if (stays)
-          note_first_gap(points, interface);
+          note_first_gap(points, false, interface);
         integrate(discretization, std::move(points), interface.carries, stays, false, interface);
       }
   }

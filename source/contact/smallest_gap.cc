@@ -63,9 +63,10 @@ namespace Amontons
       FaceGap(const ContactInterface<dim> &interface,
               const unsigned int           face,
               const FaceGaps              &points,
-              const SurfaceApproach<dim>  &approach)
+              const SurfaceApproach<dim>  &approach,
+              const bool                   adds_declared)
           : slave(*interface.slave), master(interface.master), face(face), opposite(points.opposite),
-            approach(approach)
+            approach(approach), adds_declared(adds_declared)
       {
         if (interface.pair->initial_gap)
           declared.emplace(*interface.pair, slave, interface.t);
@@ -117,7 +118,7 @@ namespace Amontons
           xi[d] = 1.3e-6 + (1 - 2.3e-6) * xi[d];
         const double further = declared->jumps(face) ? declared->ramp(face, xi)
                                                      : declared->at(slave.reference_position(face, xi));
-        return (slave.moved ? gap : 0) + further;
+        return (adds_declared ? gap : 0) + further;
       }
 
       const ContactSurface<dim>      &slave;
@@ -125,6 +126,7 @@ namespace Amontons
       const unsigned int              face;
       const std::set<unsigned int>   &opposite;
       const SurfaceApproach<dim>     &approach;
+      const bool                      adds_declared;
       std::optional<DeclaredGap<dim>> declared;
     };
 
@@ -160,9 +162,10 @@ namespace Amontons
   smallest_gap(const ContactInterface<dim> &interface,
                const unsigned int           face,
                const FaceGaps              &points,
-               const SurfaceApproach<dim>  &approach)
+               const SurfaceApproach<dim>  &approach,
+               const bool                   adds_declared)
   {
-    const FaceGap<dim> gap(interface, face, points, approach);
+    const FaceGap<dim> gap(interface, face, points, approach, adds_declared);
     const auto         line   = samples_along<dim>(interface.slave->faces.size());
     auto               places = Quadrature<dim - 1>(line).get_points();
     for (const auto &node : lattice<dim - 1>(interface.slave->degree))
@@ -184,7 +187,15 @@ namespace Amontons
   template std::vector<FaceGaps>
   gaps_by_face(const ContactSurface<3> &, const std::vector<OverlapPoint<3>> &, const SurfaceApproach<3> &);
   template double
-  smallest_gap(const ContactInterface<2> &, const unsigned int, const FaceGaps &, const SurfaceApproach<2> &);
+  smallest_gap(const ContactInterface<2> &,
+               const unsigned int,
+               const FaceGaps &,
+               const SurfaceApproach<2> &,
+               const bool);
   template double
-  smallest_gap(const ContactInterface<3> &, const unsigned int, const FaceGaps &, const SurfaceApproach<3> &);
+  smallest_gap(const ContactInterface<3> &,
+               const unsigned int,
+               const FaceGaps &,
+               const SurfaceApproach<3> &,
+               const bool);
 } // namespace Amontons

@@ -18,9 +18,9 @@ namespace Amontons
     MasterSide<dim>                      master;
     Coupling<dim> coupling; // small sliding: integrated once per mesh, in the reference configuration
     double        t = 0;    // at which declared gaps are taken
-    // The smallest gap before anything has moved (small strain: as it is declared for t), and the normals
-    // along which it is that to a tenth. Infinite: nothing is opposite. Meshes of one history tell each
-    // other.
+    // The smallest gap before anything has moved (small strain: as it is declared for t, finite strain: of
+    // the meshes with what is declared), and the normals along which it is that to a tenth. Infinite:
+    // nothing is opposite. Meshes of one history tell each other.
     struct FirstGap
     {
       double                      size = std::numeric_limits<double>::infinity();

@@ -32,11 +32,13 @@ namespace Amontons
 
   // The smallest gap g of x + g n = y between a slave face and what is opposite, with its continuous normal
   // n, where the surfaces are that `points` were taken at, nearer by `approach`: at the nodes of both sides,
-  // around the lowest of many places between, and at the points. With the gap that the pair declares, if any.
+  // around the lowest of many places between, and at the points. A gap that
+  // the pair declares replaces it, or is added to it.
   template <int dim>
   double
   smallest_gap(const ContactInterface<dim> &interface,
                const unsigned int           face,
                const FaceGaps              &points,
-               const SurfaceApproach<dim>  &approach);
+               const SurfaceApproach<dim>  &approach,
+               const bool                   adds_declared);
 } // namespace Amontons

@@ -97,6 +97,9 @@ namespace Amontons
     start_on_first_mesh(scene.kinematics == Kinematics::finite_strain);
     if (const auto gaps = gaps_of_ties(steps->model->interfaces); !gaps.empty())
       report.announce("warning: " + gaps);
+    if (const auto slaves = contradicting_slaves(*mesh->discretization, mesh->first_is_slave);
+        !slaves.empty())
+      report.announce("warning: " + slaves);
     make_output_folder(folder, mesh->geometry.communicator, control.checkpoint.resumes());
     control.checkpoint.open();
     report.open_log();

@@ -2147,6 +2147,10 @@ add_scene_test(NAME stick_size_between_corners SCENE verification/pulled_from_ja
 # Corners of key and shaft were each slave in one pair and master in the other: no state converged.
 add_scene_test(NAME keyway SCENE verification/keyway.prm
                CHECK "status is converged" "reactions.0.moment.0 ~ 20000 1e-10" "pairs.1.normal_force.0 ~ 888.04 0.01" "pairs.1.tangential_force.1 ~ 88.804 0.01" "linear_solves <= 60")
+# Where the scene itself says so of both, that is told before anything is tried.
+add_scene_test(NAME keyway_slaves_contradict SCENE verification/keyway.prm FAILS
+               SET "Contact floor/Slave=first" "Contact left of shaft/Slave=second" "Minimum increment=1"
+               CHECK "notes.0 has pairs 'left of shaft' and 'floor' meet at a corner of both bodies")
 # Half-widths of 1e-5 around a ring, which the mesh makes of nothing, were refined to 650,000 unknowns.
 add_scene_test(NAME size_of_a_shrink_fit SCENE verification/rings.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01" "Refinement/Target quantity=contact size"
                CHECK "status is converged" "pairs.0.contact_size == 0" "dofs <= 10000" "notes.0 has has no meaning")

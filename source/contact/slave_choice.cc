@@ -36,6 +36,23 @@ namespace Amontons
       return result;
     }
 
+    template <int dim>
+    bool
+    is_rigid(const Discretization<dim> &discretization, const BoundaryName &name)
+    {
+      const Scene &scene = discretization.scene;
+      return scene.bodies[discretization.geometry.boundary(name, scene).body].rigid.has_value();
+    }
+
+    // Both sides are.
+    template <int dim>
+    bool
+    is_of_deformable(const Discretization<dim> &discretization, const unsigned int pair)
+    {
+      const PairData &data = discretization.scene.pairs[pair];
+      return data.second && !is_rigid(discretization, data.first) && !is_rigid(discretization, *data.second);
+    }
+
     // Pairs of the same two bodies, at a corner of both.
     bool
     meet(const Sides &a, const Sides &b)
@@ -93,20 +110,14 @@ namespace Amontons
   std::vector<bool>
   choose_slaves(const Discretization<dim> &discretization)
   {
-    const Scene &scene    = discretization.scene;
-    const auto   is_rigid = [&](const BoundaryName &name) {
-      return scene.bodies[discretization.geometry.boundary(name, scene).body].rigid;
-    };
+    const Scene       &scene = discretization.scene;
     std::vector<bool>  result(scene.pairs.size(), true);
     std::vector<Sides> deform;
     for (unsigned int i = 0; i < result.size(); ++i)
-      if (const auto &pair = scene.pairs[i]; pair.second)
-        {
-          if (is_rigid(pair.first) || is_rigid(*pair.second))
-            result[i] = !is_rigid(pair.first);
-          else
-            deform.push_back(sides_of(discretization, i));
-        }
+      if (is_of_deformable(discretization, i))
+        deform.push_back(sides_of(discretization, i));
+      else if (scene.pairs[i].second)
+        result[i] = !is_rigid(discretization, scene.pairs[i].first);
     const auto groups = groups_of(deform);
     for (unsigned int i = 0; i < deform.size(); ++i)
       {
@@ -119,8 +130,34 @@ namespace Amontons
     return result;
   }
 
+  template <int dim>
+  std::string
+  contradicting_slaves(const Discretization<dim> &discretization, const std::vector<bool> &first_is_slave)
+  {
+    const auto        &pairs = discretization.scene.pairs;
+    std::vector<Sides> given;
+    for (unsigned int i = 0; i < pairs.size(); ++i)
+      if (pairs[i].slave != PairData::Slave::automatic && is_of_deformable(discretization, i))
+        given.push_back(sides_of(discretization, i));
+    const auto slave = [&](const Sides &sides) { return sides.bodies[first_is_slave[sides.pair] ? 0 : 1]; };
+    for (unsigned int i = 0; i < given.size(); ++i)
+      for (unsigned int k = 0; k < i; ++k)
+        if (const PairData &one = pairs[given[k].pair], &other = pairs[given[i].pair];
+            (one.has_friction() || other.has_friction()) && slave(given[k]) != slave(given[i]) &&
+            meet(given[k], given[i]))
+          return "pairs '" + one.name + "' and '" + other.name +
+                 "' meet at a corner of both bodies, and of each of them one is the slave: such a corner is "
+                 "held twice, and with friction there may be no states of contact; say no 'Slave', or one of "
+                 "the same body";
+    return "";
+  }
+
   template std::vector<bool>
   choose_slaves(const Discretization<2> &);
+  template std::string
+  contradicting_slaves(const Discretization<2> &, const std::vector<bool> &);
+  template std::string
+  contradicting_slaves(const Discretization<3> &, const std::vector<bool> &);
   template std::vector<bool>
   choose_slaves(const Discretization<3> &);
 } // namespace Amontons

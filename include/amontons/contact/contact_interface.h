@@ -61,6 +61,11 @@ namespace Amontons
   std::vector<bool>
   choose_slaves(const Discretization<dim> &discretization);
 
+  // Where the scene says otherwise of pairs with friction; empty: nowhere.
+  template <int dim>
+  std::string
+  contradicting_slaves(const Discretization<dim> &discretization, const std::vector<bool> &first_is_slave);
+
   // Surfaces of all pairs. Collective.
   template <int dim>
   std::vector<ContactInterface<dim>>

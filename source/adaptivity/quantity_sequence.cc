@@ -161,6 +161,22 @@ namespace Amontons
   }
 
   double
+  QuantitySequence::spread() const
+  {
+    if (meshes.empty())
+      return std::numeric_limits<double>::infinity();
+    const unsigned int last = meshes.size() - 1, half = half_of(last),
+                       quarter = half < last ? half_of(half) : meshes.size();
+    if (quarter > last)
+      return std::numeric_limits<double>::infinity();
+    double worst = 0;
+    for (unsigned int i = 0; i < meshes[last].values.size(); ++i)
+      for (unsigned int k = quarter; k < last; ++k)
+        worst = std::max(worst, std::abs(value(last, i) - value(k, i)) / norm(last, i));
+    return worst;
+  }
+
+  double
   QuantitySequence::doubt() const
   {
     return meshes.empty() ? 0 : doubt_on(meshes.size() - 1);

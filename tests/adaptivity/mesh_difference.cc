@@ -129,6 +129,16 @@ main(int, char **)
       numbers.add(n / growth, {4., 1.}); // of the same mesh: instead
       check::is_true(numbers.error() > 0.2, "a number that jumps");
 
+      QuantitySequence few;
+      few.add(1000, {1.});
+      few.add(3900, {1.});
+      check::is_true(std::isinf(few.spread()), "no mesh of a quarter of the unknowns");
+      few.add(7900, {1.1});
+      check::is_close(few.spread(), 0.1 / 1.1, 1e-12, "the largest change since one");
+      few.add(16000, {1.09});
+      few.add(32000, {1.09});
+      check::is_close(few.spread(), 0.01 / 1.09, 1e-12, "not of earlier ones");
+
       QuantitySequence repeated;
       double           last = 0;
       for (double m = 1000; m < n; m *= growth)

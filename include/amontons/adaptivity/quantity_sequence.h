@@ -57,6 +57,11 @@ namespace Amontons
     {
       return meshes.size() > 1 && vanishes();
     }
+    /// Of the worst value, relative as above: its largest change to the last mesh from any since one of at
+    /// most a quarter of the DoFs. Infinite as long as there is no such mesh.
+    double
+    spread() const;
+
     /// One of the numbers has changed in one direction and hardly by less on the last meshes: it may have no
     /// limit.
     bool

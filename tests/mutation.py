@@ -355,7 +355,7 @@ CHANGES = [
     ("facets of bodies in forces", "evaluation.cc", "+ error.sections) / 2", ") / 2", "scenes/round_column_force_linear$"),
     ("facets that are given up", "contact_problem.cc", "if (is_stopped() || !steps->wants_arcs())", "if (true)", "scenes/(round_column|twisted_columns)$"),
     ("hanging vertices on the circle", "discretization/discretization.cc", "if (mean.linfty_norm() <= 1e-14 * place.linfty_norm())", "if (true)", "^discretization/hanging_vertices$"),
-    ("contact between the points", "adaptivity/unseen_contact.cc", "gaps.smallest = smallest_gap(interface, f, gaps, approach);", "(void)may_be_near;", "scenes/wedge_between_nodes$"),
+    ("contact between the points", "adaptivity/unseen_contact.cc", "gaps.smallest = smallest_gap(interface, f, gaps, approach, interface.slave->moved);", "(void)may_be_near;", "scenes/wedge_between_nodes$"),
     ("second contact of a pair", "adaptivity/unseen_contact.cc", "!near[f] && may_touch && force > noteworthy", "false", "scenes/second_bump$"),
     ("obstacles that turn, near", "contact/surface_approach.cc", "(motion(y) - y)", "motion.b", "scenes/tilting_punch$"),
     ("approach of obstacles that turn", "output/approach.cc", "if (turned.A == shifted.A)", "if (true)", "scenes/tilting_punch$"),

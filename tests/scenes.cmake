@@ -1992,6 +1992,9 @@ add_scene_test(NAME approach_adjusted SCENE verification/two_equal_disks.prm
 add_scene_test(NAME approach_declared SCENE verification/two_equal_disks.prm
                SET "Kinematics=finite strain" "Body upper/Centre=0, 1.005" "Contact line/Initial gap=0.002"
                CHECK "status is converged" "pairs.0.approach ~ 0.033 1e-6")
+add_scene_test(NAME approach_of_growing_gap SCENE verification/two_equal_disks.prm
+               SET "Kinematics=finite strain" "Body upper/Centre=0, 1.005" "Contact line/Initial gap=0.002*t" "Increments=3"
+               CHECK "status is converged" "pairs.0.approach ~ 0.033 1e-6")
 # Flanks that lean away by more than 72 degrees are not opposite: without them in the list the force is the same.
 foreach(sides "punch/bottom" "punch/bottom, punch/left, punch/right")
   string(REGEX REPLACE "[^a-z]+" "_" name "${sides}")
@@ -2150,7 +2153,10 @@ add_scene_test(NAME keyway SCENE verification/keyway.prm
 # Where the scene itself says so of both, that is told before anything is tried.
 add_scene_test(NAME keyway_slaves_contradict SCENE verification/keyway.prm FAILS
                SET "Contact floor/Slave=first" "Contact left of shaft/Slave=second" "Minimum increment=1"
-               CHECK "notes.0 has pairs 'left of shaft' and 'floor' meet at a corner of both bodies")
+               CHECK "notes.0 has and 'floor' meet at a corner of both bodies")
+add_scene_test(NAME keyway_slaves_beside_automatic SCENE verification/keyway.prm FAILS
+               SET "Contact right of shaft/Slave=first" "Contact left of shaft/Slave=second" "Minimum increment=1"
+               CHECK "notes.0 has meet at a corner of both bodies")
 # Half-widths of 1e-5 around a ring, which the mesh makes of nothing, were refined to 650,000 unknowns.
 add_scene_test(NAME size_of_a_shrink_fit SCENE verification/rings.prm SET "Refinement/Cycles=-1" "Refinement/Target error=0.01" "Refinement/Target quantity=contact size"
                CHECK "status is converged" "pairs.0.contact_size == 0" "dofs <= 10000" "notes.0 has has no meaning")

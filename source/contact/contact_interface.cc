@@ -170,8 +170,13 @@ namespace Amontons
       const bool is_at_end = interface.first_gap && interface.first_gap->is_at_end;
       auto      &first     = interface.first_gap.emplace();
       first.is_at_end      = is_at_end;
+      first.t              = interface.t;
       for (const auto &p : points)
-        first.size = std::min(first.size, p.gap);
+        if (p.gap < first.size)
+          {
+            first.size  = p.gap;
+            first.place = interface.slave->reference_position(p.slave_face, p.xi_slave);
+          }
       for (const auto &p : points)
         if (p.gap <= first.size + 0.1 * std::abs(first.size) &&
             std::none_of(first.normals.begin(), first.normals.end(), [&](const auto &normal) {

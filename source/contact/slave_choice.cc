@@ -134,17 +134,20 @@ namespace Amontons
   std::string
   contradicting_slaves(const Discretization<dim> &discretization, const std::vector<bool> &first_is_slave)
   {
-    const auto        &pairs = discretization.scene.pairs;
-    std::vector<Sides> given;
+    const auto &pairs = discretization.scene.pairs;
+    if (std::all_of(pairs.begin(), pairs.end(), [](const PairData &pair) {
+          return pair.slave == PairData::Slave::automatic;
+        }))
+      return "";
+    std::vector<Sides> all;
     for (unsigned int i = 0; i < pairs.size(); ++i)
-      if (pairs[i].slave != PairData::Slave::automatic && is_of_deformable(discretization, i))
-        given.push_back(sides_of(discretization, i));
+      if (pairs[i].has_friction() && is_of_deformable(discretization, i))
+        all.push_back(sides_of(discretization, i));
     const auto slave = [&](const Sides &sides) { return sides.bodies[first_is_slave[sides.pair] ? 0 : 1]; };
-    for (unsigned int i = 0; i < given.size(); ++i)
+    for (unsigned int i = 0; i < all.size(); ++i)
       for (unsigned int k = 0; k < i; ++k)
-        if (const PairData &one = pairs[given[k].pair], &other = pairs[given[i].pair];
-            (one.has_friction() || other.has_friction()) && slave(given[k]) != slave(given[i]) &&
-            meet(given[k], given[i]))
+        if (const PairData &one = pairs[all[k].pair], &other = pairs[all[i].pair];
+            slave(all[k]) != slave(all[i]) && meet(all[k], all[i]))
           return "pairs '" + one.name + "' and '" + other.name +
                  "' meet at a corner of both bodies, and of each of them one is the slave: such a corner is "
                  "held twice, and with friction there may be no states of contact; say no 'Slave', or one of "

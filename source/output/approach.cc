@@ -1,3 +1,4 @@
+#include <amontons/base/points.h>
 #include <amontons/output/approach.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -198,13 +199,18 @@ namespace Amontons
     if (!first || !second)
       return {};
     // What holds both bodies does not move; other loads or an interference press them together.
+    double gap = interface.first_gap->size;
+    if (gap_grows(interface)) // finite strain: since it was measured
+      for (const auto &[t, sign] :
+           {std::make_pair(answer.state.t, 1), std::make_pair(interface.first_gap->t, -1)})
+        gap += sign * data.initial_gap->value(as_3d(interface.first_gap->place), t);
     constexpr double rounding = 1e-12;
     const double     motion   = std::abs(*second - *first);
-    if (motion <= rounding * answer.state.displacement.linfty_norm() && interface.first_gap->size >= 0)
+    if (motion <= rounding * answer.state.displacement.linfty_norm() && gap >= 0)
       return {};
     if (touches_elsewhere<dim>(*interface.first_gap, e, motion))
       return {};
-    return motion - interface.first_gap->size;
+    return motion - gap;
   }
 
   template std::optional<double>

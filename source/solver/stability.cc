@@ -43,19 +43,15 @@ namespace Amontons
       return result;
     }
 
-    // Of the real ones; 0: none is negative, or it belongs to a motion that next to nothing drives or holds.
+    // Of the real ones; 0: none is negative.
     double
     most_negative_eigenvalue(const FullMatrix<double> &H, const unsigned int n)
     {
-      constexpr double neutral = 1e4;
-      double           result = 0, largest = 0;
+      double result = 0;
       for (const auto &value : eigenvalues(H, n))
         if (value.imag() == 0)
-          {
-            result  = std::min(result, value.real());
-            largest = std::max(largest, value.real());
-          }
-      return -result > neutral * largest && largest > 0 ? 0 : result;
+          result = std::min(result, value.real());
+      return result;
     }
 
     // By inverse iteration; of length 1.

@@ -1,4 +1,5 @@
-// Rates of growth and shapes of unstable modes of a diagonal stiffness; neutral motions are none.
+// Rates of growth and shapes of unstable modes of a diagonal stiffness, however slow: that of a column on a
+// thin hinge is 3e-5 of the slowest that is stable.
 #include "check.h"
 
 #include <amontons/solver/stability.h>
@@ -28,7 +29,7 @@ main(int argc, char **argv)
         damping);
   };
   check::is_true(!mode(0.5), "stable");
-  for (const double rate : {2., 0.1, 1e-3})
+  for (const double rate : {2., 0.1, 1e-3, 1e-6})
     {
       const auto found = mode(-rate);
       check::is_true(found.has_value(), "unstable");
@@ -38,7 +39,6 @@ main(int argc, char **argv)
           check::is_close(std::abs(found->shape(0)), 1, 1e-6, "shape");
         }
     }
-  check::is_true(!mode(-1e-6), "neutral");
   return check::result();
 }
 } // namespace test_stability

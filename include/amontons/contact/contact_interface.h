@@ -25,6 +25,8 @@ namespace Amontons
     {
       double                      size = std::numeric_limits<double>::infinity();
       std::vector<Tensor<1, dim>> normals;
+      Point<dim>                  place;             // of the slave, undeformed, where it is nearest
+      double                      t         = 0;     // that a declared gap is of
       bool                        is_at_end = false; // of the slave, see slave_end_presses()
     };
     std::optional<FirstGap> first_gap;

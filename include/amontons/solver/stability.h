@@ -16,8 +16,7 @@ namespace Amontons
 
   // Of  D du/dtau + K u = 0, where solve(y, x) solves K y = D x under the present contact: Arnoldi's method
   // for K^-1 D, whose eigenvalues next to K = 0 come first, in `n_steps` solves. Complex eigenvalues
-  // (flutter) are left out, those that have not converged to a tenth, and those 1e4 times slower than the
-  // slowest motion that is stable: a body that may turn in its bore does so down the facets of its mesh.
+  // (flutter) are left out, and those that have not converged to a tenth.
   std::optional<UnstableMode>
   find_unstable_mode(const std::function<bool(LA::Vector &y, const LA::Vector &x)> &solve,
                      const LA::Vector                                              &damping,

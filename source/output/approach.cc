@@ -201,9 +201,11 @@ namespace Amontons
     // What holds both bodies does not move; other loads or an interference press them together.
     double gap = interface.first_gap->size;
     if (gap_grows(interface)) // finite strain: since it was measured
-      for (const auto &[t, sign] :
-           {std::make_pair(answer.state.t, 1), std::make_pair(interface.first_gap->t, -1)})
-        gap += sign * data.initial_gap->value(as_3d(interface.first_gap->place), t);
+      {
+        const auto place = as_3d(interface.first_gap->place);
+        gap += data.initial_gap->value(place, answer.state.t) -
+               data.initial_gap->value(place, interface.first_gap->t);
+      }
     constexpr double rounding = 1e-12;
     const double     motion   = std::abs(*second - *first);
     if (motion <= rounding * answer.state.displacement.linfty_norm() && gap >= 0)

@@ -32,8 +32,8 @@ namespace Amontons
 
   // The smallest gap g of x + g n = y between a slave face and what is opposite, with its continuous normal
   // n, where the surfaces are that `points` were taken at, nearer by `approach`: at the nodes of both sides,
-  // around the lowest of many places between, and at the points. A gap that
-  // the pair declares replaces it, or is added to it.
+  // around the lowest of many places between, and at the points. A gap that the pair declares
+  // replaces it, or (adds_declared) is added to it.
   template <int dim>
   double
   smallest_gap(const ContactInterface<dim> &interface,

@@ -41,9 +41,9 @@ namespace Amontons
   LoadStepping<dim>::choose_increments()
   {
     const bool again = measurement.has_value();
-    if (increments.divide(history.record.growing()))
+    if (increments.divide(history.record))
       {
-        report.announce("contact grows on finer meshes where single increments were taken: they are divided");
+        report.announce("contact grows on finer meshes where few increments were taken: they are divided");
         repeat_on_mesh();
         return true;
       }
@@ -78,14 +78,20 @@ namespace Amontons
   LoadStepping<dim>::save_increments(const double of_record, const IncrementChoice::Repeat &try_these)
   {
     IncrementErrors change;
-    if (!increments.try_at_once(history.record, of_record, try_these, change))
+    if (!increments.try_fewer_in_pieces(history.record, of_record, try_these, change))
       return;
     std::ostringstream text;
-    text << "where pressures hardly change, up to t =";
-    for (const double end : increments.lengths().at_once)
-      text << (end == increments.lengths().at_once.front() ? " " : ", ") << end;
+    const auto lengths = increments.lengths();
+    text << "where next to nothing closes, up to t =";
+    for (const double end : lengths.few)
+      text << (end == lengths.few.front() ? " " : ", ") << end;
+    text << ", the load comes in ";
+    if (lengths.n_of_each == 1)
+      text << "single increments";
+    else
+      text << lengths.n_of_each << " increments each";
     text.precision(1);
-    text << ", the load comes in single increments; more of them change the answer by " << change.largest();
+    text << "; more of them change the answer by " << change.largest();
     report.announce(text.str());
   }
 
@@ -106,14 +112,15 @@ namespace Amontons
     IncrementLengths lengths = increments.lengths();
     lengths.begins_in_two    = begins_in_two(lengths);
     auto         plan        = load_program(lengths);
-    unsigned int n = 0, n_pieces = plan.n_breakpoints() - lengths.at_once.size();
+    unsigned int n = 0, n_pieces = plan.n_breakpoints() - lengths.few.size();
     while (!plan.finished())
       {
         plan.accept(1);
-        n += plan.is_beginning() || plan.is_at_once() ? 0 : 1;
+        n += plan.is_beginning() || plan.is_of_few() ? 0 : 1;
       }
-    lengths.times *= n < 4 * n_pieces ? 0.5 : 2;
-    lengths.of_each = 2;
+    const bool with_twice = n < 4 * n_pieces;
+    lengths.times *= with_twice ? 0.5 : 2;
+    lengths.n_of_each = with_twice || lengths.n_of_each == 1 ? 2 * lengths.n_of_each : lengths.n_of_each / 2;
 
     auto record = repeat(load_program(lengths), true);
     if (!record && !control.stop.is_there())
@@ -131,7 +138,7 @@ namespace Amontons
         if (record) // what begins the first one does not count
           {
             record->n_increments = 2 * history.record.n_increments;
-            record->n_at_once    = 2 * history.record.n_at_once;
+            record->n_of_few    = 2 * history.record.n_of_few;
           }
       }
     if (record)

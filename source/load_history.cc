@@ -44,6 +44,7 @@ namespace Amontons
   {
     work.restart();
     record = LoadRecord();
+    closed.clear();
     snaps.clear();
     state.committed   = LA::Vector();
     state.committed_t = t;

@@ -295,31 +295,20 @@ namespace Amontons
       history.work.add(answer());
     history.record.times.push_back(program.time());
     history.record.n_increments += program.is_beginning() ? 0 : 1;
-    history.record.n_at_once += program.is_at_once() ? 1 : 0;
+    history.record.n_of_few += program.is_of_few() ? 1 : 0;
     history.record.largest_work = history.work.largest_work;
     for (const auto &fields : evaluation.fields)
       history.record.largest_force =
           std::max(history.record.largest_force, (fields.normal_force + fields.tangential_force).norm());
-    if (has_closed())
+    if (note_closed(model->interfaces, history.state, history.closed))
       history.record.closing.push_back({{history.state.committed_t, program.time()}});
-    if (program.is_at_breakpoint())
-      history.record.breakpoints.push_back({record_pairs(model->interfaces, evaluation.fields, history.state),
-                                            history.work.dissipation,
-                                            program.time()});
-  }
-
-  template <int dim>
-  bool
-  LoadPath<dim>::has_closed() const
-  {
-    const auto &before = history.state.committed_contact;
-    for (unsigned int i = 0; i < history.state.contact.size(); ++i)
-      for (unsigned int n = 0; n < history.state.contact[i].size(); ++n)
-        if (model->interfaces[i].pair->has_friction() &&
-            history.state.contact[i][n].state != ContactStatus::open &&
-            (before.empty() || before[i][n].state == ContactStatus::open))
-          return true;
-    return false;
+    if (!program.is_at_breakpoint())
+      return;
+    history.record.breakpoints.push_back(
+        {record_pairs(model->interfaces, evaluation.fields, history.state, history.closed),
+         history.work.dissipation,
+         program.time()});
+    history.closed.clear();
   }
 
   // Where the load path turns, slip stops: the first guess is stick.

@@ -74,9 +74,6 @@ namespace Amontons
     go_back();
     void
     commit(const LoadProgram &program);
-    // A node with friction has closed in the increment that is committed now.
-    bool
-    has_closed() const;
     void
     begin_next(const LoadProgram &program);
     /// What a load program leaves on this mesh; nothing if it fails or has as many increments. is_guided: by

@@ -7,6 +7,33 @@ namespace Amontons
     // In each piece of the load path.
     constexpr double at_first   = LoadProgram::increments_at_first,
                      by_default = LoadProgram::increments_by_default;
+
+    // After the first.
+    std::vector<double>
+    ends_of_pieces(const LoadRecord &record)
+    {
+      std::vector<double> ends;
+      for (unsigned int l = 1; l < record.breakpoints.size(); ++l)
+        ends.push_back(record.breakpoints[l].t);
+      return ends;
+    }
+
+    // Of the allowed error: not all of the bound of what closes is wrong, as it slips much the same way.
+    constexpr double part_that_closes = 2;
+
+    // True: any.
+    bool
+    remove(const std::vector<double> &removed, std::vector<double> &ends)
+    {
+      const auto n = ends.size();
+      ends.erase(std::remove_if(ends.begin(),
+                                ends.end(),
+                                [&](const double end) {
+                                  return std::find(removed.begin(), removed.end(), end) != removed.end();
+                                }),
+                 ends.end());
+      return ends.size() < n;
+    }
   } // namespace
 
   IncrementChoice::IncrementChoice(const RefinementParameters &parameters, const bool by_target)
@@ -22,8 +49,8 @@ namespace Amontons
                           const Repeat          &repeat)
   {
     // In each piece; more than at first where some were cut.
-    const double n_pieces          = std::max<double>(1, record.breakpoints.size() - double(at_once.size())),
-                 taken             = std::max(at_first, (errors.n_increments - errors.n_at_once) / n_pieces);
+    const double n_pieces          = std::max<double>(1, record.breakpoints.size() - double(few.size())),
+                 taken             = std::max(at_first, (errors.n_increments - errors.n_of_few) / n_pieces);
     const IncrementErrors of_first = errors.scaled(taken / at_first);
     double                n        = wanted(of_first);
     if (n <= at_first && mesh_is_last)
@@ -42,37 +69,42 @@ namespace Amontons
   }
 
   bool
-  IncrementChoice::try_at_once(const LoadRecord &record,
+  IncrementChoice::try_fewer_in_pieces(const LoadRecord &record,
                                const double      of_record,
                                const Repeat     &repeat,
                                IncrementErrors  &change)
   {
     constexpr double part_of_allowed = 0.1, part_of_work = 0.1;
-    const auto       ends = pieces_of_steady_pressure(record);
-    if (ends.empty() || times_in_the_end * 2 > by_default)
+    auto             ends = ends_of_pieces(record);
+    remove(record.closing_beyond(part_that_closes * allowed()), ends);
+    const double most = by_default / times_in_the_end / 2;
+    if (ends.empty())
       return false;
-    const auto tried = repeat({of_record, ends});
-    if (!tried)
-      return false;
-    change = difference(record, *tried);
-    const bool does =
-        counted(change) <= part_of_allowed * allowed() && change.own_dissipation <= part_of_work;
-    if (does)
-      at_once = ends;
-    return does;
+    for (unsigned int n = 1; n <= most;)
+      {
+        const auto tried = repeat({of_record, ends, n});
+        if (!tried)
+          return false;
+        change = difference(record, *tried);
+        const double too_large =
+            std::max(counted(change) / (part_of_allowed * allowed()), change.own_dissipation / part_of_work);
+        if (too_large <= 1)
+          {
+            few       = ends;
+            n_of_each = n;
+            return true;
+          }
+        if (n > 1)
+          return false;
+        n = std::ceil(too_large);
+      }
+    return false;
   }
 
   bool
-  IncrementChoice::divide(const std::vector<double> &growing)
+  IncrementChoice::divide(const LoadRecord &record)
   {
-    const auto n = at_once.size();
-    at_once.erase(std::remove_if(at_once.begin(),
-                                 at_once.end(),
-                                 [&](const double end) {
-                                   return std::find(growing.begin(), growing.end(), end) != growing.end();
-                                 }),
-                  at_once.end());
-    return at_once.size() < n;
+    return remove(record.closing_beyond(part_that_closes * allowed()), few);
   }
 
   bool
@@ -112,7 +144,7 @@ namespace Amontons
                              const Repeat          &repeat) const
   {
     constexpr double another_way = 0.1; // of the work
-    const auto       tried       = repeat({by_default / n, at_once});
+    const auto       tried       = repeat({by_default / n, few, n_of_each});
     if (!tried)
       return {};
     const auto found = error_of_increments(record, *tried).for_steps(*tried);

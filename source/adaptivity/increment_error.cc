@@ -53,6 +53,40 @@ namespace Amontons
     {
       return scale > 0 ? change / scale : 0;
     }
+
+    // Over the landings of a program.
+    struct Change
+    {
+      double change = 0, scale = 0, change_at_end = 0, scale_at_end = 0;
+
+      void
+      add(const double by, const double against)
+      {
+        change_at_end = by;
+        scale_at_end  = against;
+        change        = std::max(change, by);
+        scale         = std::max(scale, against);
+      }
+      double
+      largest() const
+      {
+        return relative(change, scale);
+      }
+      double
+      at_end() const
+      {
+        return relative(change_at_end, scale_at_end);
+      }
+    };
+
+    // What changes of the shear count against.
+    double
+    noteworthy(const Norms &sums, const bool tresca_alone)
+    {
+      return std::max(sums.shear,
+                      noteworthy_shear *
+                          (tresca_alone ? sums.bound : std::min(sums.bound, sums.pressure)));
+    }
   } // namespace
 
   bool
@@ -78,6 +112,22 @@ namespace Amontons
             return (l > 0 ? span[0] >= begin : span[0] > begin) && span[1] <= breakpoints[l].t;
           }))
         ends.push_back(breakpoints[l].t);
+    return ends;
+  }
+
+  std::vector<double>
+  LoadRecord::closing_beyond(const double part) const
+  {
+    std::vector<double> ends;
+    const unsigned int  n_pairs = breakpoints.empty() ? 0 : breakpoints[0].pairs.size();
+    for (unsigned int l = 1; l < breakpoints.size(); ++l)
+      for (unsigned int i = 0; i < n_pairs; ++i)
+        if (const auto &pair = breakpoints[l].pairs[i];
+            pair.closed > part * noteworthy(norms(pair, pair), pair.tresca_alone))
+          {
+            ends.push_back(breakpoints[l].t);
+            break;
+          }
     return ends;
   }
 
@@ -114,6 +164,7 @@ namespace Amontons
     IncrementErrors result = *this;
     for (double *const part : {&result.pressure,
                                &result.shear,
+                               &result.shear_on_path,
                                &result.stick_size,
                                &result.own_stick_size,
                                &result.normal_force,
@@ -122,18 +173,18 @@ namespace Amontons
                                &result.own_dissipation})
       *part *= factor;
     result.n_increments =
-        n_at_once + static_cast<unsigned int>(std::lround((n_increments - n_at_once) / factor));
+        n_of_few + static_cast<unsigned int>(std::lround((n_increments - n_of_few) / factor));
     return result;
   }
 
   IncrementErrors
   IncrementErrors::for_steps(const LoadRecord &record) const
   {
-    const unsigned int n = n_increments - n_at_once, now = record.n_in_steps();
+    const unsigned int n = n_increments - n_of_few, now = record.n_in_steps();
     if (n == now || n == 0 || now == 0)
       return *this;
     IncrementErrors result = scaled(double(n) / now);
-    result.n_at_once       = record.n_at_once;
+    result.n_of_few       = record.n_of_few;
     result.n_increments    = record.n_increments;
     return result;
   }
@@ -144,7 +195,7 @@ namespace Amontons
     if (target_quantity == "contact pressure")
       return largest();
     if (target_quantity == "dissipation") // changes of both signs may cancel in the sum
-      return std::max(own_dissipation, shear);
+      return std::max(own_dissipation, shear_on_path);
     if (target_quantity == "total force")
       return std::max(normal_force, tangential_force);
     if (target_quantity == "stick size")
@@ -160,7 +211,7 @@ namespace Amontons
         difference(run, repeat)
             .scaled(n == other ? 2 : 1 / std::abs(n / other - 1)); // equal: all pieces take a single one
     errors.n_increments  = run.n_increments;
-    errors.n_at_once     = run.n_at_once;
+    errors.n_of_few     = run.n_of_few;
     errors.measured_with = run.n_increments;
     errors.repeated_with = repeat.n_increments;
     return errors;
@@ -179,36 +230,34 @@ namespace Amontons
       {
         if (forces[i + 1] <= least)
           continue;
-        // Changes and what they count against, each the largest of the program.
-        double pressure = 0, pressure_scale = 0, shear = 0, shear_scale = 0, stick = 0, size = 0,
-               stick_scale = 0;
-        double normal = 0, normal_scale = 0, tangential = 0, tangential_scale = 0;
+        // Changes and what they count against, each the largest of the program, and of tractions and stick
+        // sizes that of the end.
+        Change pressure, shear, stick, own_stick, normal, tangential;
         for (unsigned int l = 0; l < run.breakpoints.size(); ++l)
           {
-            const auto &a = run.breakpoints[l].pairs[i], &b = repeat.breakpoints[l].pairs[i];
-            const Norms sums = norms(a, b);
-            pressure         = std::max(pressure, sums.pressure_change);
-            pressure_scale   = std::max(pressure_scale, sums.pressure);
-            shear            = std::max(shear, sums.shear_change);
-            shear_scale      = std::max(
-                {shear_scale,
-                      sums.shear,
-                      noteworthy_shear * (a.tresca_alone ? sums.bound : std::min(sums.bound, sums.pressure))});
-            stick            = std::max(stick, std::abs(b.stick_size - a.stick_size));
-            stick_scale      = std::max({stick_scale, a.stick_size, b.stick_size});
-            size             = std::max(size, a.contact_size);
-            normal           = std::max(normal, (b.normal_force - a.normal_force).norm());
-            normal_scale     = std::max(normal_scale, a.force);
-            tangential       = std::max(tangential, (b.tangential_force - a.tangential_force).norm());
-            tangential_scale = std::max(
-                tangential_scale, a.tresca_alone ? sums.bound_force : std::min(sums.bound_force, a.force));
+            const auto  &a = run.breakpoints[l].pairs[i], &b = repeat.breakpoints[l].pairs[i];
+            const Norms  sums = norms(a, b);
+            const double size_change = std::abs(b.stick_size - a.stick_size);
+            pressure.add(sums.pressure_change, sums.pressure);
+            shear.add(sums.shear_change, noteworthy(sums, a.tresca_alone));
+            stick.add(size_change, a.contact_size);
+            own_stick.add(size_change, std::max(a.stick_size, b.stick_size));
+            normal.add((b.normal_force - a.normal_force).norm(), a.force);
+            tangential.add((b.tangential_force - a.tangential_force).norm(),
+                           a.tresca_alone ? sums.bound_force : std::min(sums.bound_force, a.force));
           }
-        errors.pressure         = std::max(errors.pressure, relative(pressure, pressure_scale));
-        errors.shear            = std::max(errors.shear, relative(shear, shear_scale));
-        errors.stick_size       = std::max(errors.stick_size, relative(stick, size));
-        errors.own_stick_size   = std::max(errors.own_stick_size, relative(stick, stick_scale));
-        errors.normal_force     = std::max(errors.normal_force, relative(normal, normal_scale));
-        errors.tangential_force = std::max(errors.tangential_force, relative(tangential, tangential_scale));
+        const bool is_loaded   = pressure.scale_at_end >= unloaded_part * pressure.scale;
+        const auto keep        = [](double &error, const double of_pair) { error = std::max(error, of_pair); };
+        const auto of_the_end = [&](const Change &change) {
+          return is_loaded ? change.at_end() : change.largest();
+        };
+        keep(errors.pressure, of_the_end(pressure));
+        keep(errors.shear, of_the_end(shear));
+        keep(errors.shear_on_path, shear.largest());
+        keep(errors.stick_size, of_the_end(stick));
+        keep(errors.own_stick_size, of_the_end(own_stick));
+        keep(errors.normal_force, normal.largest());
+        keep(errors.tangential_force, tangential.largest());
       }
     double change = 0, dissipation = noteworthy_dissipation * run.largest_work;
     for (unsigned int l = 0; l < run.breakpoints.size(); ++l)
@@ -220,26 +269,5 @@ namespace Amontons
     errors.dissipation     = relative(change, run.largest_work);
     errors.own_dissipation = relative(change, dissipation);
     return errors;
-  }
-
-  std::vector<double>
-  pieces_of_steady_pressure(const LoadRecord &run)
-  {
-    constexpr double    steady = 0.05; // in the mean square
-    std::vector<double> ends;
-    const auto          growing = run.growing();
-    for (unsigned int l = 1; l < run.breakpoints.size(); ++l)
-      {
-        const auto &before = run.breakpoints[l - 1].pairs, &after = run.breakpoints[l].pairs;
-        bool is_steady = std::find(growing.begin(), growing.end(), run.breakpoints[l].t) == growing.end();
-        for (unsigned int i = 0; i < after.size(); ++i)
-          {
-            const Norms sums = norms(after[i], before[i]);
-            is_steady        = is_steady && sums.pressure_change <= steady * sums.pressure;
-          }
-        if (is_steady)
-          ends.push_back(run.breakpoints[l].t);
-      }
-    return ends;
   }
 } // namespace Amontons

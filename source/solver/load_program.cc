@@ -118,8 +118,8 @@ namespace Amontons
   double
   LoadProgram::longest(const Piece &here) const
   {
-    if (is_one_of(lengths.at_once, here.end))
-      return 1. / lengths.of_each;
+    if (is_one_of(lengths.few, here.end))
+      return 1. / lengths.n_of_each;
     if (t >= 0 && constant_size > 0)
       return lengths.times * constant_size / (here.end - here.begin);
     return lengths.times / increments_by_default;
@@ -147,7 +147,7 @@ namespace Amontons
   LoadProgram::is_begun_in_two(const Piece &here) const
   {
     return lengths.begins_in_two && is_one_of(*lengths.begins_in_two, here.end) &&
-           !is_one_of(lengths.at_once, here.end);
+           !is_one_of(lengths.few, here.end);
   }
 
   bool
@@ -159,10 +159,10 @@ namespace Amontons
   }
 
   bool
-  LoadProgram::is_at_once() const
+  LoadProgram::is_of_few() const
   {
     const auto end = std::lower_bound(breakpoints.begin(), breakpoints.end(), t);
-    return end != breakpoints.end() && is_one_of(lengths.at_once, *end);
+    return end != breakpoints.end() && is_one_of(lengths.few, *end);
   }
 
   double

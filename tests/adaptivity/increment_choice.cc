@@ -120,7 +120,7 @@ main(int, char **)
     }
   const auto changes_by = [&](const double shear_error) {
     return [&, shear_error](const IncrementLengths &tried) -> std::optional<LoadRecord> {
-      check::is_true(tried.at_once == std::vector<double>{2.}, "not the first, and not where it changes");
+      check::is_true(tried.few == std::vector<double>{2.}, "not the first, and not where it changes");
       LoadRecord other = steady;
       other.breakpoints[1].pairs[0].nodes[0].shear[0] += shear_error;
       return other;
@@ -139,25 +139,25 @@ main(int, char **)
   check::is_true(finer.closes_beyond(steady.closing), "a good part of a piece");
   IncrementChoice saves(parameters, true);
   IncrementErrors change;
-  check::is_true(!saves.try_at_once(steady, most / at_first, changes_by(0.0011), change),
+  check::is_true(!saves.try_fewer_in_pieces(steady, most / at_first, changes_by(0.0011), change),
                  "more than a tenth");
   check::is_close(change.shear, 0.0011, 1e-12, "which is told");
-  check::is_true(saves.lengths().at_once.empty(), "all as before");
-  check::is_true(saves.try_at_once(steady, most / at_first, changes_by(0.0009), change), "less");
-  check::is_true(saves.lengths().at_once == std::vector<double>{2.}, "these from now on");
+  check::is_true(saves.lengths().few.empty(), "all as before");
+  check::is_true(saves.try_fewer_in_pieces(steady, most / at_first, changes_by(0.0009), change), "less");
+  check::is_true(saves.lengths().few == std::vector<double>{2.}, "these from now on");
   check::is_true(!saves.divide({1., 4.}), "contact grows elsewhere");
   // 4 pieces, of which one is single: four in each of the others.
   IncrementErrors of_rest = error_of_shear(0.017);
   of_rest.n_increments    = 13;
-  of_rest.n_at_once       = 1;
+  of_rest.n_of_few       = 1;
   errors                  = saves.choose(of_rest, steady, true, fails);
   check::is_close(saves.lengths().times, most / 7, 1e-15, "seven for four");
   check::is_close(errors->n_increments, 22, 0, "and the single one");
-  check::is_true(saves.divide({2.}) && saves.lengths().at_once.empty(), "contact grows there after all");
+  check::is_true(saves.divide({2.}) && saves.lengths().few.empty(), "contact grows there after all");
   // Compared with twice as many: what is divided counts.
   LoadRecord few = record(13, 0.), many = record(26, 0.01);
-  few.n_at_once  = 1;
-  many.n_at_once = 2;
+  few.n_of_few  = 1;
+  many.n_of_few = 2;
   check::is_close(error_of_increments(few, many).shear, 0.02, 1e-12, "half of the error is gone");
   many.n_increments = 8;
   check::is_close(error_of_increments(few, many).shear, 0.01, 1e-12, "or once more is there");

@@ -81,7 +81,7 @@ main(int, char **)
   while (!saves.finished())
     {
       saves.accept(3);
-      if (saves.is_at_once())
+      if (saves.is_of_few())
         single.push_back(saves.time());
     }
   check::is_close(saves.number() - 1, 22, 0, "ten in two pieces, one in each of the others");

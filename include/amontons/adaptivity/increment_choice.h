@@ -29,7 +29,7 @@ namespace Amontons
     IncrementLengths
     lengths() const
     {
-      return {times, at_once};
+      return {times, few, n_of_each};
     }
 
     /// errors: of the increments at first, whose load program left the record. Returns what the errors will
@@ -41,18 +41,20 @@ namespace Amontons
            const bool             mesh_is_last,
            const Repeat          &repeat);
 
-    /// Where pressures hardly change from one landing to the next, single increments are tried; true: they
-    /// are as good, and taken from now on. of_record: length of the increments that left the record. change:
-    /// what single ones do, for the report.
+    /// Contact that grows makes most of the error, and it does so in few pieces of the path, mostly in the
+    /// first. After that, where next to nothing closes, single increments are tried: what they change, over
+    /// their number (the law of IncrementErrors), says how many would do, which are tried in turn. True: they
+    /// are fewer, and taken from now on. of_record: length of the increments that left the record. change:
+    /// what they do, for the report.
     bool
-    try_at_once(const LoadRecord &record,
-                const double      of_record,
-                const Repeat     &repeat,
-                IncrementErrors  &change);
+    try_fewer_in_pieces(const LoadRecord &record,
+                        const double      of_record,
+                        const Repeat     &repeat,
+                        IncrementErrors  &change);
 
-    /// Single increments are divided again where contact grows after all; false: there are none.
+    /// Where much closes after all, pieces take as many as others again; false: there are none.
     bool
-    divide(const std::vector<double> &growing);
+    divide(const LoadRecord &record);
 
     /// The mesh is fine enough: all of them from now on. False: they are.
     bool
@@ -83,6 +85,7 @@ namespace Amontons
     const RefinementParameters &parameters;
     const bool                  chooses;
     double                      times = 1, times_in_the_end = 1; // over what the scene says
-    std::vector<double>         at_once;                         // ends of pieces that are single increments
+    std::vector<double>         few;                             // ends of pieces that take so many:
+    unsigned int                n_of_each = 1;
   };
 } // namespace Amontons

@@ -30,6 +30,8 @@ namespace Amontons
       double                       force        = 0; // sum of the normal ones: around a shaft they balance
       double                       contact_size = 0, stick_size = 0;
       bool                         tresca_alone = false; // the bound does not depend on the pressure
+      // In the mean square: of what has closed since the landing before, the largest bound since then.
+      double closed = 0;
     };
     struct Landing
     {
@@ -40,7 +42,7 @@ namespace Amontons
     std::vector<Landing> breakpoints;
     std::vector<double>  times; // that increments end at
     unsigned int         n_increments = 0;
-    unsigned int         n_at_once    = 0; // of these: in pieces between landings that take a single one
+    unsigned int         n_of_few     = 0; // of these: in pieces between landings that take few
     double               largest_work = 0, largest_force = 0; // of a pair
     // From when to when: increments in which nodes with friction have closed.
     using Closing = std::vector<std::array<double, 2>>;
@@ -49,6 +51,10 @@ namespace Amontons
     // Ends of pieces between landings in which contact grows: in the first one after its first increment.
     std::vector<double>
     growing() const;
+
+    // Ends of pieces after the first in which what closes has more than that part of the shear.
+    std::vector<double>
+    closing_beyond(const double part) const;
 
     // For a good part of a piece nodes close where none did on another mesh: what increments do there was not
     // seen.
@@ -59,7 +65,7 @@ namespace Amontons
     unsigned int
     n_in_steps() const
     {
-      return n_increments - n_at_once;
+      return n_increments - n_of_few;
     }
 
     // Enough nodes of a pair stick, some time, to tell how large that zone is.
@@ -67,14 +73,17 @@ namespace Amontons
     resolves_stick() const;
   };
 
-  // Estimated, relative, the largest of all pairs and landings.
+  // Estimated, relative, the largest of all pairs. Tractions and stick sizes are those of the end, as their
+  // errors of the mesh are, relative to what they are there; where a pair is unloaded in the end
+  // (unloaded_part), they are the largest of all landings, relative to the largest. So are all others.
   struct IncrementErrors
   {
     unsigned int n_increments  = 0; // that they are of
-    unsigned int n_at_once     = 0; // of these, as in LoadRecord
+    unsigned int n_of_few      = 0; // of these, as in LoadRecord
     unsigned int measured_with = 0, repeated_with = 0;
     double       pressure         = 0; // in the mean square, as
     double       shear            = 0; // likewise, or of noteworthy_shear times the bound or pressure
+    double       shear_on_path    = 0; // the largest of all landings, relative to the largest
     double       stick_size       = 0; // of the contact's size
     double       own_stick_size   = 0; // of itself
     double       normal_force     = 0;
@@ -112,9 +121,4 @@ namespace Amontons
   // The difference itself, whatever the numbers of increments.
   IncrementErrors
   difference(const LoadRecord &run, const LoadRecord &repeat);
-
-  // Ends of pieces between landings over which no pressure changes by much and nothing closes: what slips
-  // there does so at the same bound all the time, so that how many increments there are may not matter.
-  std::vector<double>
-  pieces_of_steady_pressure(const LoadRecord &run);
 } // namespace Amontons

@@ -12,9 +12,9 @@ namespace Amontons
   struct IncrementLengths
   {
     double times = 1; // what the scene says
-    // Ends of pieces between landings that are single increments, or so many.
-    std::vector<double> at_once = {};
-    unsigned int        of_each = 1;
+    // Ends of pieces between landings that take few increments, and how many each of them.
+    std::vector<double> few       = {};
+    unsigned int        n_of_each = 1;
     // Ends of pieces whose first increment is begun by a shorter one, as what closes within the very first
     // has slipped its whole way, which leaves a spike of shear at its edge. Not said: none.
     std::optional<std::vector<double>> begins_in_two = {};
@@ -86,9 +86,9 @@ namespace Amontons
     // time() lies within an increment that is begun by a shorter one: they count as one.
     bool
     is_beginning() const;
-    // time() is the end of an increment of a piece that takes a single one.
+    // time() is the end of an increment of a piece that takes few.
     bool
-    is_at_once() const;
+    is_of_few() const;
     // The path may turn at time(): it starts or bends there.
     bool
     at_corner() const;

@@ -81,7 +81,7 @@ namespace Amontons
     if (!increments.try_fewer_in_pieces(history.record, of_record, try_these, change))
       return;
     std::ostringstream text;
-    const auto lengths = increments.lengths();
+    const auto         lengths = increments.lengths();
     text << "where next to nothing closes, up to t =";
     for (const double end : lengths.few)
       text << (end == lengths.few.front() ? " " : ", ") << end;
@@ -138,7 +138,7 @@ namespace Amontons
         if (record) // what begins the first one does not count
           {
             record->n_increments = 2 * history.record.n_increments;
-            record->n_of_few    = 2 * history.record.n_of_few;
+            record->n_of_few     = 2 * history.record.n_of_few;
           }
       }
     if (record)

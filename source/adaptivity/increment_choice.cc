@@ -70,9 +70,9 @@ namespace Amontons
 
   bool
   IncrementChoice::try_fewer_in_pieces(const LoadRecord &record,
-                               const double      of_record,
-                               const Repeat     &repeat,
-                               IncrementErrors  &change)
+                                       const double      of_record,
+                                       const Repeat     &repeat,
+                                       IncrementErrors  &change)
   {
     constexpr double part_of_allowed = 0.1, part_of_work = 0.1;
     auto             ends = ends_of_pieces(record);

@@ -84,8 +84,7 @@ namespace Amontons
     noteworthy(const Norms &sums, const bool tresca_alone)
     {
       return std::max(sums.shear,
-                      noteworthy_shear *
-                          (tresca_alone ? sums.bound : std::min(sums.bound, sums.pressure)));
+                      noteworthy_shear * (tresca_alone ? sums.bound : std::min(sums.bound, sums.pressure)));
     }
   } // namespace
 
@@ -184,7 +183,7 @@ namespace Amontons
     if (n == now || n == 0 || now == 0)
       return *this;
     IncrementErrors result = scaled(double(n) / now);
-    result.n_of_few       = record.n_of_few;
+    result.n_of_few        = record.n_of_few;
     result.n_increments    = record.n_increments;
     return result;
   }
@@ -211,7 +210,7 @@ namespace Amontons
         difference(run, repeat)
             .scaled(n == other ? 2 : 1 / std::abs(n / other - 1)); // equal: all pieces take a single one
     errors.n_increments  = run.n_increments;
-    errors.n_of_few     = run.n_of_few;
+    errors.n_of_few      = run.n_of_few;
     errors.measured_with = run.n_increments;
     errors.repeated_with = repeat.n_increments;
     return errors;
@@ -236,7 +235,7 @@ namespace Amontons
         for (unsigned int l = 0; l < run.breakpoints.size(); ++l)
           {
             const auto  &a = run.breakpoints[l].pairs[i], &b = repeat.breakpoints[l].pairs[i];
-            const Norms  sums = norms(a, b);
+            const Norms  sums        = norms(a, b);
             const double size_change = std::abs(b.stick_size - a.stick_size);
             pressure.add(sums.pressure_change, sums.pressure);
             shear.add(sums.shear_change, noteworthy(sums, a.tresca_alone));
@@ -246,8 +245,8 @@ namespace Amontons
             tangential.add((b.tangential_force - a.tangential_force).norm(),
                            a.tresca_alone ? sums.bound_force : std::min(sums.bound_force, a.force));
           }
-        const bool is_loaded   = pressure.scale_at_end >= unloaded_part * pressure.scale;
-        const auto keep        = [](double &error, const double of_pair) { error = std::max(error, of_pair); };
+        const bool is_loaded  = pressure.scale_at_end >= unloaded_part * pressure.scale;
+        const auto keep       = [](double &error, const double of_pair) { error = std::max(error, of_pair); };
         const auto of_the_end = [&](const Change &change) {
           return is_loaded ? change.at_end() : change.largest();
         };

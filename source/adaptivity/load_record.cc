@@ -46,7 +46,7 @@ namespace Amontons
             if (!is_new && known == closed[i].end())
               continue;
             double &square = closed[i][row.node];
-            square         = std::max(square, row.area * std::pow(bound_at(interfaces[i], row.node, state, i), 2));
+            square = std::max(square, row.area * std::pow(bound_at(interfaces[i], row.node, state, i), 2));
           }
       }
     return any;
@@ -75,7 +75,7 @@ namespace Amontons
           }
         for (const auto &[node, square] : closed[i])
           kept.closed += square;
-        kept.closed = std::sqrt(kept.closed);
+        kept.closed           = std::sqrt(kept.closed);
         kept.normal_force     = as_3d(fields[i].normal_force);
         kept.tangential_force = as_3d(fields[i].tangential_force);
         kept.contact_size     = fields[i].contact_size;

@@ -68,6 +68,30 @@ namespace Amontons
                            allowed_expressions(variables));
     }
 
+    // The parser takes the last of several values: 1,5 would be 5.
+    void
+    refuse_commas(const std::string              &text,
+                  const std::vector<std::string> &variables,
+                  const SourceLocation           &where)
+    {
+      std::vector<bool> of_function; // by open parenthesis
+      char              before = ' ';
+      for (const char c : text)
+        {
+          if (c == '(')
+            of_function.push_back(std::isalnum(static_cast<unsigned char>(before)) || before == '_');
+          else if (c == ')' && !of_function.empty())
+            of_function.pop_back();
+          else if (c == ',' && (of_function.empty() || !of_function.back()))
+            throw InputError(where,
+                             "'" + text + "' has a comma that does not divide arguments of a function",
+                             allowed_expressions(variables) +
+                                 "; with a decimal point in numbers, and ';' between components");
+          if (!std::isspace(static_cast<unsigned char>(c)))
+            before = c;
+        }
+    }
+
     struct TablePoint
     {
       double      t;
@@ -179,6 +203,7 @@ namespace Amontons
         return;
       }
 
+    refuse_commas(source, variables, where);
     refuse_other_variables(source, variables, where);
     const std::string plain =
         map_identifiers(expand_tables(source, where, table_times),

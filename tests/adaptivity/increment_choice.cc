@@ -29,8 +29,8 @@ IncrementErrors
 error_of_shear(const double error)
 {
   IncrementErrors result;
-  result.shear        = error;
-  result.n_increments = static_cast<unsigned int>(at_first);
+  result.shear = result.shear_on_path = error;
+  result.n_increments                 = static_cast<unsigned int>(at_first);
   return result;
 }
 
@@ -109,51 +109,77 @@ main(int, char **)
   fewer.choose(error_of_shear(0.0004), run, false, repeats(0.));
   check::is_close(fewer.lengths().times, most / 2, 1e-15, "else two");
 
-  // Single increments where pressures stay from one landing to the next, if they change a tenth at most of
-  // what increments may.
-  LoadRecord steady = record(12, 0.);
-  steady.breakpoints.resize(4, steady.breakpoints[0]);
+  // In the second of four pieces next to nothing closes, nor in the last one, in the third some does. Single
+  // increments there, if they change the end by a tenth at most of what increments may, or more of them.
+  LoadRecord path = record(12, 0.);
+  path.breakpoints.resize(4, path.breakpoints[0]);
   for (unsigned int l = 0; l < 4; ++l)
-    {
-      steady.breakpoints[l].t                          = l + 1;
-      steady.breakpoints[l].pairs[0].nodes[0].pressure = l == 2 ? 1.1 : 1.;
-    }
-  const auto changes_by = [&](const double shear_error) {
-    return [&, shear_error](const IncrementLengths &tried) -> std::optional<LoadRecord> {
-      check::is_true(tried.few == std::vector<double>{2.}, "not the first, and not where it changes");
-      LoadRecord other = steady;
-      other.breakpoints[1].pairs[0].nodes[0].shear[0] += shear_error;
+    path.breakpoints[l].t = l + 1;
+  path.breakpoints[2].pairs[0].closed = 0.021;
+  path.breakpoints[3].pairs[0].closed = 0.019;
+  std::vector<unsigned int> numbers;
+  const auto                changes_by = [&](const double of_single, const double power) {
+    numbers.clear();
+    return [&, of_single, power](const IncrementLengths &tried) -> std::optional<LoadRecord> {
+      check::is_true(tried.few == std::vector<double>({2., 4.}), "not the first, and not where much closes");
+      numbers.push_back(tried.n_of_each);
+      LoadRecord other = path;
+      other.breakpoints[0].pairs[0].nodes[0].shear[0] += 1;
+      other.breakpoints[3].pairs[0].nodes[0].shear[0] += of_single / std::pow(tried.n_of_each, power);
       return other;
     };
   };
-  steady.closing = {{{0., 0.2}}, {{3.1, 3.2}}};
-  check::is_true(steady.growing() == std::vector<double>{4.}, "contact grows in the last piece only");
-  steady.closing.push_back({{0.2, 0.4}});
-  check::is_true(steady.growing() == std::vector<double>({1., 4.}),
-                 "and in the first, after its first increment");
-  check::is_true(!steady.closes_beyond(steady.closing), "the same is seen");
-  LoadRecord finer = steady;
-  finer.closing.push_back({{1.1, 1.4}});
-  check::is_true(!finer.closes_beyond(steady.closing), "a short while more");
-  finer.closing.push_back({{1.4, 1.8}});
-  check::is_true(finer.closes_beyond(steady.closing), "a good part of a piece");
   IncrementChoice saves(parameters, true);
   IncrementErrors change;
-  check::is_true(!saves.try_fewer_in_pieces(steady, most / at_first, changes_by(0.0011), change),
-                 "more than a tenth");
-  check::is_close(change.shear, 0.0011, 1e-12, "which is told");
+  const auto      does = [&](const IncrementChoice::Repeat &repeat) {
+    return saves.try_fewer_in_pieces(path, most / at_first, repeat, change);
+  };
+  check::is_true(!does(changes_by(0.0021, 1)) && numbers.size() == 1, "three of four are too many");
+  check::is_close(change.shear, 0.0021, 1e-12, "of the end");
+  check::is_close(change.shear_on_path, 1, 1e-12, "and on the way");
+  check::is_true(!does(changes_by(0.0019, 0.5)) && numbers == std::vector<unsigned int>({1, 2}),
+                 "two do not as much as expected");
   check::is_true(saves.lengths().few.empty(), "all as before");
-  check::is_true(saves.try_fewer_in_pieces(steady, most / at_first, changes_by(0.0009), change), "less");
-  check::is_true(saves.lengths().few == std::vector<double>{2.}, "these from now on");
-  check::is_true(!saves.divide({1., 4.}), "contact grows elsewhere");
-  // 4 pieces, of which one is single: four in each of the others.
+  check::is_true(does(changes_by(0.0019, 1)), "two do");
+  check::is_true(saves.lengths().n_of_each == 2 && saves.lengths().few == std::vector<double>({2., 4.}),
+                 "these from now on");
+  check::is_true(does(changes_by(0.0009, 1)) && saves.lengths().n_of_each == 1, "single ones do");
+  check::is_true(!saves.divide(path), "as little closes as before");
+  // 4 pieces, of which two are single: four in each of the others.
   IncrementErrors of_rest = error_of_shear(0.017);
-  of_rest.n_increments    = 13;
-  of_rest.n_of_few       = 1;
-  errors                  = saves.choose(of_rest, steady, true, fails);
+  of_rest.n_increments    = 10;
+  of_rest.n_of_few        = 2;
+  errors                  = saves.choose(of_rest, path, true, fails);
   check::is_close(saves.lengths().times, most / 7, 1e-15, "seven for four");
-  check::is_close(errors->n_increments, 22, 0, "and the single one");
-  check::is_true(saves.divide({2.}) && saves.lengths().few.empty(), "contact grows there after all");
+  check::is_close(errors->n_increments, 16, 0, "and the single ones");
+  LoadRecord finer                     = path;
+  finer.breakpoints[1].pairs[0].closed = 0.021;
+  check::is_true(saves.divide(finer) && saves.lengths().few == std::vector<double>{4.},
+                 "more closes there after all");
+
+  // Where contact grows, whatever it does there.
+  path.closing = {{{0., 0.2}}, {{3.1, 3.2}}};
+  check::is_true(path.growing() == std::vector<double>{4.}, "contact grows in the last piece only");
+  path.closing.push_back({{0.2, 0.4}});
+  check::is_true(path.growing() == std::vector<double>({1., 4.}),
+                 "and in the first, after its first increment");
+  check::is_true(!path.closes_beyond(path.closing), "the same is seen");
+  finer.closing = path.closing;
+  finer.closing.push_back({{1.1, 1.4}});
+  check::is_true(!finer.closes_beyond(path.closing), "a short while more");
+  finer.closing.push_back({{1.4, 1.8}});
+  check::is_true(finer.closes_beyond(path.closing), "a good part of a piece");
+
+  // A pair that is unloaded in the end: what it had.
+  LoadRecord unloaded                                 = path;
+  unloaded.breakpoints[3].pairs[0].nodes[0].pressure  = 0.04;
+  unloaded.breakpoints[3].pairs[0].nodes[0].shear[0]  = 0.01;
+  LoadRecord otherwise                                = unloaded;
+  otherwise.breakpoints[0].pairs[0].nodes[0].shear[0] = 1.3;
+  check::is_close(difference(unloaded, otherwise).shear, 0.3, 1e-12, "unloaded");
+  unloaded.breakpoints[3].pairs[0].nodes[0].pressure = 0.06;
+  check::is_close(difference(unloaded, otherwise).shear, 0, 1e-12, "hardly loaded");
+
   // Compared with twice as many: what is divided counts.
   LoadRecord few = record(13, 0.), many = record(26, 0.01);
   few.n_of_few  = 1;

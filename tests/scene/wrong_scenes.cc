@@ -260,6 +260,11 @@ end
     expect_set("Contact main/Friction coefficient = 0.3*q",
                {"main/Friction coefficient: '0.3*q' cannot be read: Unexpected token \"q\"",
                 "x, y, t, p (contact pressure)"});
+    for (const std::string comma : {"0,3", "(0,3)*t", "0.1*(t < 1 ? (1,2) : 3)"})
+      expect_set("Contact main/Friction coefficient = " + comma,
+                 {"'" + comma + "' has a comma that does not divide", "decimal point"});
+    check::is_true(message(good, {"Contact main/Friction coefficient = max(0, min (0.3, t))"}).empty(),
+                   "commas between arguments");
     expect_set("Contact main/Friction coefficient = r", {"variable r", "x, y, t, p (contact pressure)"});
     expect_set("Contact main/Initial gap = p", {"variable p", "expression of x, y, t,"});
     expect(message(good, {"Contact main/Tied = true", "Contact main/Friction coefficient = 0.1"}),

@@ -32,7 +32,7 @@ GROUPS = [
      "verification/press_finite verification/slide_off_edge verification/slide_over_edges verification/slid_block verification/ring_rolls verification/corner_on_corner verification/turned_disk "
      "verification/objectivity verification/turned_blocks verification/turned_rigid_body verification/turned_obstacle verification/turned_platens verification/turned_with_friction verification/ring_in_turned_bore verification/patch_finite "
      "verification/patch_finite_3d verification/patch_finite_turned verification/patch_finite_turned_3d verification/uniaxial_finite verification/simple_shear_finite "
-     "verification/pulled_strip verification/punch_small_and_finite verification/punch_with_flanks verification/column_with_stop verification/squeezed_rod verification/sliding_pad"),
+     "verification/pulled_strip verification/punch_small_and_finite verification/punch_with_flanks verification/column_with_stop verification/squeezed_rod verification/sliding_pad verification/snap_hook"),
     ("In space", "half_space_box hertz_sphere two_spheres crossed_cylinders mindlin_sphere ironing_3d walk/pin_in_lug_3d sphere_on_block_scaling verification/three_spheres "
      "verification/oblique_drag verification/lifted_off verification/round_punch_3d verification/patch_friction_3d verification/shrink_fit_spheres_3d verification/cap_in_seat_3d"),
     ("Surfaces of CAD, meshes of gmsh", "step_file verification/polygon_roller verification/curve_in_steps verification/patch_3d_irregular verification/patch_3d_step"),

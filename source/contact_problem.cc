@@ -1,3 +1,4 @@
+#include <amontons/base/independent_errors.h>
 #include <amontons/contact/surface_search.h>
 #include <amontons/contact_problem.h>
 #include <amontons/output/mirror_symmetry.h>
@@ -340,7 +341,10 @@ namespace Amontons
     small_strain.look(*steps->model,
                       steps->history.state,
                       success,
-                      steps->evaluation.error.of_target(),
+                      together(steps->evaluation.error.of_target(),
+                               report.error_of_increments()
+                                   ? report.error_of_increments()->of(parameters.refinement.target_quantity)
+                                   : 0.),
                       report.timer(),
                       control);
     if (control.stop.is_there())

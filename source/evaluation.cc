@@ -119,7 +119,9 @@ namespace Amontons
 
   template <int dim>
   void
-  Evaluation<dim>::judge_quantity(const std::string &name, const QuantitySequence &values)
+  Evaluation<dim>::judge_quantity(const std::string      &name,
+                                  const QuantitySequence &values,
+                                  const double            at_least)
   {
     double result = values.error(dim == 3 && always_converges(name)); // twice the DoFs: 0.8 h
     // Pressures that swing from node to node may do so alike on two meshes, or let the peak jump on the way:
@@ -131,7 +133,7 @@ namespace Amontons
       result = std::max(result, error.cusp_grows ? 1. : error.cusp);
     // What all meshes miss alike shows in no difference. (Nodes carry the bounds, by areas that are not those
     // of the interpolation.)
-    result = std::max({result, error.data, 3 * error.friction_data});
+    result = std::max({result, at_least, error.data, 3 * error.friction_data});
     // Of a Galerkin solution energies are off by the square of the error in their norm; so are forces that
     // displacements cause, and what forces approach by (half of that: at a sharp rim recovery sees twice the
     // square that there is), and by all that facets leave out. What loads decide changes by rounding only.

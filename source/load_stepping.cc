@@ -1,7 +1,9 @@
 #include <amontons/adaptivity/smallest_cells.h>
 #include <amontons/adaptivity/unseen_contact.h>
 #include <amontons/adaptivity/zone_ends.h>
+#include <amontons/base/independent_errors.h>
 #include <amontons/load_stepping.h>
+#include <amontons/output/physics_checks.h>
 #include <amontons/output/target_quantity.h>
 
 namespace Amontons
@@ -186,7 +188,7 @@ namespace Amontons
       history.quantity.add(model->discretization().dof_handler.n_dofs(), values, noteworthy, doubts);
     else // meshes before did not see all that touches
       history.quantity = {};
-    evaluation.judge_quantity(name, history.quantity);
+    evaluation.judge_quantity(name, history.quantity, name == "total force" ? corner_forces(answer()) : 0);
     if (is_size(name))
       add_ends_of_sizes(name,
                         model->discretization(),
@@ -318,8 +320,9 @@ namespace Amontons
   {
     const double whole = parameters.refinement.target_error;
     return increments.by_target() && report.error_of_increments()
-               ? std::max(whole / 2,
-                          whole - report.error_of_increments()->of(parameters.refinement.target_quantity))
+               ? std::max(
+                     whole / 2,
+                     left_of(whole, report.error_of_increments()->of(parameters.refinement.target_quantity)))
                : whole;
   }
 

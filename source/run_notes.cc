@@ -1,5 +1,6 @@
 // RunReport: what its answer is not.
 #include <amontons/adaptivity/unseen_contact.h>
+#include <amontons/base/independent_errors.h>
 #include <amontons/contact/declared_gap.h>
 #include <amontons/run_report.h>
 #include <amontons/scene/text.h>
@@ -180,8 +181,8 @@ namespace Amontons
     const double by_kinematics = error.quantity
                                      ? or_none(kinematics.target)
                                      : std::max(or_none(kinematics.answer), or_none(kinematics.shear));
-    const double target = refinement.target_error, left = target - error.of_target() - by_increments;
-    if (left >= 0 && by_kinematics <= std::max(left, target / 4))
+    const double target = refinement.target_error, both = together(error.of_target(), by_increments);
+    if (both <= target && by_kinematics <= std::max(left_of(target, both), target / 4))
       return;
     const bool by_these    = by_increments >= std::min(target / 4, by_kinematics),
                by_strain   = by_kinematics >= std::min(target / 4, by_increments),

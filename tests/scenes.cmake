@@ -1694,6 +1694,9 @@ add_scene_test(NAME small_stamp_first SCENE verification/small_stamp.prm SET "Co
                CHECK "status is converged" "pairs.0.normal_force.1 ~ 1.267 0.05" "error_estimate.quantity <= 0.1")
 add_scene_test(NAME small_stamp_second SCENE verification/small_stamp.prm SET "Contact stamp/Slave=second"
                CHECK "status is converged" "pairs.0.normal_force.1 ~ -1.267 0.05" "error_estimate.quantity <= 0.1")
+# An edge of a slave may bear all on coarse meshes, along the mean of its normals, and meshes agree on a force that is not right: (-0.268, 0.811), told 0.15 %, for (-0.377, 0.825).
+add_scene_test(NAME snap_hook SCENE verification/snap_hook.prm
+               CHECK "status is converged" "dofs <= 15000" "pairs.0.normal_force.1 ~ 0.825 0.02" "pairs.0.normal_force.0 <= -0.32" "error_estimate.quantity >= 0.025")
 # The corner of a slave has the normal of the obstacle: (0, -3.52), as where it is round or has a pair for each face (it was 6 % off, told 0.2, along that of its face). A mean normal is worse, and no answer.
 add_scene_test(NAME corner_tip SCENE verification/corner_tip.prm
                CHECK "status is converged" "checks.corner_forces <= 1e-3" "pairs.0.normal_force.0 abs<= 0.01" "pairs.0.normal_force.1 ~ -3.52 0.003")
@@ -1867,7 +1870,7 @@ add_scene_test(NAME wedge_self_lock_one_increment SCENE verification/wedge_self_
 # Loaded and unloaded: what was compared between meshes was what rounding leaves in the end (shear off by 1e11, 92,042 DoFs and more), stress and kinematics were told relative to it.
 add_scene_test(NAME unloaded_to_nothing SCENE verification/small_shear.prm
                SET "Boundary condition load/Force=0|-1000*table(0:0, 1:1, 2:0)" "Boundary condition load/Displacement=0|free" "Body l/Young modulus=60000" "Refinement/Target error=0.2"
-               CHECK "status is converged" "dofs <= 10000" "error_estimate.shear <= 0.2" "error_estimate.bulk <= 0.05" "error_estimate.kinematics <= 0.02" "notes.0 has less than 5 %" "pairs.0.normal_force.1 abs<= 1e-9")
+               CHECK "status is converged" "dofs <= 10000" "error_estimate.shear <= 0.2" "error_estimate.bulk <= 0.05" "error_estimate.kinematics <= 0.02" "notes.1 has less than 5 %" "pairs.0.normal_force.1 abs<= 1e-9")
 # Twice, and to where both just touch: what is left there is no contact that meshes do not see.
 add_scene_test(NAME pressed_twice_and_unloaded SCENE verification/small_shear.prm
                SET "End time=4" "Boundary condition load/Force=" "Boundary condition load/Displacement=0.002*table(0:0, 1:1, 2:-1, 3:1, 4:-1)|-0.01*table(0:0, 1:1, 2:0, 3:1, 4:0)" "Body l/Young modulus=60000" "Refinement/Target error=0.2"
@@ -1876,7 +1879,7 @@ add_scene_test(NAME pressed_twice_and_unloaded SCENE verification/small_shear.pr
 add_scene_test(NAME parts_miss_together SCENE verification/small_shear.prm
                SET "Boundary condition load/Force=" "Boundary condition load/Displacement=0.01*table(0:0, 1:1, 2:0)|-0.03*table(0:0, 1:1, 2:0.5)" "Refinement/Target error=0.1"
                    "Body l/Young modulus=70000" "Contact c/Initial gap=x^2/20"
-               CHECK "status is converged" "notes.0 has and small strain leaves out (0.03" "notes.0 has and so does finite strain")
+               CHECK "status is converged" "notes.1 has and small strain leaves out (0.03" "notes.1 has and so does finite strain")
 # What is left of a contact that was ten times as large (and more) is smaller than cells: no size of it is known there (the
 # stick size was 0, and told right to 3.8 %).
 add_scene_test(NAME stick_size_of_what_is_left SCENE verification/small_shear.prm
@@ -1940,8 +1943,9 @@ add_scene_test(NAME stepped_punch SCENE verification/stepped_punch.prm
                CHECK "status is converged" "sum(pairs.0:.normal_force.1) ~ -1446.7 1e-2" "pairs.0.normal_force.1 <= -1200" "pairs.1.normal_force.1 <= -100")
 # The one behind came through, and through the body: it had no nodes (0 for 80).
 foreach(friction 0 0.3)
+  # (Of twelve iterations in one increment rounding may make thirteen.)
   add_comparison_test(NAME overtaken_${friction} SCENE verification/overtaken.prm SET "Contact first/Friction coefficient=${friction}" "Contact second/Friction coefficient=${friction}"
-                      RUN 1 2 CHECK "status is converged" "meshes.t=1.pairs.0.normal_force.1 ~ 40 1e-9" "pairs.0.normal_force.1 abs<= 1e-9" "pairs.1.normal_force.1 ~ 80 1e-9")
+                      OPTIONS --iterations 1 RUN 1 2 CHECK "status is converged" "meshes.t=1.pairs.0.normal_force.1 ~ 40 1e-9" "pairs.0.normal_force.1 abs<= 1e-9" "pairs.1.normal_force.1 ~ 80 1e-9")
 endforeach()
 # Both press at the same nodes, which obey one: 20 for 80/3 was "converged". With the other sides as slaves it is right.
 add_scene_test(NAME pressed_by_two SCENE verification/pressed_by_two.prm

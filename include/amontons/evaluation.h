@@ -68,9 +68,10 @@ namespace Amontons
       return pressure_norm > 0 && pressure_norm >= error.pressure_norm;
     }
 
-    /// The error of the target quantity, by its values on the meshes so far and by what the fields say.
+    /// The error of the target quantity, by its values on the meshes so far and by what the fields say;
+    /// at_least: what is known of it.
     void
-    judge_quantity(const std::string &name, const QuantitySequence &values);
+    judge_quantity(const std::string &name, const QuantitySequence &values, const double at_least);
 
     /// Of the target quantity, that some mesh reaches.
     bool

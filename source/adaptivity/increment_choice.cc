@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/increment_choice.h>
+#include <amontons/base/independent_errors.h>
 
 namespace Amontons
 {
@@ -119,7 +120,7 @@ namespace Amontons
   IncrementChoice::keep(const IncrementErrors &errors, const double of_mesh)
   {
     const double error = counted(errors);
-    const bool   do_so = error <= allowed() || error + of_mesh <= parameters.target_error;
+    const bool   do_so = error <= allowed() || together(error, of_mesh) <= parameters.target_error;
     if (do_so)
       times_in_the_end = times;
     return do_so;

@@ -276,8 +276,7 @@ namespace Amontons
       {
         if (!presses[i])
           continue;
-        if (fields[i].contact_size > 0 &&
-            fields[i].contact_size < smallest_closed_face(interfaces[i], fields[i]) / 2 &&
+        if (fields[i].contact_size < smallest_closed_face(interfaces[i], fields[i]) / 2 &&
             !contact_is_resolved(interfaces[i], fields[i], std::numeric_limits<double>::infinity()))
           return false;
         const double sticking =

@@ -1,4 +1,5 @@
 // Words for people: the scene in a paragraph, the answer in lines.
+#include <amontons/base/independent_errors.h>
 #include <amontons/output/terminal.h>
 #include <amontons/solver/load_program.h>
 
@@ -120,7 +121,7 @@ namespace Amontons
                              std::to_string(pair.n_slip) + " slip");
     }
 
-    // The errors of the mesh (`facets` is a part of that) and of what else is known, added up.
+    // The errors of the mesh (`facets` is a part of that) and of what else is known, and all together.
     void
     add_estimate(Lines             &lines,
                  const std::string &what,
@@ -132,13 +133,13 @@ namespace Amontons
     {
       if (std::isnan(of_mesh))
         return;
-      double      sum   = of_mesh;
+      double      all   = of_mesh;
       std::string parts = "mesh " + percent(of_mesh);
       const bool  facet = facets > noteworthy_facets;
       if (facet)
         parts += ", of which facets " + percent(facets);
       const auto add = [&](const std::string &name, const double error) {
-        sum += error;
+        all = together(all, error);
         parts += ", " + name + " " + percent(error);
       };
       if (!std::isnan(of_kinematics))
@@ -146,8 +147,8 @@ namespace Amontons
       if (summary.increments)
         add("increments", of_increments);
       lines.emplace_back("estimated error of the " + what,
-                         percent(sum) +
-                             (sum == of_mesh && !summary.increments && !facet ? "" : "   (" + parts + ")"));
+                         percent(all) +
+                             (all == of_mesh && !summary.increments && !facet ? "" : "   (" + parts + ")"));
     }
 
     void

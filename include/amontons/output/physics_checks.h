@@ -20,6 +20,11 @@ namespace Amontons
   std::map<std::string, double>
   check_physics(const Answer<dim> &answer, const double largest_so_far = 0);
 
+  /// That check alone.
+  template <int dim>
+  double
+  corner_forces(const Answer<dim> &answer);
+
   /// Those laws that no answer may break by more than the tolerance, and by how much; empty: none is.
   std::string
   broken_laws(const std::map<std::string, double> &checks, const double tolerance);

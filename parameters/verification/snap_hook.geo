@@ -1,0 +1,23 @@
+// A hook with a blunt nose.
+Point(1) = {0, 0, 0, 1};
+Point(2) = {17, 0, 0, 1};
+Point(3) = {17, -1.5, 0, 1};
+Point(4) = {18, -1.5, 0, 1};
+Point(5) = {22, 0.5, 0, 1};
+Point(6) = {22, 2, 0, 1};
+Point(7) = {0, 2, 0, 1};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 5};
+Line(5) = {5, 6};
+Line(6) = {6, 7};
+Line(7) = {7, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6, 7};
+Plane Surface(1) = {1};
+Recombine Surface {1};
+Mesh.SubdivisionAlgorithm = 1;
+Physical Curve("nose") = {3};
+Physical Curve("ramp") = {4};
+Physical Curve("root") = {7};
+Physical Surface("hook") = {1};

@@ -44,7 +44,6 @@ namespace Amontons
   {
     work.restart();
     record = LoadRecord();
-    closed.clear();
     snaps.clear();
     state.committed   = LA::Vector();
     state.committed_t = t;

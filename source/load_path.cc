@@ -300,15 +300,15 @@ namespace Amontons
     for (const auto &fields : evaluation.fields)
       history.record.largest_force =
           std::max(history.record.largest_force, (fields.normal_force + fields.tangential_force).norm());
-    if (note_closed(model->interfaces, history.state, history.closed))
+    if (note_closed(model->interfaces, history.state, history.record.closed))
       history.record.closing.push_back({{history.state.committed_t, program.time()}});
     if (!program.is_at_breakpoint())
       return;
     history.record.breakpoints.push_back(
-        {record_pairs(model->interfaces, evaluation.fields, history.state, history.closed),
+        {record_pairs(model->interfaces, evaluation.fields, history.state, history.record.closed),
          history.work.dissipation,
          program.time()});
-    history.closed.clear();
+    history.record.closed.clear();
   }
 
   // Where the load path turns, slip stops: the first guess is stick.

@@ -1,7 +1,7 @@
 /// Where the load program is on the present mesh, and what it has done so far.
 #pragma once
 
-#include <amontons/adaptivity/load_record.h>
+#include <amontons/adaptivity/increment_error.h>
 #include <amontons/adaptivity/mesh_difference.h>
 #include <amontons/adaptivity/mesh_sequence.h>
 #include <amontons/adaptivity/quantity_sequence.h>
@@ -37,7 +37,6 @@ namespace Amontons
     QuantitySequence       quantity;       // `Target quantity`, by pair
     WorkDone<dim>          work;
     LoadRecord             record;      // friction: what the error of the increments is measured by
-    ClosedNodes            closed;      // since the last landing
     NewtonReport           last_report; // of the last solve
 
     bool starts_before = false; // loads that are there at t = 0 grow before

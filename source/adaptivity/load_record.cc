@@ -27,7 +27,7 @@ namespace Amontons
   bool
   note_closed(const std::vector<ContactInterface<dim>> &interfaces,
               const SolutionState<dim>                 &state,
-              ClosedNodes                              &closed)
+              LoadRecord::ClosedNodes                  &closed)
   {
     bool any = false;
     closed.resize(interfaces.size());
@@ -57,7 +57,7 @@ namespace Amontons
   record_pairs(const std::vector<ContactInterface<dim>> &interfaces,
                const std::vector<SurfaceFields<dim>>    &fields,
                const SolutionState<dim>                 &state,
-               const ClosedNodes                        &closed)
+               const LoadRecord::ClosedNodes            &closed)
   {
     std::vector<LoadRecord::Pair> pairs;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
@@ -120,19 +120,19 @@ namespace Amontons
   }
 
   template bool
-  note_closed(const std::vector<ContactInterface<2>> &, const SolutionState<2> &, ClosedNodes &);
+  note_closed(const std::vector<ContactInterface<2>> &, const SolutionState<2> &, LoadRecord::ClosedNodes &);
   template bool
-  note_closed(const std::vector<ContactInterface<3>> &, const SolutionState<3> &, ClosedNodes &);
+  note_closed(const std::vector<ContactInterface<3>> &, const SolutionState<3> &, LoadRecord::ClosedNodes &);
   template std::vector<LoadRecord::Pair>
   record_pairs(const std::vector<ContactInterface<2>> &,
                const std::vector<SurfaceFields<2>> &,
                const SolutionState<2> &,
-               const ClosedNodes &);
+               const LoadRecord::ClosedNodes &);
   template std::vector<LoadRecord::Pair>
   record_pairs(const std::vector<ContactInterface<3>> &,
                const std::vector<SurfaceFields<3>> &,
                const SolutionState<3> &,
-               const ClosedNodes &);
+               const LoadRecord::ClosedNodes &);
   template bool
   resolves_friction(const std::vector<ContactInterface<2>> &, const SolutionState<2> &);
   template bool

@@ -1,55 +1,63 @@
 #include <amontons/contact/surface_rim.h>
 
-#include <map>
-#include <set>
+#include <algorithm>
+#include <array>
 
 namespace Amontons
 {
   namespace
   {
-    // Faces by the points that they have there, to within a millionth of a face.
+    // Faces by the points that they have there, to within a millionth of a face. They are sorted along a
+    // direction across which few of a mesh lie.
     template <int dim>
     class FacesAtPoints
     {
     public:
-      explicit FacesAtPoints(const double size) : size(1e-6 * size) {}
+      explicit FacesAtPoints(const double size) : distance(1e-6 * size)
+      {
+        constexpr std::array<double, 3> across = {{0.5772, 0.2113, 0.7887}};
+        for (unsigned int d = 0; d < dim; ++d)
+          direction[d] = across[d];
+      }
 
       void
       add(const Point<dim> &x, const unsigned int face)
       {
-        for_each_cell(x, [&](const Cell &cell) { faces[cell].insert(face); });
+        entries.push_back({direction * x, x, face});
+      }
+
+      void
+      sort()
+      {
+        std::sort(
+            entries.begin(), entries.end(), [](const Entry &a, const Entry &b) { return a.key < b.key; });
       }
 
       bool
       any_but(const Point<dim> &x, const unsigned int face) const
       {
-        bool any = false;
-        for_each_cell(x, [&](const Cell &cell) {
-          if (const auto found = faces.find(cell); found != faces.end())
-            any = any || found->second.size() > 1 || *found->second.begin() != face;
-        });
-        return any;
+        const double key   = direction * x;
+        const auto   first = std::lower_bound(entries.begin(),
+                                            entries.end(),
+                                            key - distance,
+                                            [](const Entry &a, const double least) { return a.key < least; });
+        for (auto entry = first; entry != entries.end() && entry->key <= key + distance; ++entry)
+          if (entry->face != face && entry->x.distance_square(x) <= distance * distance)
+            return true;
+        return false;
       }
 
     private:
-      using Cell = std::array<long long, dim>;
-
-      // The same point, with other rounding, may be in the next one.
-      template <typename Action>
-      void
-      for_each_cell(const Point<dim> &x, const Action &action) const
+      struct Entry
       {
-        for (unsigned int corner = 0; corner < (1u << dim); ++corner)
-          {
-            Cell cell;
-            for (unsigned int d = 0; d < dim; ++d)
-              cell[d] = std::llround(std::floor(x[d] / size)) + ((corner >> d) & 1);
-            action(cell);
-          }
-      }
+        double       key;
+        Point<dim>   x;
+        unsigned int face;
+      };
 
-      const double                           size;
-      std::map<Cell, std::set<unsigned int>> faces;
+      const double       distance;
+      Tensor<1, dim>     direction;
+      std::vector<Entry> entries;
     };
 
     // The point s of side k of the unit interval (its end, whatever s) or square.
@@ -75,6 +83,7 @@ namespace Amontons
       for (unsigned int k = 0; k < n_sides; ++k)
         for (const double s : {0., 0.25, 0.5, 0.75, 1.})
           faces.add(surface.position(f, on_side<dim>(k, s)), f);
+    faces.sort();
     std::vector<bool> result(surface.nodes.size(), false);
     for (unsigned int f = 0; f < surface.faces.size(); ++f)
       for (unsigned int k = 0; k < n_sides; ++k)

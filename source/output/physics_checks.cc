@@ -72,11 +72,10 @@ namespace Amontons
     // last face, beside an edge what is a mean of both sides there has a part in theirs.
     template <int dim>
     std::vector<bool>
-    corner_nodes(const ContactSurface<dim> &surface, const double degrees)
+    corner_nodes(const ContactSurface<dim> &surface, std::vector<bool> result, const double degrees)
     {
-      const double      cosine = std::cos(degrees / 2 * numbers::PI / 180);
-      std::vector<bool> result = rim_nodes(surface);
-      const auto        place  = lattice<dim - 1>(surface.degree);
+      const double cosine = std::cos(degrees / 2 * numbers::PI / 180);
+      const auto   place  = lattice<dim - 1>(surface.degree);
       for (unsigned int f = 0; surface.sharpest_edge > degrees && f < surface.faces.size(); ++f)
         for (unsigned int k = 0; k < place.size(); ++k)
           {
@@ -109,8 +108,9 @@ namespace Amontons
       const auto       &interface  = answer.interfaces[i];
       const auto       &slave      = *interface.slave;
       const auto        nearest    = nearest_points(interface);
-      const auto        is_corner  = corner_nodes(slave, 60);
-      const auto        is_edge    = corner_nodes(slave, 10);
+      const auto        rim        = rim_nodes(slave);
+      const auto        is_corner  = corner_nodes(slave, rim, 60);
+      const auto        is_edge    = corner_nodes(slave, rim, 10);
       double            at_corners = 0, off = 0;
       CornerForces<dim> result;
       for (const auto &row : interface.coupling.rows)

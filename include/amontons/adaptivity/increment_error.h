@@ -40,10 +40,14 @@ namespace Amontons
       double            t           = 0;
     };
     std::vector<Landing> breakpoints;
-    std::vector<double>  times; // that increments end at
-    unsigned int         n_increments = 0;
-    unsigned int         n_of_few     = 0; // of these: in pieces between landings that take few
-    double               largest_work = 0, largest_force = 0; // of a pair
+    // What has closed since the last of them, by interface and slave node: the largest square of its bound
+    // since then, times its area.
+    using ClosedNodes = std::vector<std::map<unsigned int, double>>;
+    ClosedNodes         closed;
+    std::vector<double> times; // that increments end at
+    unsigned int        n_increments = 0;
+    unsigned int        n_of_few     = 0; // of these: in pieces between landings that take few
+    double              largest_work = 0, largest_force = 0; // of a pair
     // From when to when: increments in which nodes with friction have closed.
     using Closing = std::vector<std::array<double, 2>>;
     Closing closing;

@@ -7,16 +7,12 @@
 
 namespace Amontons
 {
-  /// What has closed, by interface and slave node: the largest square of its bound since then, times its
-  /// area.
-  using ClosedNodes = std::vector<std::map<unsigned int, double>>;
-
   /// Before an increment is committed. Whether any node with friction has closed in it.
   template <int dim>
   bool
   note_closed(const std::vector<ContactInterface<dim>> &interfaces,
               const SolutionState<dim>                 &state,
-              ClosedNodes                              &closed);
+              LoadRecord::ClosedNodes                  &closed);
 
   /// Contact at the end of an increment; fields: of the state, by pair; closed: since the landing before.
   /// Tied pairs are left out.
@@ -25,7 +21,7 @@ namespace Amontons
   record_pairs(const std::vector<ContactInterface<dim>> &interfaces,
                const std::vector<SurfaceFields<dim>>    &fields,
                const SolutionState<dim>                 &state,
-               const ClosedNodes                        &closed);
+               const LoadRecord::ClosedNodes            &closed);
 
   /// Enough nodes of a pair with friction touch to see how slip spreads.
   template <int dim>

@@ -1,7 +1,6 @@
 #include <amontons/adaptivity/contact_change.h>
 #include <amontons/adaptivity/slenderness.h>
 #include <amontons/adaptivity/state_transfer.h>
-#include <amontons/base/independent_errors.h>
 #include <amontons/evaluation.h>
 #include <amontons/finite_strain_model.h>
 #include <amontons/load_path.h>
@@ -69,8 +68,8 @@ namespace Amontons
   {
     const auto   by_shear = sensitivity_to_shear(parameters.refinement.target_quantity);
     const double of_mesh  = parameters.refinement.target_error > 0 ? error_of_mesh : 0;
-    const double all = allowed_error(), allowed = of_mesh <= all ? std::max(all / 4, left_of(all, of_mesh))
-                                                                 : all; // else missed anyway
+    const double all      = allowed_error(),
+                 allowed  = of_mesh <= all ? std::max(all / 4, all - of_mesh) : all; // else missed anyway
     if (!shear || !by_shear)
       return allowed;
     return std::max(0., (allowed / *by_shear - shear->directions) / shear->amplification);

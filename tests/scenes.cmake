@@ -1112,7 +1112,7 @@ add_scene_test(NAME target_of_more_increments SCENE nafems_roller_friction.prm S
 add_scene_test(NAME increments_of_a_contact_that_grows SCENE verification/sheared_half_disk.prm
                SET "Kinematics=small strain" "Increments=automatic" "Refinement/Cycles=-1" "Refinement/Target quantity=contact pressure" "Refinement/Target error=0.1" "Body block/Young modulus=1000"
                    "Boundary condition load/Force=0|0" "Boundary condition load/Displacement=0.001*table(1: 0, 2: 1)|-0.02*table(0: 0, 1: 1)"
-               CHECK "status is converged" "increments.number <= 30" "linear_solves <= 110" "error_estimate.shear <= 0.03" "error_estimate.increments <= 0.05" "pairs.0.stick_size ~ 0.1023 0.01")
+               CHECK "status is converged" "increments.number <= 30" "linear_solves <= 110" "error_estimate.shear <= 0.0866" "error_estimate.increments <= 0.05" "pairs.0.stick_size ~ 0.1023 0.01")
 # What every mesh and increment would say is said once.
 add_scene_test(NAME probe_outside_is_told_once SCENE nafems_roller_friction.prm SET "Refinement/Cycles=1" "Increments=3" "Probe cylinder centre/Point=0,500"
                CHECK "notes.0 has lies outside body cylinder" "count(notes.0:) <= 4")
@@ -1697,7 +1697,7 @@ add_scene_test(NAME small_stamp_second SCENE verification/small_stamp.prm SET "C
 # An edge of a slave may bear all on coarse meshes, along the mean of its normals, and meshes agree on a force that is not right: (-0.274, 0.812), told 0.4 %, for (-0.377, 0.825).
 add_scene_test(NAME snap_hook SCENE verification/snap_hook.prm
                CHECK "status is converged" "dofs <= 15000" "pairs.0.normal_force.1 ~ 0.825 0.02" "pairs.0.normal_force.0 <= -0.32" "error_estimate.quantity >= 0.025")
-# The corner of a slave has the normal of the obstacle: (0, -3.52), as where it is round or has a pair for each face (it was 6 % off, told 0.2, along that of its face). A mean normal is worse, and no answer.
+# The corner of a slave has the normal of the obstacle: (0, -3.52), as where it is round or has a pair for each face (it was 6 % off, told 0.2, along that of its face). A mean normal is worse, and no answer on coarse meshes.
 add_scene_test(NAME corner_tip SCENE verification/corner_tip.prm
                CHECK "status is converged" "checks.corner_forces <= 1e-3" "pairs.0.normal_force.0 abs<= 0.01" "pairs.0.normal_force.1 ~ -3.52 0.003")
 add_scene_test(NAME corner_tip_small_strain SCENE verification/corner_tip.prm SET "Kinematics=small strain"
@@ -1708,8 +1708,11 @@ add_scene_test(NAME tilted_corner_other_slave SCENE verification/tilted_corner.p
                CHECK "status is converged" "pairs.0.normal_force.0 abs<= 0.5" "pairs.0.normal_force.1 ~ -161.0 0.02")
 add_scene_test(NAME tilted_corner_finite_strain SCENE verification/tilted_corner.prm SET "Kinematics=finite strain" "Refinement/Cycles=0" "Body upper/Rotate=10"
                CHECK "status is converged" "checks.corner_forces ~ 0.0738 0.02" "checks.normal_mismatch ~ 0.0738 0.02" "notes.-1 has along a wrong direction")
-add_scene_test(NAME corner_tip_mean_normal SCENE verification/corner_tip.prm FAILS SET "Contact tip/First=beam/top, beam/right"
+add_scene_test(NAME corner_tip_mean_normal SCENE verification/corner_tip.prm FAILS SET "Contact tip/First=beam/top, beam/right" "Refinement/Cycles=2"
                CHECK "failure has broken" "checks.corner_forces >= 0.3" "message has corner of the slave")
+# With cells smaller than the contact it is one (as the error of the force, 0.36 aside, was not counted: not converged, (1.40, -3.31), told 0.09 %).
+add_scene_test(NAME corner_tip_mean_normal_to_its_target SCENE verification/corner_tip.prm SET "Contact tip/First=beam/top, beam/right"
+               CHECK "status is converged" "dofs <= 8000" "pairs.0.normal_force.0 abs<= 0.05" "pairs.0.normal_force.1 ~ -3.52 0.003" "error_estimate.quantity >= 0.005")
 # Small strain is refined once; earlier output times have a note.
 add_scene_test(NAME passing_disks SCENE verification/passing_disks.prm CHECK "status is converged" "pairs.0.normal_force.1 abs<= 1e-9" "notes.-1 has those of the first mesh")
 add_scene_test(NAME passing_disks_friction SCENE verification/passing_disks.prm SET "Contact pair/Friction coefficient=0.2" "Increments=12" "Refinement/Target error=0.3"
@@ -1879,7 +1882,7 @@ add_scene_test(NAME pressed_twice_and_unloaded SCENE verification/small_shear.pr
 add_scene_test(NAME parts_miss_together SCENE verification/small_shear.prm
                SET "Boundary condition load/Force=" "Boundary condition load/Displacement=0.01*table(0:0, 1:1, 2:0)|-0.03*table(0:0, 1:1, 2:0.5)" "Refinement/Target error=0.1"
                    "Body l/Young modulus=70000" "Contact c/Initial gap=x^2/20"
-               CHECK "status is converged" "notes.1 has and small strain leaves out (0.03" "notes.1 has and so does finite strain")
+               CHECK "status is converged" "notes.-1 has and small strain leaves out (0.03" "notes.-1 has and so does finite strain")
 # What is left of a contact that was ten times as large (and more) is smaller than cells: no size of it is known there (the
 # stick size was 0, and told right to 3.8 %).
 add_scene_test(NAME stick_size_of_what_is_left SCENE verification/small_shear.prm

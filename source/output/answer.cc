@@ -138,14 +138,15 @@ namespace Amontons
       const bool  facet = facets > noteworthy_facets;
       if (facet)
         parts += ", of which facets " + percent(facets);
-      const auto add = [&](const std::string &name, const double error) {
-        all = together(all, error);
-        parts += ", " + name + " " + percent(error);
-      };
-      if (!std::isnan(of_kinematics))
-        add("kinematics", of_kinematics);
       if (summary.increments)
-        add("increments", of_increments);
+        all = together(all, of_increments);
+      if (!std::isnan(of_kinematics))
+        {
+          all += of_kinematics;
+          parts += ", kinematics " + percent(of_kinematics);
+        }
+      if (summary.increments)
+        parts += ", increments " + percent(of_increments);
       lines.emplace_back("estimated error of the " + what,
                          percent(all) +
                              (all == of_mesh && !summary.increments && !facet ? "" : "   (" + parts + ")"));

@@ -6,10 +6,10 @@
 
 namespace Amontons
 {
-  /// What errors of the mesh, of the increments and of the kinematics make together, as fields in the mean
-  /// square: one oscillates from cell to cell, one from increment to increment, and one is smooth, so that
-  /// they are nearly orthogonal, |a + b|^2 = |a|^2 + |b|^2; those of numbers have signs that know nothing of
-  /// each other.
+  /// What errors of the mesh and of the increments make together, as fields in the mean square: one
+  /// oscillates from cell to cell, the other from increment to increment, so that they are nearly orthogonal,
+  /// |a + b|^2 = |a|^2 + |b|^2; those of numbers have signs that know nothing of each other. (What small
+  /// strain leaves out is smooth, is no random number, and comes on top.)
   inline double
   together(const double a, const double b)
   {

@@ -80,6 +80,7 @@ namespace Amontons
     IncrementErrors change;
     if (!increments.try_fewer_in_pieces(history.record, of_record, try_these, change))
       return;
+    report.set_error_of_increments(report.error_of_increments()->with(change));
     std::ostringstream text;
     const auto         lengths = increments.lengths();
     text << "where next to nothing closes, up to t =";

@@ -203,18 +203,20 @@ namespace Amontons
     note(text.str());
   }
 
-  // Forces, and what follows from them, are off by that. (The edge of a punch has little of it. The error of a
-  // total force counts it.)
+  // Forces, and what follows from them, are off by that. (The edge of a punch has little of it. The error of
+  // a total force counts it.)
   template <int dim>
   void
   RunReport<dim>::note_corner_forces(const Ending &ending)
   {
-    const auto   check  = ending.checks.find("corner_forces");
-    const auto  &error  = ending.evaluation.error;
-    const double target = error.quantity ? ending.refinement.target_error : 0;
-    const bool is_counted = target > 0 && ending.refinement.target_quantity == "total force";
+    const auto   check      = ending.checks.find("corner_forces");
+    const auto  &error      = ending.evaluation.error;
+    const double target     = error.quantity ? ending.refinement.target_error : 0;
+    const bool   is_counted = target > 0 && ending.refinement.target_quantity == "total force";
     if (!ending.converged || check == ending.checks.end() ||
-        check->second <= (is_counted ? target : target > 0 ? target / 4 : 0.01))
+        check->second <= (is_counted   ? target
+                          : target > 0 ? target / 4
+                                       : 0.01))
       return;
     std::ostringstream text;
     text.precision(2);

@@ -274,16 +274,16 @@ def check_history(summary, history):
 
 
 def estimate(summary, key):
-    """The error of the mesh, and what else is known, added up: "1.5 %   (mesh 1 %, kinematics 0.5 %)"."""
+    """The error of the mesh with that of the increments, as the sides of a right triangle, and kinematics on top: "1.5 %   (mesh 1 %, kinematics 0.5 %)"."""
     of = summary["error_estimate"]
     total, parts = of[key], ["mesh " + percent(of[key])]
     if key == "contact" and of["facets"] > 1e-3:
         parts.append("of which facets " + percent(of["facets"]))
     kinematics, increments = ("shear_kinematics", "shear") if key == "shear" else ("kinematics", "pressure")
     others = {"kinematics": of.get(kinematics), "increments": summary.get("increments", {}).get(increments)}
+    total = math.hypot(total, others["increments"] or 0) + (others["kinematics"] or 0)
     for name, error in others.items():
         if error is not None:
-            total += error
             parts.append(f"{name} {percent(error)}")
     alone = total == of[key] and others["increments"] is None and len(parts) <= 2 and "facets" not in parts[-1]
     return percent(total) + ("" if alone else f"   ({', '.join(parts)})")

@@ -157,20 +157,34 @@ namespace Amontons
     return false;
   }
 
+  namespace
+  {
+    constexpr double IncrementErrors::*parts[] = {&IncrementErrors::pressure,
+                                                  &IncrementErrors::shear,
+                                                  &IncrementErrors::shear_on_path,
+                                                  &IncrementErrors::stick_size,
+                                                  &IncrementErrors::own_stick_size,
+                                                  &IncrementErrors::normal_force,
+                                                  &IncrementErrors::tangential_force,
+                                                  &IncrementErrors::dissipation,
+                                                  &IncrementErrors::own_dissipation};
+  } // namespace
+
+  IncrementErrors
+  IncrementErrors::with(const IncrementErrors &others) const
+  {
+    IncrementErrors result = *this;
+    for (const auto part : parts)
+      result.*part += others.*part;
+    return result;
+  }
+
   IncrementErrors
   IncrementErrors::scaled(const double factor) const
   {
     IncrementErrors result = *this;
-    for (double *const part : {&result.pressure,
-                               &result.shear,
-                               &result.shear_on_path,
-                               &result.stick_size,
-                               &result.own_stick_size,
-                               &result.normal_force,
-                               &result.tangential_force,
-                               &result.dissipation,
-                               &result.own_dissipation})
-      *part *= factor;
+    for (const auto part : parts)
+      result.*part *= factor;
     result.n_increments =
         n_of_few + static_cast<unsigned int>(std::lround((n_increments - n_of_few) / factor));
     return result;

@@ -95,6 +95,9 @@ namespace Amontons
     double       dissipation      = 0; // of the work
     double       own_dissipation  = 0; // of itself, or of what is noteworthy
 
+    // Together with what others change.
+    IncrementErrors
+    with(const IncrementErrors &others) const;
     // With increments that are `factor` times as long.
     IncrementErrors
     scaled(const double factor) const;

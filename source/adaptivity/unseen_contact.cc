@@ -276,7 +276,10 @@ namespace Amontons
       {
         if (!presses[i])
           continue;
-        if (fields[i].contact_size < smallest_closed_face(interfaces[i], fields[i]) / 2 &&
+        // (Of few nodes it may be none; around a ring there is none.)
+        const bool has_size =
+            fields[i].contact_size > 0 || n_closed_nodes(fields[i]) < enough_closed_nodes<dim>;
+        if (has_size && fields[i].contact_size < smallest_closed_face(interfaces[i], fields[i]) / 2 &&
             !contact_is_resolved(interfaces[i], fields[i], std::numeric_limits<double>::infinity()))
           return false;
         const double sticking =

@@ -3,6 +3,7 @@
 #include "check.h"
 
 #include <amontons/adaptivity/first_mesh.h>
+#include <amontons/adaptivity/load_record.h>
 #include <amontons/adaptivity/mesh_refinement.h>
 
 #include <deal.II/base/function.h>
@@ -518,6 +519,50 @@ test_contact_terms()
   check::is_true(mark_close_cells(*problem.discretization, interfaces, 1e-6) == 2, "cells near contact");
 }
 
+// What closes in a piece of the load path counts with its largest bound since, also if it has opened again.
+void
+test_what_has_closed()
+{
+  Scene scene = block(ProblemType::plane_stress);
+  scene.bodies.push_back(scene.bodies[0]);
+  scene.bodies[1].name  = "upper";
+  scene.bodies[1].lower = {0, 1, 0};
+  scene.bodies[1].upper = {2, 2, 0};
+  Problem<2> problem(scene, 1, 0, false);
+  PairData   pair;
+  pair.friction = Expression(0.5);
+  std::vector<ContactInterface<2>> interfaces(1);
+  interfaces[0].pair = &pair;
+  interfaces[0].slave =
+      std::make_unique<ContactSurface<2>>(*problem.discretization, BoundaryName{"it", "top", {}, {}});
+  interfaces[0].coupling.rows.resize(3);
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      interfaces[0].coupling.rows[i].node = i;
+      interfaces[0].coupling.rows[i].area = 1 + i;
+    }
+  SolutionState<2> state;
+  state.contact.resize(1, NodalContacts<2>(interfaces[0].slave->nodes.size()));
+  LoadRecord::ClosedNodes closed;
+  const auto              goes_on = [&](const std::vector<double> &pressures) {
+    state.committed_contact = state.contact;
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        state.contact[0][i].pressure = pressures[i];
+        state.contact[0][i].state = pressures[i] > 0 ? ContactStatus::stick : ContactStatus::open;
+      }
+    return note_closed(interfaces, state, closed);
+  };
+  check::is_true(goes_on({2, 0, 0}), "one closes");
+  closed.clear(); // a time to land on
+  check::is_true(!goes_on({6, 0, 0}), "none more");
+  check::is_true(goes_on({6, 2, 4}), "two close");
+  check::is_true(!goes_on({8, 4, 0}), "one opens");
+  std::vector<SurfaceFields<2>> fields(1);
+  const double                  all = record_pairs(interfaces, fields, state, closed)[0].closed;
+  check::is_close(all * all, 2 * 2. * 2. + 3 * 2. * 2., 1e-12, "areas times the squares of their bounds");
+}
+
 // The same with a pressure and, with friction, a shear that are wrong by a x and b x:
 //   eta_F^2 = h_F/E int (a^2 + b^2) x^2,  contact indicator^2 = int a^2 x^2 + int b^2 x^2 / s^2,
 // where s is the largest shear over the peak pressure. Axisymmetric scenes integrate over the full turn.
@@ -641,6 +686,7 @@ main(int argc, char **argv)
   test_indicators_for_target();
   test_transfer();
   test_contact_terms();
+  test_what_has_closed();
   for (const ProblemType kind : {ProblemType::plane_stress, ProblemType::axisymmetric})
     test_varying_contact_terms(kind, 0.05, 0);
   test_varying_contact_terms(ProblemType::plane_stress, 0.05, 0.03);

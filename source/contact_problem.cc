@@ -342,9 +342,7 @@ namespace Amontons
                       steps->history.state,
                       success,
                       together(steps->evaluation.error.of_target(),
-                               report.error_of_increments()
-                                   ? report.error_of_increments()->of(parameters.refinement.target_quantity)
-                                   : 0.),
+                               report.error_by_increments(parameters.refinement.target_quantity)),
                       report.timer(),
                       control);
     if (control.stop.is_there())

@@ -319,10 +319,9 @@ namespace Amontons
   LoadStepping<dim>::target_of_mesh() const
   {
     const double whole = parameters.refinement.target_error;
-    return increments.by_target() && report.error_of_increments()
-               ? std::max(
-                     whole / 2,
-                     left_of(whole, report.error_of_increments()->of(parameters.refinement.target_quantity)))
+    return increments.by_target()
+               ? std::max(whole / 2,
+                          left_of(whole, report.error_by_increments(parameters.refinement.target_quantity)))
                : whole;
   }
 

@@ -450,17 +450,25 @@ test_transfer()
     }
 }
 
-// Two blocks under uniform compression: no error with the exact pressure p; with p + d on the slave,
-//   eta_F^2 = h_F |F| d^2 / E on both sides together twice, and the pressure is wrong by d.
-void
-test_contact_terms()
+// The block with another one on it.
+Scene
+two_blocks(const ProblemType kind)
 {
-  Scene scene = block(ProblemType::plane_stress);
+  Scene scene = block(kind);
   scene.bodies.push_back(scene.bodies[0]);
   scene.bodies[1].name  = "upper";
   scene.bodies[1].lower = {0, 1, 0};
   scene.bodies[1].upper = {2, 2, 0};
   scene.bodies[1].cells = {{3, 3, 1}};
+  return scene;
+}
+
+// Two blocks under uniform compression: no error with the exact pressure p; with p + d on the slave,
+//   eta_F^2 = h_F |F| d^2 / E on both sides together twice, and the pressure is wrong by d.
+void
+test_contact_terms()
+{
+  const Scene  scene = two_blocks(ProblemType::plane_stress);
   Problem<2>   problem(scene, 2, 0, false);
   const double nu = scene.bodies[0].material.poisson, p = 0.2 * scene.bodies[0].material.young;
   problem.set(Field<2>([&](const Point<2> &X) { return Tensor<1, 2>({0.2 * nu * X[0], -0.2 * X[1]}); }));
@@ -523,13 +531,9 @@ test_contact_terms()
 void
 test_what_has_closed()
 {
-  Scene scene = block(ProblemType::plane_stress);
-  scene.bodies.push_back(scene.bodies[0]);
-  scene.bodies[1].name  = "upper";
-  scene.bodies[1].lower = {0, 1, 0};
-  scene.bodies[1].upper = {2, 2, 0};
-  Problem<2> problem(scene, 1, 0, false);
-  PairData   pair;
+  const Scene scene = two_blocks(ProblemType::plane_stress);
+  Problem<2>  problem(scene, 1, 0, false);
+  PairData    pair;
   pair.friction = Expression(0.5);
   std::vector<ContactInterface<2>> interfaces(1);
   interfaces[0].pair = &pair;
@@ -569,12 +573,7 @@ test_what_has_closed()
 void
 test_varying_contact_terms(const ProblemType kind, const double a, const double b)
 {
-  Scene scene = block(kind);
-  scene.bodies.push_back(scene.bodies[0]);
-  scene.bodies[1].name  = "upper";
-  scene.bodies[1].lower = {0, 1, 0};
-  scene.bodies[1].upper = {2, 2, 0};
-  scene.bodies[1].cells = {{3, 3, 1}};
+  const Scene  scene = two_blocks(kind);
   Problem<2>   problem(scene, 2, 0, false);
   const double E = scene.bodies[0].material.young, nu = scene.bodies[0].material.poisson, p = 0.2 * E;
   const bool   axisymmetric = kind == ProblemType::axisymmetric;

@@ -372,13 +372,18 @@ namespace Amontons
       return true;
     if (control.stop.is_there())
       return false;
-    report.restart();
     const bool has_fallback = small_strain_converged && !small_strain.is_too_much() &&
-                              small_strain.error_of_target() <= small_strain.too_much;
-    if (!(has_fallback && small_strain.knows_change()) && mesh->n_refinements > 0)
+                              small_strain.error_of_target() <= small_strain.too_much,
+               is_near = has_fallback && small_strain.knows_change(),
+               serves  = is_near && small_strain.keeps_meshes() && !steps->model->finite_strain();
+    auto shown = steps->take_experience();
+    report.restart();
+    if (!is_near && mesh->n_refinements > 0)
       start_on_first_mesh(true);
     else
       start(true);
+    if (serves)
+      steps->go_on_from(std::move(shown));
     if (has_fallback)
       steps->history.most_cut_backs = LoadHistory<dim>::many_cut_backs;
     if (run_load_program())
@@ -403,16 +408,11 @@ namespace Amontons
     if (nearby == nullptr || scene.n_increments > 0 || !scene.output_times.empty() ||
         !scene.corner_times.empty())
       return false;
+    auto shown = steps->take_experience();
     report.restart();
-    auto       quantity = steps->history.quantity;
-    const auto refined  = steps->evaluation.refined;
-    quantity.repeat();
     start(true, nearby);
     if (small_strain.keeps_meshes())
-      {
-        steps->history.quantity   = std::move(quantity);
-        steps->evaluation.refined = refined;
-      }
+      steps->go_on_from(std::move(shown));
     return steps->run();
   }
 

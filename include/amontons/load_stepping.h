@@ -32,6 +32,33 @@ namespace Amontons
     bool
     run(const bool to_facets = false);
 
+    /// The error of the increments: where.
+    struct Measurement
+    {
+      unsigned int        mesh;
+      LoadRecord::Closing closing; // of the program there
+    };
+
+    /// What the meshes and increments of another run of the load program have shown, which ended on the
+    /// present mesh: how wrong recovery is there, which increments the target takes, first guesses.
+    struct Experience
+    {
+      std::vector<typename LoadHistory<dim>::PathPoint> path;
+      std::optional<std::vector<double>>                growing; // see LoadHistory
+      RecoveryFactors                                   pressure, shear;
+      QuantitySequence                                  quantity;
+      RefinedPairs<dim>                                 refined;
+      IncrementChoice                                   increments;
+      std::optional<Measurement>                        measurement;
+      std::optional<IncrementErrors>                    errors;
+    };
+    /// Of this run, which ends with it.
+    Experience
+    take_experience();
+    /// Before run().
+    void
+    go_on_from(Experience &&others);
+
     /// Friction: no more of that than it takes to know the error of the increments.
     void
     run_to_measure_increments();
@@ -201,13 +228,6 @@ namespace Amontons
       in_last_increment,
       on_the_way,     // and the history goes on there
       between_replays // of the load program
-    };
-
-    // The error of the increments: where.
-    struct Measurement
-    {
-      unsigned int        mesh;
-      LoadRecord::Closing closing; // of the program there
     };
 
     RunReport<dim>            &report;

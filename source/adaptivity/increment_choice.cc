@@ -108,6 +108,15 @@ namespace Amontons
     return remove(record.closing_beyond(part_that_closes * allowed()), few);
   }
 
+  void
+  IncrementChoice::take_lengths(const IncrementChoice &other)
+  {
+    times            = other.times;
+    times_in_the_end = other.times_in_the_end;
+    few              = other.few;
+    n_of_each        = other.n_of_each;
+  }
+
   bool
   IncrementChoice::take_all()
   {

@@ -56,6 +56,10 @@ namespace Amontons
     bool
     divide(const LoadRecord &record);
 
+    /// Those of another run of the same load program.
+    void
+    take_lengths(const IncrementChoice &other);
+
     /// The mesh is fine enough: all of them from now on. False: they are.
     bool
     take_all();

@@ -325,7 +325,8 @@ namespace Amontons
           matrix,
           parameters.direct_package == "automatic" ? "Amesos_Mumps" : parameters.direct_package,
           symmetric,
-          parameters.workspace);
+          parameters.workspace,
+          dim == 2);
     const bool is_new = factorisation_is_old;
     if (is_new && !direct->factorise())
       {

@@ -50,7 +50,7 @@ namespace Amontons
     }
   };
 
-  Mumps::Mumps(const Epetra_CrsMatrix &matrix, const bool symmetric, const bool by_degree)
+  Mumps::Mumps(const Epetra_CrsMatrix &matrix, const bool symmetric, const bool by_fill)
       : matrix(matrix), instance(std::make_unique<Instance>()), symmetric(symmetric),
         on_first(matrix.NumGlobalRows(),
                  matrix.Comm().MyPID() == 0 ? matrix.NumGlobalRows() : 0,
@@ -68,8 +68,8 @@ namespace Amontons
     instance->icntl(4) = 0; // no words
     if (matrix.Comm().NumProc() > 1)
       instance->icntl(18) = 3; // entries by rank
-    if (by_degree)
-      instance->icntl(7) = 0;
+    if (by_fill)
+      instance->icntl(7) = 2;
   }
 
   Mumps::~Mumps() { run(Job::end); }

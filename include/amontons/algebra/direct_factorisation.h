@@ -16,11 +16,12 @@ namespace Amontons
   class DirectFactorisation
   {
   public:
-    // workspace: of MUMPS, percent more than it foresees.
+    // workspace: of MUMPS, percent more than it foresees. is_plane: the bodies are.
     DirectFactorisation(const LA::SparseMatrix &matrix,
                         const std::string      &package,
                         const bool              symmetric,
-                        const int               workspace);
+                        const int               workspace,
+                        const bool              is_plane);
 
     // False: the matrix is singular, or there is no memory.
     bool

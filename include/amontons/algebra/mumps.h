@@ -15,9 +15,9 @@ namespace Amontons
   class Mumps
   {
   public:
-    // symmetric: positive definite, too; one triangle is read. by_degree: unknowns are ordered by approximate
-    // minimum degree, not as MUMPS likes.
-    Mumps(const Epetra_CrsMatrix &matrix, const bool symmetric, const bool by_degree);
+    // symmetric: positive definite, too; one triangle is read. by_fill: unknowns are ordered by approximate
+    // minimum fill, not as MUMPS likes.
+    Mumps(const Epetra_CrsMatrix &matrix, const bool symmetric, const bool by_fill);
     ~Mumps();
     Mumps(const Mumps &) = delete;
     Mumps &

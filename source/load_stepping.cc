@@ -239,8 +239,9 @@ namespace Amontons
     const std::string &name        = parameters.refinement.target_quantity;
     auto              &error       = evaluation.error;
     const bool         is_resolved = small_contacts_are_resolved(model->interfaces, evaluation.fields);
+    constexpr double most_unseen = 1; // of the gap: meshes that miss the same ridges agree
     if (name != "contact pressure")
-      follow_quantity(is_resolved);
+      follow_quantity(is_resolved && error.gap <= most_unseen);
     // Where error.data is 1 what touches is unseen.
     const bool is_known =
         evaluation.touches() ? evaluation.resolves_contact() && is_resolved : error.data < 1;

@@ -40,6 +40,24 @@ namespace Amontons
           }
       v.compress(VectorOperation::insert);
     }
+
+    // What small strain makes of a given rotation is no motion of a rigid body: carriers as they are
+    // prescribed, all else as it is.
+    template <int dim>
+    void
+    set_carriers(const Discretization<dim> &discretization, const Constraints &supports, LA::Vector &u)
+    {
+      LA::Vector old = discretization.make_owned_vector();
+      old            = u;
+      LA::Vector change(old);
+      supports.distribute(change);
+      change -= old;
+      LA::Vector elsewhere(change);
+      leave_out_carriers(discretization, elsewhere);
+      change -= elsewhere;
+      old += change;
+      u = old;
+    }
   } // namespace
 
   template <int dim>
@@ -331,9 +349,9 @@ namespace Amontons
     return found > too_much ? std::max(found, with_strains_to(too_much / 6)) : found;
   }
 
-  // The largest relative change of contact forces and, unless these are there and all that is asked for, of
-  // pressures, of their place and of the displacement; of the energy if that is asked for, which singular
-  // pressures hardly change.
+  // The largest relative change of contact forces and, unless these have a resultant and are all that is
+  // asked for, of pressures, of their place and of the displacement; of the energy if that is asked for, which
+  // singular pressures hardly change.
   template <int dim>
   typename SmallStrainCheck<dim>::Change
   SmallStrainCheck<dim>::change_to(const Model<dim>         &finite,
@@ -348,7 +366,7 @@ namespace Amontons
                                            finite_state,
                                            *std::max_element(sizes.begin(), sizes.end()));
     const auto &quantity = parameters.refinement.target_quantity;
-    if (quantity == "total force" && contact.touches)
+    if (quantity == "total force" && contact.has_resultant)
       return {contact.forces, contact.forces};
     LA::Vector difference = model.discretization().make_owned_vector(), old = difference;
     difference = finite_state.displacement;
@@ -382,7 +400,9 @@ namespace Amontons
     {
       SolutionState<dim>       trial = state;
       FiniteStrainModel<dim>   finite(model, state, timer);
-      const auto               mechanics = finite.mechanics(state);
+      set_carriers(model.discretization(), finite.supports, trial.displacement);
+      finite.move_to(trial);
+      const auto               mechanics = finite.mechanics(trial);
       const GivesUp            gives_up  = gives_up_on(model, control);
       const ContactSolver<dim> solver    = {
              parameters.newton, parameters.linear_solver, model.discretization(), timer, gives_up};

@@ -42,6 +42,18 @@ namespace Amontons
       return sum / force_of(pressures);
     }
 
+    // Of all that the slave of a pair bears.
+    template <int dim>
+    double
+    resultant_of(const ContactInterface<dim> &interface, const NodalContacts<dim> &contact)
+    {
+      Tensor<1, dim> sum;
+      for (const auto &row : interface.coupling.rows)
+        sum += row.area * (contact[row.node].pressure * interface.slave->nodes[row.node].normal -
+                           contact[row.node].shear);
+      return sum.norm();
+    }
+
     // Largest first: by pressure, its area.
     std::vector<std::pair<double, double>>
     sorted(const NodalPressures &pressures)
@@ -93,7 +105,9 @@ namespace Amontons
                     const double                              size)
   {
     double force_change = 0, largest_force = 0, square_change = 0, square = 0, shift = 0;
-    bool   appears = false;
+    bool   appears = false, has_resultant = false;
+    // Forces of a hundredth of the rest are not what anybody asks for.
+    constexpr double least_part = 0.01;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
       {
         const auto   before    = pressures_of(interfaces[i], state.contact[i]);
@@ -104,6 +118,8 @@ namespace Amontons
             value[0] = same->second[0];
         force_change  = std::max(force_change, std::abs(new_force - old_force));
         largest_force = std::max(largest_force, std::abs(old_force));
+        has_resultant =
+            has_resultant || resultant_of(interfaces[i], state.contact[i]) > least_part * old_force;
         appears       = appears || new_force > 0;
         square_change += distance_of_sorted(before, after);
         for (const auto &[node, value] : before)
@@ -119,7 +135,7 @@ namespace Amontons
     return {force_change / largest_force,
             std::sqrt(square_change / square),
             shift / (largest_force * size),
-            true};
+            has_resultant};
   }
 
   template ContactChange

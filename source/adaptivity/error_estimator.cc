@@ -153,6 +153,7 @@ namespace Amontons
         estimate.bulk          = relative(total(bulk.error), energy);
         estimate.contact       = relative(total(pressure_error), pressure);
         estimate.shear         = relative(total(shear_error), shear);
+        estimate.gap           = relative(total(gap_square), pressure);
         estimate.recovered     = {estimate.contact, estimate.shear};
         estimate.doubted = {relative(total(hidden_pressure), pressure), relative(total(hidden_shear), shear)};
         estimate.facets_of = facets_of;
@@ -357,6 +358,7 @@ namespace Amontons
           }
         square *= slave.faces[face].size / discretization.scene.bodies[cell->material_id()].material.young;
         pressure_part = parts.weight * (pressure_part + parts.edge[face] + parts.gap[face]);
+        gap_square += parts.weight * parts.gap[face];
         shear_part += parts.weight * parts.friction[face].square;
         friction_resultants += parts.friction[face].resultant;
         shear_error += shear_part;
@@ -427,7 +429,7 @@ namespace Amontons
       // of this rank
       double no_pressure_square = 0, pressure_error = 0, pressure_square = 0, shear_error = 0,
              hidden_pressure = 0, hidden_shear = 0, shear_square = 0, n_unseen = 0, friction_resultants = 0,
-             shear_sum = 0;
+             shear_sum = 0, gap_square = 0;
       std::vector<FacetError> facets_of;
     };
   } // namespace

@@ -9,7 +9,7 @@ namespace Amontons
   struct ContactChange
   {
     double forces = 0, pressures = 0, shift = 0;
-    bool   touches = false; // in either
+    bool   has_resultant = false; // some pair's forces do not balance, as around a closed ring
   };
 
   // The largest change of a pair's force, against the largest force; the change of the pressures of all

@@ -376,7 +376,7 @@ namespace Amontons
                               small_strain.error_of_target() <= small_strain.too_much,
                is_near = has_fallback && small_strain.knows_change(),
                serves  = is_near && small_strain.keeps_meshes() && !steps->model->finite_strain();
-    auto shown = steps->take_experience();
+    auto shown         = steps->take_experience();
     report.restart();
     if (!is_near && mesh->n_refinements > 0)
       start_on_first_mesh(true);

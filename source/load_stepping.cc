@@ -26,39 +26,6 @@ namespace Amontons
   }
 
   template <int dim>
-  typename LoadStepping<dim>::Experience
-  LoadStepping<dim>::take_experience()
-  {
-    history.quantity.repeat();
-    return {std::move(history.path),
-            history.growing,
-            history.coarser.pressure,
-            history.coarser.shear,
-            history.quantity,
-            evaluation.refined,
-            increments,
-            measurement,
-            report.error_of_increments()};
-  }
-
-  template <int dim>
-  void
-  LoadStepping<dim>::go_on_from(Experience &&others)
-  {
-    if (!history.at_once)
-      history.path = std::move(others.path);
-    history.growing          = others.growing;
-    history.coarser.pressure = others.pressure;
-    history.coarser.shear    = others.shear;
-    history.quantity         = std::move(others.quantity);
-    evaluation.refined       = others.refined;
-    increments.take_lengths(others.increments);
-    measurement = std::move(others.measurement);
-    if (others.errors)
-      report.set_error_of_increments(*others.errors);
-  }
-
-  template <int dim>
   bool
   LoadStepping<dim>::run(const bool to_facets)
   {
@@ -239,9 +206,8 @@ namespace Amontons
     const std::string &name        = parameters.refinement.target_quantity;
     auto              &error       = evaluation.error;
     const bool         is_resolved = small_contacts_are_resolved(model->interfaces, evaluation.fields);
-    constexpr double most_unseen = 1; // of the gap: meshes that miss the same ridges agree
     if (name != "contact pressure")
-      follow_quantity(is_resolved && error.gap <= most_unseen);
+      follow_quantity(is_resolved);
     // Where error.data is 1 what touches is unseen.
     const bool is_known =
         evaluation.touches() ? evaluation.resolves_contact() && is_resolved : error.data < 1;

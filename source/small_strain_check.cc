@@ -350,8 +350,8 @@ namespace Amontons
   }
 
   // The largest relative change of contact forces and, unless these have a resultant and are all that is
-  // asked for, of pressures, of their place and of the displacement; of the energy if that is asked for, which
-  // singular pressures hardly change.
+  // asked for, of pressures, of their place and of the displacement; of the energy if that is asked for,
+  // which singular pressures hardly change.
   template <int dim>
   typename SmallStrainCheck<dim>::Change
   SmallStrainCheck<dim>::change_to(const Model<dim>         &finite,
@@ -398,8 +398,8 @@ namespace Amontons
   {
     std::optional<Change> result;
     {
-      SolutionState<dim>       trial = state;
-      FiniteStrainModel<dim>   finite(model, state, timer);
+      SolutionState<dim>     trial = state;
+      FiniteStrainModel<dim> finite(model, state, timer);
       set_carriers(model.discretization(), finite.supports, trial.displacement);
       finite.move_to(trial);
       const auto               mechanics = finite.mechanics(trial);

@@ -120,7 +120,7 @@ namespace Amontons
         largest_force = std::max(largest_force, std::abs(old_force));
         has_resultant =
             has_resultant || resultant_of(interfaces[i], state.contact[i]) > least_part * old_force;
-        appears       = appears || new_force > 0;
+        appears = appears || new_force > 0;
         square_change += distance_of_sorted(before, after);
         for (const auto &[node, value] : before)
           square += value[0] * value[1] * value[1];

@@ -156,6 +156,23 @@ namespace Amontons
     return result;
   }
 
+  template <int dim>
+  double
+  sum_of_smooth_gap(const ContactInterface<dim> &interface,
+                    const std::vector<double>   &by_face,
+                    const unsigned int           rank)
+  {
+    const auto &gap = interface.pair->initial_gap;
+    double      sum = 0;
+    for (unsigned int f = 0; gap && !gap->may_jump() && f < by_face.size(); ++f)
+      sum += interface.slave->faces[f].rank == rank ? by_face[f] : 0;
+    return sum;
+  }
+
+  template double
+  sum_of_smooth_gap(const ContactInterface<2> &, const std::vector<double> &, const unsigned int);
+  template double
+  sum_of_smooth_gap(const ContactInterface<3> &, const std::vector<double> &, const unsigned int);
   template std::vector<double>
   gap_errors(const ContactInterface<2> &,
              const SurfaceFields<2> &,

@@ -33,10 +33,10 @@ namespace Amontons
                                            const bool              is_plane)
       : matrix(matrix.trilinos_matrix()), workspace(workspace)
   {
-    if (package == "Amesos_Mumps")
+    if (package != "Amesos_Klu")
       {
-        // Nested dissection (PORD, which MUMPS takes beyond small matrices) leaves less fill in space only, and
-        // in the plane takes longer than the factorisation (doc/benchmarks.md).
+        // Nested dissection (PORD, which MUMPS takes beyond small matrices) leaves less fill in space only,
+        // and in the plane takes longer than the factorisation (doc/benchmarks.md).
         mumps =
             std::make_unique<Mumps>(this->matrix, symmetric, is_plane || is_mostly_diagonal(this->matrix));
         return;

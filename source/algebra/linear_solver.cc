@@ -322,11 +322,7 @@ namespace Amontons
       }
     if (!direct)
       direct = std::make_unique<DirectFactorisation>(
-          matrix,
-          parameters.direct_package == "automatic" ? "Amesos_Mumps" : parameters.direct_package,
-          symmetric,
-          parameters.workspace,
-          dim == 2);
+          matrix, parameters.direct_package, symmetric, parameters.workspace, dim == 2);
     const bool is_new = factorisation_is_old;
     if (is_new && !direct->factorise())
       {

@@ -195,6 +195,30 @@ namespace Amontons
   }
 
   template <int dim>
+  bool
+  is_wedged(const SlaveNode<dim> &node, const Constraints &supports)
+  {
+    constexpr double rounding = 1e-6;
+    const auto       is_given = [&](const types::global_dof_index dof) {
+      const auto *const entries = supports.get_constraint_entries(dof);
+      return entries != nullptr && entries->empty();
+    };
+    unsigned int n_free = 0;
+    double       along  = 0; // that axis, of the normal
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        const auto &others = node.components[c].others;
+        if (!std::all_of(others.begin(), others.end(), is_given))
+          return false;
+        if (is_given(node.components[c].candidates[0]))
+          continue;
+        ++n_free;
+        along = std::abs(node.normal[c]) / node.normal.norm();
+      }
+    return n_free == 1 && along > rounding && along < 1 - rounding;
+  }
+
+  template <int dim>
   std::vector<SlaveNode<dim>>
   collect_contact_nodes(const Discretization<dim>                &discretization,
                         const std::vector<ContactInterface<dim>> &interfaces,
@@ -384,6 +408,10 @@ namespace Amontons
                     const unsigned int,
                     const double,
                     const bool);
+  template bool
+  is_wedged(const SlaveNode<2> &, const Constraints &);
+  template bool
+  is_wedged(const SlaveNode<3> &, const Constraints &);
   template std::vector<const LinearEquation *>
   holding_equations(const std::vector<SlaveNode<2>> &, const bool);
   template std::vector<const LinearEquation *>

@@ -89,6 +89,7 @@ namespace Amontons
           node       = make_contact_node(discretization, interfaces, i, r, scaling, true);
           // test functions only
           node.closing.equation.value = 0;
+          node.wedged                 = node.frictional && is_wedged(node, supports);
         }
   }
 

@@ -29,6 +29,12 @@ namespace Amontons
           states[k] = known->state;
         else if (closed[k])
           states[k] = nodes[k].frictional ? ContactStatus::stick : ContactStatus::slip;
+        if (nodes[k].wedged && states[k] != ContactStatus::open)
+          {
+            states[k] = ContactStatus::slip;
+            laws[k]   = SlipLaw<dim>();
+            continue;
+          }
         if (known == nullptr || !nodes[k].frictional || states[k] != ContactStatus::slip)
           continue;
 
@@ -136,6 +142,20 @@ namespace Amontons
 
   template <int dim>
   void
+  NodeStates<dim>::slide(const unsigned int k, const NodalContact<dim> &answer)
+  {
+    constexpr double     none  = 1e-3; // of the way that shear at the bound bends the surface by
+    const double         p     = answer.pressure - nodes[k].c * answer.gap;
+    const auto           limit = bound(k, p);
+    const Tensor<1, dim> way   = nodes[k].c * answer.slip;
+    states[k]                  = ContactStatus::slip;
+    laws[k]                    = SlipLaw<dim>();
+    if (way.norm() > none * limit.value)
+      laws[k] = linearise_slip((1 + limit.value / way.norm()) * way, p, limit, nodes[k].c);
+  }
+
+  template <int dim>
+  void
   NodeStates<dim>::choose_friction_states(const NodalContacts<dim>  &answers,
                                           const std::vector<bool>   &closed,
                                           const double               tolerance,
@@ -155,6 +175,8 @@ namespace Amontons
           }
         else if (!nodes[k].frictional)
           states[k] = ContactStatus::slip;
+        else if (nodes[k].wedged)
+          slide(k, answers[k]);
         else
           {
             const double p      = answers[k].pressure - nodes[k].c * answers[k].gap;

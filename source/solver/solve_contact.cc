@@ -186,7 +186,7 @@ namespace Amontons
     const double smallest_cell = GridTools::minimal_cell_diameter(discretization.geometry.triangulation);
     if (mechanics.is_linear())
       {
-        FixedContact<dim>   contact(discretization, interfaces, state, parameters.scaling);
+        FixedContact<dim>   contact(discretization, supports, interfaces, state, parameters.scaling);
         const auto          problem = problem_with(contact);
         KeptSystem<dim>     own;
         EliminatedStep<dim> step(problem, kept != nullptr ? *kept : own);
@@ -219,7 +219,7 @@ namespace Amontons
                                         const double                        most_strain) const
   {
     TimerOutput::Scope scope(timer, "contact iteration");
-    FixedContact<dim>  contact(discretization, interfaces, state, parameters.scaling);
+    FixedContact<dim>  contact(discretization, supports, interfaces, state, parameters.scaling);
     const auto problem = equilibrium<dim>(*this, mechanics, contact, interfaces, supports, state, nullptr);
     const typename Newton<dim>::Observer observer = [](const auto &) {};
     KeptSystem<dim>                      own; // which no step leaves to what it knows of other states

@@ -57,7 +57,7 @@ check_law(const ContactStatus status, const double friction, const bool has_mult
     }
   state.committed_contact            = state.contact;
   const auto                supports = discretization.make_supports(0);
-  const FixedContact<dim>   contact(discretization, problem.interfaces, state, 1);
+  const FixedContact<dim>   contact(discretization, supports, problem.interfaces, state, 1);
   const FloatingBodies<dim> floating(discretization, supports, problem.interfaces);
   NodeStates<dim>           states(contact.nodes(), problem.interfaces, floating, 0);
   states.start(state, std::vector<bool>(contact.nodes().size(), true));
@@ -142,7 +142,7 @@ check_open_node()
   SolutionState<2> state;
   state.displacement               = problem.discretization->make_relevant_vector();
   const auto              supports = problem.discretization->make_supports(0);
-  const FixedContact<2>   contact(*problem.discretization, problem.interfaces, state, 1);
+  const FixedContact<2>   contact(*problem.discretization, supports, problem.interfaces, state, 1);
   const FloatingBodies<2> floating(*problem.discretization, supports, problem.interfaces);
   NodeStates<2>           states(contact.nodes(), problem.interfaces, floating, 0);
   Penalty<2>              penalty(7, 1, contact, state);

@@ -43,7 +43,6 @@ namespace Amontons
     double pollution     = 0; // part of `contact`: what coarse cells around the contact cause, and
     double sections      = 0; // what facets of round bodies leave out of the energy; also part of `shear`
     double data          = 0; // part of `contact`: lost between the nodes, where recovery sees nothing
-    double gap           = 0; // part of `contact`: what the nodes do not see of `Initial gap`
     double peak          = 0; // difference of the peak pressure from that of the recovered stress, relative
     double cusp          = 0; // how far the peak may be above all nodes, relative; 0: it is none
     bool   cusp_grows    = false; // too slowly for any mesh

@@ -19,4 +19,11 @@ namespace Amontons
              const double                 modulus,
              const ProblemType            kind,
              const std::vector<bool>     &near);
+
+  /// Of the faces of a rank; 0 where the gap may jump, which finer meshes do not see better.
+  template <int dim>
+  double
+  sum_of_smooth_gap(const ContactInterface<dim> &interface,
+                    const std::vector<double>   &by_face,
+                    const unsigned int           rank);
 } // namespace Amontons

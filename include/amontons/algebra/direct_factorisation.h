@@ -16,7 +16,8 @@ namespace Amontons
   class DirectFactorisation
   {
   public:
-    // workspace: of MUMPS, percent more than it foresees. is_plane: the bodies are.
+    // package: as LinearSolverParameters have it. workspace: of MUMPS, percent more than it foresees.
+    // is_plane: the bodies are.
     DirectFactorisation(const LA::SparseMatrix &matrix,
                         const std::string      &package,
                         const bool              symmetric,

@@ -14,8 +14,9 @@ namespace Amontons
   {
     unsigned int   interface, node, row; // node: of the slave surface; row: invalid where nothing is opposite
     bool           tied, frictional;
-    double         rounding; // a pressure that is none: 1e-14 times the modulus
-    double         area, c;  // c: complementarity parameter, scaling x E/(1 - nu^2) / mean face size
+    bool           wedged = false; // see is_wedged(): it never sticks
+    double         rounding;       // a pressure that is none: 1e-14 times the modulus
+    double         area, c;        // c: complementarity parameter, scaling x E/(1 - nu^2) / mean face size
     double         gap;
     Tensor<1, dim> normal; // not of unit length on curved surfaces
     Point<3>       X;
@@ -47,6 +48,13 @@ namespace Amontons
     Tensor<1, dim>
     tangent() const; // plane problems: unit vector along the surface
   };
+
+  // Supports leave the node one axis to move along, oblique to the surface, and what is opposite none: its
+  // way along the surface is given. Where that is none, what friction does cannot be told from their
+  // reaction, and counts as nothing.
+  template <int dim>
+  bool
+  is_wedged(const SlaveNode<dim> &node, const Constraints &supports);
 
   // What may come to hold the nodes, or only the tied ones.
   template <int dim>

@@ -15,10 +15,11 @@ namespace Amontons
     /// start: slip is counted from its `committed` displacement (empty: from none), or from where a node that
     /// was open there touches.
     FixedContact(const Discretization<dim>                &discretization,
+                 const Constraints                        &supports,
                  const std::vector<ContactInterface<dim>> &interfaces,
                  const SolutionState<dim>                 &start,
                  const double                              scaling)
-        : origins(initialise(discretization, interfaces, start, scaling))
+        : origins(initialise(discretization, supports, interfaces, start, scaling))
     {
     }
 
@@ -80,11 +81,14 @@ namespace Amontons
 
     std::vector<Tensor<1, dim>>
     initialise(const Discretization<dim>                &discretization,
+               const Constraints                        &supports,
                const std::vector<ContactInterface<dim>> &interfaces,
                const SolutionState<dim>                 &start,
                const double                              scaling)
     {
       all = collect_contact_nodes(discretization, interfaces, scaling);
+      for (auto &node : all)
+        node.wedged = node.frictional && is_wedged(node, supports);
       std::vector<Tensor<1, dim>> result(all.size());
       if (start.committed.size() == discretization.dof_handler.n_dofs())
         for (unsigned int k = 0; k < all.size(); ++k)

@@ -185,6 +185,9 @@ namespace Amontons
     // By pair, of friction.
     std::vector<double>
     largest_bounds(const NodalContacts<dim> &answers, const std::vector<bool> &closed) const;
+    // A wedged node: along its way, or without friction where that is none.
+    void
+    slide(const unsigned int k, const NodalContact<dim> &answer);
     void
     choose_friction_states(const NodalContacts<dim>  &answers,
                            const std::vector<bool>   &closed,

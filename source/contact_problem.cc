@@ -52,6 +52,25 @@ namespace Amontons
         }
       return text.str();
     }
+
+    // Bodies that have come far may do so because friction cannot hold them.
+    template <int dim>
+    std::string
+    what_slides(const std::vector<ContactInterface<dim>> &interfaces,
+                const std::vector<SurfaceFields<dim>>    &fields)
+    {
+      for (unsigned int i = 0; i < fields.size(); ++i)
+        {
+          const auto n = [&](const ContactStatus status) {
+            return std::count(fields[i].state.begin(), fields[i].state.end(), status);
+          };
+          if (interfaces[i].pair->has_friction() && n(ContactStatus::slip) > 0 &&
+              n(ContactStatus::stick) == 0)
+            return "; all that touches of pair '" + interfaces[i].pair->name +
+                   "' slips: see whether its friction can hold the load";
+        }
+      return "";
+    }
   } // namespace
 
   template <int dim>
@@ -450,7 +469,9 @@ namespace Amontons
         report.announce("warning: " + small_strain.description() + small_strain.allowance() + advice);
         return true;
       }
-    report.fail("kinematics: " + small_strain.description() + advice, "small strain");
+    report.fail("kinematics: " + small_strain.description() + advice +
+                    what_slides(steps->model->interfaces, steps->evaluation.fields),
+                "small strain");
     return false;
   }
 

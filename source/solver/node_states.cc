@@ -141,17 +141,24 @@ namespace Amontons
   }
 
   template <int dim>
+  bool
+  NodeStates<dim>::rests(const unsigned int k, const NodalContact<dim> &answer, const double limit) const
+  {
+    constexpr double none = 1e-3; // of the way that shear at the bound bends the surface by
+    return nodes[k].wedged && nodes[k].c * answer.slip.norm() <= none * limit;
+  }
+
+  template <int dim>
   void
   NodeStates<dim>::slide(const unsigned int k, const NodalContact<dim> &answer)
   {
-    constexpr double     none  = 1e-3; // of the way that shear at the bound bends the surface by
     const double         p     = answer.pressure - nodes[k].c * answer.gap;
     const auto           limit = bound(k, p);
     const Tensor<1, dim> way   = nodes[k].c * answer.slip;
     states[k]                  = ContactStatus::slip;
-    laws[k]                    = SlipLaw<dim>();
-    if (way.norm() > none * limit.value)
-      laws[k] = linearise_slip((1 + limit.value / way.norm()) * way, p, limit, nodes[k].c);
+    laws[k]                    = rests(k, answer, limit.value)
+                                     ? SlipLaw<dim>()
+                                     : linearise_slip((1 + limit.value / way.norm()) * way, p, limit, nodes[k].c);
   }
 
   template <int dim>
@@ -475,7 +482,9 @@ namespace Amontons
                                    ? shear_bound(*interfaces[nodes[k].interface].pair, nodes[k].X, t, p)
                                    : ShearBound{given_bounds[k], 0.};
           limit.value += limit.slope * std::min(0., p); // a tension that leaves a node closed is no error
-          const auto expected = q.norm() > 0 ? limit.value / q.norm() * q : q;
+          const auto expected = rests(k, answers[k], limit.value) ? Tensor<1, dim>()
+                                : q.norm() > 0                    ? limit.value / q.norm() * q
+                                                                  : q;
           sum += std::pow(nodes[k].area, 2) * (answers[k].shear - expected).norm_square();
         }
     return std::sqrt(sum);

@@ -185,7 +185,9 @@ namespace Amontons
     // By pair, of friction.
     std::vector<double>
     largest_bounds(const NodalContacts<dim> &answers, const std::vector<bool> &closed) const;
-    // A wedged node: along its way, or without friction where that is none.
+    // A wedged node: it goes nowhere; and along its way, or without friction where it does so.
+    bool
+    rests(const unsigned int k, const NodalContact<dim> &answer, const double limit) const;
     void
     slide(const unsigned int k, const NodalContact<dim> &answer);
     void

@@ -176,6 +176,9 @@ namespace Amontons
     IncrementErrors result = *this;
     for (const auto part : parts)
       result.*part += others.*part;
+    const double left   = double(others.n_increments - others.n_of_few) / others.measured_with;
+    result.n_of_few     = others.n_of_few;
+    result.n_increments = result.n_of_few + static_cast<unsigned int>(std::lround(left * n_increments));
     return result;
   }
 
@@ -281,6 +284,9 @@ namespace Amontons
       }
     errors.dissipation     = relative(change, run.largest_work);
     errors.own_dissipation = relative(change, dissipation);
+    errors.n_increments    = repeat.n_increments;
+    errors.n_of_few        = repeat.n_of_few;
+    errors.measured_with   = run.n_increments;
     return errors;
   }
 } // namespace Amontons

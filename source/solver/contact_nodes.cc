@@ -207,10 +207,11 @@ namespace Amontons
     double       along  = 0; // that axis, of the normal
     for (unsigned int c = 0; c < dim; ++c)
       {
-        const auto &others = node.components[c].others;
-        if (!std::all_of(others.begin(), others.end(), is_given))
-          return false;
-        if (is_given(node.components[c].candidates[0]))
+        const auto own = node.components[c].candidates[0];
+        for (const auto &[dof, weight] : node.components[c].equation.coefficients)
+          if (dof != own && !is_given(dof))
+            return false;
+        if (is_given(own))
           continue;
         ++n_free;
         along = std::abs(node.normal[c]) / node.normal.norm();

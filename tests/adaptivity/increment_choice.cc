@@ -56,6 +56,20 @@ main(int, char **)
   check::is_close(choice.lengths().times, most / 7, 1e-15, "more");
   check::is_close(errors->shear, 0.017 * 4 / 7, 1e-12, "their error");
   check::is_close(errors->n_increments, 7, 0, "their number");
+  IncrementErrors single = error_of_shear(0.001); // single ones in one of two pieces
+  single.n_increments    = 5;
+  single.n_of_few        = 1;
+  single.measured_with   = 8;
+  IncrementErrors whole  = error_of_shear(0.02);
+  whole.n_increments     = 16;
+  const auto with_few    = whole.with(single);
+  check::is_close(with_few.shear, 0.021, 1e-12, "error with few increments");
+  check::is_close(with_few.n_of_few, 1, 0, "the few");
+  check::is_close(with_few.n_increments, 9, 0, "what is left of the others");
+  IncrementChoice another(parameters, true);
+  another.take_lengths(choice);
+  check::is_close(another.lengths().times, most / 7, 1e-15, "those of another run");
+  check::is_true(!another.wants_more(), "which were all");
   IncrementErrors of_cut = error_of_shear(0.017);
   of_cut.n_increments    = 8;
   errors                 = choice.choose(of_cut, run, true, fails);

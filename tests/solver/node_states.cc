@@ -1,15 +1,48 @@
-// What is known of a node stays with it where rows come and go.
+// What is known of a node stays with it where rows come and go; which nodes have one way left.
 #include "contact/contact_scene.h"
 
 #include <amontons/solver/node_states.h>
 
 namespace test_node_states
 {
+// DoFs 0, 1: own; 2, 3: opposite. given: those that supports prescribe.
+bool
+is_wedged_with(const std::vector<types::global_dof_index> &given, const double angle)
+{
+  SlaveNode<2> node{};
+  node.normal[0] = 2 * std::sin(angle);
+  node.normal[1] = 2 * std::cos(angle);
+  for (unsigned int c = 0; c < 2; ++c)
+    {
+      node.components[c].candidates            = {c};
+      node.components[c].equation.coefficients = {{c, 1.}, {2 + c, -1.}};
+    }
+  Constraints supports;
+  for (const auto dof : given)
+    supports.add_line(dof);
+  supports.close();
+  return is_wedged(node, supports);
+}
+
+void
+check_wedged()
+{
+  const double oblique = 0.3;
+  check::is_true(is_wedged_with({0, 2, 3}, oblique) && is_wedged_with({1, 2, 3}, oblique),
+                 "one axis left, oblique to the surface");
+  check::is_true(!is_wedged_with({2, 3}, oblique), "all axes left");
+  check::is_true(!is_wedged_with({0, 1, 2, 3}, oblique), "none left");
+  check::is_true(!is_wedged_with({0, 2}, oblique), "what is opposite may give way");
+  check::is_true(!is_wedged_with({0, 2, 3}, 0), "across the surface");
+  check::is_true(!is_wedged_with({1, 2, 3}, 0), "along the surface");
+}
+
 int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  Scene                                    scene;
+  check_wedged();
+  Scene scene;
   scene.bodies            = {block("lower", {0, 0, 0}, {1, 1, 0}, {{4, 1, 1}}),
                              block("upper", {0, 1, 0}, {1, 2, 0}, {{4, 1, 1}})};
   scene.pairs             = {pair_of({"upper", "bottom", {}}, {"lower", "top", {}})};

@@ -95,7 +95,8 @@ namespace Amontons
     double       dissipation      = 0; // of the work
     double       own_dissipation  = 0; // of itself, or of what is noteworthy
 
-    // Together with what others change.
+    // All pieces are divided so far. Together with the difference() that it makes where some take few: their
+    // increments are none of those that the error falls with.
     IncrementErrors
     with(const IncrementErrors &others) const;
     // With increments that are `factor` times as long.
@@ -125,7 +126,7 @@ namespace Amontons
   IncrementErrors
   error_of_increments(const LoadRecord &run, const LoadRecord &repeat);
 
-  // The difference itself, whatever the numbers of increments.
+  // The difference itself, whatever the numbers of increments: those of the repeat; measured_with: of the run.
   IncrementErrors
   difference(const LoadRecord &run, const LoadRecord &repeat);
 } // namespace Amontons

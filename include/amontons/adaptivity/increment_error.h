@@ -126,7 +126,8 @@ namespace Amontons
   IncrementErrors
   error_of_increments(const LoadRecord &run, const LoadRecord &repeat);
 
-  // The difference itself, whatever the numbers of increments: those of the repeat; measured_with: of the run.
+  // The difference itself, whatever the numbers of increments: those of the repeat; measured_with: of the
+  // run.
   IncrementErrors
   difference(const LoadRecord &run, const LoadRecord &repeat);
 } // namespace Amontons

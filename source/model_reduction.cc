@@ -333,13 +333,7 @@ namespace Amontons
                               worth(part, target));
     }
 
-    // Nodes of a first mesh may all lie where it vanishes.
-    bool
-    depends_on_place(const std::optional<Expression> &bound)
-    {
-      return bound && bound->depends_on_place();
-    }
-
+    // Nodes of a first mesh may all lie where a bound that depends on place vanishes.
     template <int dim>
     void
     leave_out_friction(const FirstAnswer<dim> &first, const double target, ReducedScene &reduced)
@@ -347,7 +341,7 @@ namespace Amontons
       const auto part_of_shear = first.part_of_shear();
       if (!part_of_shear || *part_of_shear / noteworthy_shear > part_of_target * target ||
           std::any_of(reduced.scene.pairs.begin(), reduced.scene.pairs.end(), [](const auto &pair) {
-            return depends_on_place(pair.friction) || depends_on_place(pair.tresca_bound);
+            return pair.bound_depends_on_place();
           }))
         return;
       for (auto &pair : reduced.scene.pairs)

@@ -290,7 +290,7 @@ CHANGES = [
     ("decimal commas", "scene/expression.cc", "    refuse_commas(source, variables, where);\n", "", "^scene/wrong_scenes$"),
     ("sizes of nothing", "adaptivity/unseen_contact.cc", "fields[i].contact_size > 0 || n_closed_nodes", "fields[i].contact_size > 0 || 1000 + n_closed_nodes", "scenes/size_of_what_is_left$"),
     ("errors of those that are divided", "adaptivity/increment_error.cc", "std::lround(left * n_increments)", "std::lround(n_increments)", "^adaptivity/increment_choice$"),
-    ("friction between nodes", "model_reduction.cc", "return bound && bound->depends_on_place();", "return false;", "scenes/friction_between_nodes$"),
+    ("friction between nodes", "model_reduction.cc", "return pair.bound_depends_on_place();", "return pair.tied;", "scenes/friction_between_nodes$"),
     ("carriers where finite strain is tried", "small_strain_check.cc", "      set_carriers(model.discretization(), finite.supports, trial.displacement);\n", "", "scenes/turning_shaft$"),
     ("forces that have a resultant", "small_strain_check.cc", "\"total force\" && contact.has_resultant", "\"total force\"", "scenes/torque_beyond_friction$"),
     ("ridges that no node sees", "adaptivity/error_estimator.cc", "if (total(gap_square) > pressure)", "if (false)", "scenes/narrow_ridge$"),

@@ -121,7 +121,7 @@ namespace Amontons
     const auto                &slave = *interface.slave;
     const auto                &pair  = *interface.pair;
     std::vector<FrictionError> result(slave.faces.size());
-    if (!depends_on_place(pair.friction) && !depends_on_place(pair.tresca_bound))
+    if (!pair.bound_depends_on_place())
       return result;
     const Quadrature<dim - 1> points(samples_along<dim>(slave.faces.size()));
     for (unsigned int f = 0; f < result.size(); ++f)

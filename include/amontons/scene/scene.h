@@ -228,6 +228,11 @@ namespace Amontons
     {
       return friction || tresca_bound;
     }
+    bool
+    bound_depends_on_place() const
+    {
+      return (friction && friction->depends_on_place()) || (tresca_bound && tresca_bound->depends_on_place());
+    }
   };
 
   // Values at a point, or at n points of a line, of a body.

@@ -252,6 +252,9 @@ namespace Amontons
     report.commit(answer(), history.work, evaluation);
     if (program.finished())
       return;
+    if (refinement == Refinement::on_the_way &&
+        !history.meshes.is_hopeless(parameters.refinement.target_error, parameters.refinement.max_dofs))
+      history.meshes = {}; // of another answer
     if (may_transfer())
       store_contact();
     begin_next(program);
@@ -409,6 +412,9 @@ namespace Amontons
         report.say("no further refinement: the limit of 'Maximum DoFs' is reached");
         return false;
       }
+    if (const double target = parameters.refinement.target_error;
+        refinement == Refinement::on_the_way && target > 0 && !evaluation.error.quantity)
+      model->coarsen(evaluation.error, target);
     store_contact();
     history.work.leave_mesh(answer());
     remember_tractions();

@@ -192,6 +192,16 @@ namespace Amontons
 
   template <int dim>
   void
+  Model<dim>::coarsen(const ErrorEstimate<dim> &error, const double target)
+  {
+    if (mesh->first_cells.empty())
+      mesh->first_cells = deformable_cells(discretization());
+    mark_cells_to_coarsen(
+        discretization(), mesh->geometry, mesh->first_cells, error.indicators_for(target), target);
+  }
+
+  template <int dim>
+  void
   Model<dim>::refine(const std::vector<LA::Vector *> &fields)
   {
     while (!deeper.empty())

@@ -26,6 +26,7 @@ namespace Amontons
     std::vector<bool>                    first_is_slave;        // by pair, see choose_slaves
     bool                                 collocated    = false; // node to segment
     unsigned int                         n_refinements = 0;     // by error estimates
+    std::set<CellId>                     first_cells; // before these, if it is coarsened, see Model::coarsen
   };
 
   /// Who solves reads the bodies' stiffness, the interfaces, supports and loads, all of the same mesh and
@@ -88,7 +89,10 @@ namespace Amontons
                const ErrorEstimate<dim>   &error,
                const double                target,
                const double                step);
-    /// Refines marked cells, and takes fields along (see refine_and_transfer); move_to() has to follow.
+    /// After mark_cells() for a target: marks what need not be as fine any more (mark_cells_to_coarsen).
+    void
+    coarsen(const ErrorEstimate<dim> &error, const double target);
+    /// Refines and coarsens marked cells, and takes fields along (see refine_and_transfer); move_to() has to follow.
     void
     refine(const std::vector<LA::Vector *> &fields);
 

@@ -5,6 +5,7 @@
 #include <amontons/base/parameters.h>
 #include <functional>
 #include <limits>
+#include <set>
 
 namespace Amontons
 {
@@ -91,7 +92,23 @@ namespace Amontons
   void
   mark_children(const Discretization<dim> &discretization, Geometry<dim> &geometry, DeeperCells &deeper);
 
-  // Refines marked cells (never coarsens); the fields (readable at relevant DoFs) are interpolated to the new
+  // Active cells of deformable bodies, of all ranks. Collective.
+  template <int dim>
+  std::set<CellId>
+  deformable_cells(const Discretization<dim> &discretization);
+
+  // Where contact has moved on. After the cells to be refined are marked: marks the children of cells where
+  // none of them is refined, nor one of `first`, and where the squares of what the cell would have instead
+  // make little of the `target` for all of them (of indicators relative to it). Collective.
+  template <int dim>
+  void
+  mark_cells_to_coarsen(const Discretization<dim> &discretization,
+                        Geometry<dim>             &geometry,
+                        const std::set<CellId>    &first,
+                        const Vector<float>       &indicators,
+                        const double               target);
+
+  // Refines and coarsens marked cells; the fields (readable at relevant DoFs) are interpolated to the new
   // mesh, those that are empty stay so. `rebuild` is called between refinement and
   // interpolation: it must distribute the DoFs of the new mesh and leave discretization ready to make
   // vectors. The caller then distributes constraints. Collective.

@@ -104,6 +104,27 @@ namespace Amontons
 
   template <int dim>
   void
+  Evaluation<dim>::keep(const std::vector<ContactInterface<dim>> &interfaces)
+  {
+    if (presses_most())
+      has_seen_small = small_contacts_are_resolved(interfaces, fields);
+    kept = error;
+  }
+
+  template <int dim>
+  void
+  Evaluation<dim>::leave_mesh()
+  {
+    recovery.reset();
+    for (auto *const indicators : {&kept.cell_indicators,
+                                   &kept.contact_indicators,
+                                   &kept.pollution_indicators,
+                                   &kept.shear_indicators})
+      indicators->reinit(0);
+  }
+
+  template <int dim>
+  void
   Evaluation<dim>::judge_by_history()
   {
     error.worst_pressure = std::max(error.worst_pressure, error.contact * pressure_norm);
@@ -168,7 +189,7 @@ namespace Amontons
            (error.quantity && !small_contacts_are_resolved(interfaces, fields)) ||
            (quantity == "contact size" && !sizes_are_resolved(interfaces, fields, target)) ||
            (quantity == "stick size" && is_zero && may_hide_stick(interfaces, state)) ||
-           (!was_seen && smallest_gap_of_untouched(interfaces, fields) < doubt);
+           (!was_seen && doubt > 0 && smallest_gap_of_untouched(interfaces, fields) < doubt);
   }
 
   template struct Evaluation<2>;

@@ -205,7 +205,9 @@ namespace Amontons
     const double       n_dofs      = model->discretization().dof_handler.n_dofs();
     const std::string &name        = parameters.refinement.target_quantity;
     auto              &error       = evaluation.error;
-    const bool         is_resolved = small_contacts_are_resolved(model->interfaces, evaluation.fields);
+    const bool         is_resolved = follows_work()
+                                         ? evaluation.saw_small_contacts()
+                                         : small_contacts_are_resolved(model->interfaces, evaluation.fields);
     if (name != "contact pressure")
       follow_quantity(is_resolved);
     // Where error.data is 1 what touches is unseen.
@@ -232,9 +234,10 @@ namespace Amontons
       report.add_snap(history.snaps);
     program.accept(history.last_report.moved ? 0 : history.last_report.iterations_per_solve());
     history.follow_motion = false;
-    evaluation.keep();
+    evaluation.keep(model->interfaces);
     commit(program);
-    if (follows_work()) // of which this increment is a part now
+    // Of the work this increment is a part now.
+    if (follows_work() && (program.finished() || refinement == Refinement::on_the_way))
       follow_target();
     if (refinement == Refinement::between_replays && may_refine())
       {
@@ -425,7 +428,7 @@ namespace Amontons
     if (!may_transfer()) // there is none, or the history starts anew on the refined mesh
       history.last_converged = SolutionState<dim>();
     model->refine(history.fields());
-    evaluation.recovery.reset();
+    evaluation.leave_mesh();
     history.last_converged.contact.clear(); // of the nodes before, see go_back()
     history.state.was_open.clear();
     history.state.committed_contact.clear();

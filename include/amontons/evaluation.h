@@ -83,9 +83,12 @@ namespace Amontons
 
     /// The increment is over: its error counts from now on; or it failed: back to that of the last one.
     void
-    keep()
+    keep(const std::vector<ContactInterface<dim>> &interfaces);
+    /// Where the pressure of the kept increments was largest, see small_contacts_are_resolved().
+    bool
+    saw_small_contacts() const
     {
-      kept = error;
+      return has_seen_small;
     }
     void
     go_back()
@@ -97,13 +100,17 @@ namespace Amontons
     restart()
     {
       error = kept = ErrorEstimate<dim>();
-      has_touched  = false;
+      has_touched = has_seen_small = false;
     }
+    /// It goes on on another mesh: norms stay, indicators do not.
+    void
+    leave_mesh();
 
   private:
     const bool         of_history;
     ErrorEstimate<dim> kept;                // of the last increment
-    bool               has_touched = false; // in any increment so far
+    bool               has_touched    = false; // in any increment so far
+    bool               has_seen_small = false; // see saw_small_contacts()
     // Of the state, what its errors count against.
     double pressure_norm = 0, shear_norm = 0, energy_norm = 0;
 

@@ -105,14 +105,44 @@ namespace Amontons
 
   namespace
   {
-    // A contact at a sharp edge of either side is as small as any mesh.
-    template <int dim>
-    bool
-    is_at_an_edge(const ContactSurface<dim> *surface, const Point<dim> &place, const double size)
+    // Where a line ends other than on a plane of symmetry or on the axis: in a corner of the body.
+    std::vector<Point<2>>
+    ends_of(const ContactSurface<2> &surface)
     {
-      constexpr double sharp = 30; // degrees
-      return surface != nullptr && surface->sharpest_edge > sharp &&
-             place.distance(surface->sharpest_at) < size;
+      std::vector<unsigned int> n_faces(surface.nodes.size(), 0);
+      for (const auto &face : surface.faces)
+        for (const unsigned int i : {face.nodes.front(), face.nodes.back()})
+          ++n_faces[i];
+      std::vector<Point<2>> ends;
+      for (unsigned int i = 0; i < n_faces.size(); ++i)
+        if (n_faces[i] == 1 && surface.nodes[i].symmetry_planes.empty())
+          ends.push_back(surface.nodes[i].X);
+      return ends;
+    }
+
+    // In space not asked for: beside a hanging node lines of a surface have one face, too.
+    std::vector<Point<3>>
+    ends_of(const ContactSurface<3> &)
+    {
+      return {};
+    }
+
+    // Sharp edges of either side, where a contact is as small as any mesh.
+    template <int dim>
+    std::vector<Point<dim>>
+    edges_of(const ContactInterface<dim> &interface)
+    {
+      constexpr double        sharp = 30; // degrees
+      std::vector<Point<dim>> edges;
+      for (const auto *surface : {interface.slave.get(), interface.master_surface.get()})
+        if (surface != nullptr)
+          {
+            if (surface->sharpest_edge > sharp)
+              edges.push_back(surface->sharpest_at);
+            const auto ends = ends_of(*surface);
+            edges.insert(edges.end(), ends.begin(), ends.end());
+          }
+      return edges;
     }
   } // namespace
 
@@ -184,13 +214,19 @@ namespace Amontons
                       const SurfaceFields<dim>    &fields,
                       const double                 enough)
   {
-    double area = 0;
+    const auto edges = edges_of(interface);
+    double     area  = 0;
     for (const auto &face : interface.slave->faces)
       {
         area += std::pow(face.size, dim - 1);
-        if (has_closed_node(face, fields) &&
-            (is_at_an_edge<dim>(interface.slave.get(), face.centre, 2 * face.size) ||
-             is_at_an_edge<dim>(interface.master_surface.get(), face.centre, 2 * face.size)))
+        if (!has_closed_node(face, fields))
+          continue;
+        Point<dim> centre; // at rest, as edges are
+        for (const unsigned int n : face.nodes)
+          centre += interface.slave->nodes[n].X / double(face.nodes.size());
+        if (std::any_of(edges.begin(), edges.end(), [&](const auto &edge) {
+              return centre.distance(edge) < 2 * face.size;
+            }))
           return true;
       }
     constexpr double point    = 1e-5; // of the surface

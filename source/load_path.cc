@@ -34,7 +34,9 @@ namespace Amontons
 
   template <int dim>
   bool
-  LoadPath<dim>::run(LoadProgram &program, const unsigned int most_cut_backs)
+  LoadPath<dim>::run(LoadProgram                 &program,
+                     const unsigned int           most_cut_backs,
+                     const std::function<bool()> &is_enough)
   {
     history.restart(program.time());
     while (!program.finished())
@@ -53,6 +55,8 @@ namespace Amontons
         evaluation.collect_fields(*model, history.state);
         program.accept(history.last_report.moved ? 0 : history.last_report.iterations_per_solve());
         commit(program);
+        if (is_enough && is_enough())
+          return true;
         if (!program.finished())
           begin_next(program);
       }

@@ -142,12 +142,23 @@ namespace Amontons
           pair.slave = PairData::Slave::first;
     }
 
+    // By shear that is this part of the pressure friction matters.
+    double
+    least_shear(const double target)
+    {
+      return part_of_target * target * noteworthy_shear;
+    }
+
     // The answer of a scene on its first mesh.
     template <int dim>
     class FirstAnswer
     {
     public:
-      FirstAnswer(const Scene &scene, const Parameters &parameters, RunControl &control)
+      // enough_shear: with that the load program need not go on.
+      FirstAnswer(const Scene      &scene,
+                  const Parameters &parameters,
+                  RunControl       &control,
+                  const double      enough_shear)
           : scene(scene), timer(std::cout, TimerOutput::never, TimerOutput::wall_times),
             mesh(std::make_shared<BodyMesh<dim>>(scene, parameters.discretization))
       {
@@ -159,7 +170,7 @@ namespace Amontons
         path             = std::make_unique<LoadPath<dim>>(
             parameters, make_model(mesh, finite_strain, program.next(), timer), timer, control);
         path->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);
-        converged = path->run(program);
+        converged = path->run(program, 0, [&]() { return part_of_shear().value_or(0) > enough_shear; });
         if (converged)
           energy = stored_energy(path->answer());
       }
@@ -334,15 +345,20 @@ namespace Amontons
     }
 
     // Nodes of a first mesh may all lie where a bound that depends on place vanishes.
+    bool
+    may_leave_out_friction(const Scene &scene)
+    {
+      return scene.has_friction() && std::none_of(scene.pairs.begin(), scene.pairs.end(), [](const auto &pair) {
+               return pair.bound_depends_on_place();
+             });
+    }
+
     template <int dim>
     void
     leave_out_friction(const FirstAnswer<dim> &first, const double target, ReducedScene &reduced)
     {
       const auto part_of_shear = first.part_of_shear();
-      if (!part_of_shear || *part_of_shear / noteworthy_shear > part_of_target * target ||
-          std::any_of(reduced.scene.pairs.begin(), reduced.scene.pairs.end(), [](const auto &pair) {
-            return pair.bound_depends_on_place();
-          }))
+      if (!part_of_shear || *part_of_shear > least_shear(target))
         return;
       for (auto &pair : reduced.scene.pairs)
         pair.friction = pair.tresca_bound = {};
@@ -361,14 +377,17 @@ namespace Amontons
     if (target <= 0 || scene.full_model || scene.reference)
       return reduced;
     const auto stiff = candidates(scene, target);
-    if (stiff.empty() && !scene.has_friction())
+    if (stiff.empty() && !may_leave_out_friction(scene))
       return reduced;
-    const FirstAnswer<dim> first(scene, parameters, control);
+    const FirstAnswer<dim> first(scene,
+                                 parameters,
+                                 control,
+                                 stiff.empty() ? least_shear(target) : std::numeric_limits<double>::infinity());
     if (!first.is_known())
       return reduced;
     for (const unsigned int b : stiff)
       make_rigid_if_stiff(b, first, target, reduced);
-    if (scene.has_friction())
+    if (may_leave_out_friction(scene))
       leave_out_friction(first, target, reduced);
     return reduced;
   }

@@ -100,14 +100,14 @@ namespace Amontons
                           contact_table(answer.interfaces, answer.fields, answer.state.t));
       });
     // A hundredth of the time at most.
-    const double now = wall.wall_time();
+    const double now = control.wall.wall_time();
     if (last_write >= 0 && now - last_write < std::max(0.5, 100 * cost_of_write))
       return;
     control.try_to([&]() {
       write_history(folder + "/history.csv", summary.meshes, scene.kind);
       write_progress("running");
     });
-    last_write    = wall.wall_time();
+    last_write    = control.wall.wall_time();
     cost_of_write = last_write - now;
   }
 
@@ -133,7 +133,7 @@ namespace Amontons
   void
   RunReport<dim>::write_progress(const std::string &state) const
   {
-    const double       seconds = wall.wall_time();
+    const double       seconds = control.wall.wall_time();
     const MeshSummary *last    = summary.meshes.empty() ? nullptr : &summary.meshes.back();
     Json               json    = Json::object();
     json.add("state", state)

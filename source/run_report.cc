@@ -170,7 +170,7 @@ namespace Amontons
     mesh.iterations        = newton.iterations;
     mesh.krylov_iterations = newton.krylov_iterations;
     mesh.residual          = newton.residual;
-    mesh.seconds           = wall.wall_time();
+    mesh.seconds           = control.wall.wall_time();
     mesh.pairs             = summarize_pairs(answer);
     mesh.error_estimate    = summarise_estimate(error, scene.has_friction());
     mesh.energy            = stored_energy(answer);
@@ -349,7 +349,7 @@ namespace Amontons
     const auto calls           = phases.get_summary_data(TimerOutput::n_calls);
     const auto linear_solves   = calls.find("linear solve");
     summary.cost.linear_solves = linear_solves == calls.end() ? 0 : linear_solves->second;
-    summary.cost.wall_seconds  = wall.wall_time();
+    summary.cost.wall_seconds  = control.wall.wall_time();
     terminal.answer(summary); // whatever becomes of the files
     if (has_answer())
       write_files(answer, ending.evaluation.recovery.get());

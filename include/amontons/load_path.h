@@ -21,9 +21,11 @@ namespace Amontons
              RunControl                 &control);
 
     /// The load program on this mesh, if every increment converges, some of them cut at most so often, and
-    /// nothing stops it; nobody is told.
+    /// nothing stops it; nobody is told. is_enough (may be empty): asked after each; no further.
     bool
-    run(LoadProgram &program, const unsigned int most_cut_backs = 0);
+    run(LoadProgram                 &program,
+        const unsigned int           most_cut_backs = 0,
+        const std::function<bool()> &is_enough      = {});
 
     /// Increments of these lengths; where these do not say which pieces begin in two, those of
     /// begins_in_two().

@@ -5,12 +5,15 @@
 #include <amontons/base/stop_request.h>
 #include <amontons/output/checkpoint.h>
 
+#include <deal.II/base/timer.h>
+
 namespace Amontons
 {
   struct RunControl
   {
     StopRequest stop;
     Checkpoint  checkpoint;
+    Timer       wall = {}; // since the run began
 
     /// What is being solved is to be given up; see StopRequest. Nothing that a run that goes on has to come
     /// through again. Collective.

@@ -231,7 +231,6 @@ namespace Amontons
     const MakeReference<dim>              make_reference;
     bool                                  finer_mesh_failed = false;
     Terminal                              terminal;
-    Timer                                 wall;
     TimerOutput                           phases;
     std::unique_ptr<const Reference<dim>> reference;
     VtuOutput                             vtu;

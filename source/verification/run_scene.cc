@@ -87,6 +87,7 @@ namespace Amontons
   RunSummary
   run_scene(const SceneRun &run, RunControl &control)
   {
+    control.wall.restart();
     Parameters  parameters;
     const Scene scene = read_scene(
         run.scene, run.overrides, parameters.groups(), {make_displacement_field, displacement_field_corners});

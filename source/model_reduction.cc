@@ -348,7 +348,8 @@ namespace Amontons
     bool
     may_leave_out_friction(const Scene &scene)
     {
-      return scene.has_friction() && std::none_of(scene.pairs.begin(), scene.pairs.end(), [](const auto &pair) {
+      return scene.has_friction() &&
+             std::none_of(scene.pairs.begin(), scene.pairs.end(), [](const auto &pair) {
                return pair.bound_depends_on_place();
              });
     }
@@ -382,7 +383,8 @@ namespace Amontons
     const FirstAnswer<dim> first(scene,
                                  parameters,
                                  control,
-                                 stiff.empty() ? least_shear(target) : std::numeric_limits<double>::infinity());
+                                 stiff.empty() ? least_shear(target)
+                                               : std::numeric_limits<double>::infinity());
     if (!first.is_known())
       return reduced;
     for (const unsigned int b : stiff)

@@ -95,7 +95,7 @@ def slowdown(newton):
     largest = 0
     for solve in newton:
         r = solve["residuals"]
-        n = next((k for k, residual in enumerate(r) if residual < 1e-7), 0)
+        n = next((k for k, residual in enumerate(r) if residual is not None and residual < 1e-7), 0)
         if n >= 2:
             largest = max(largest, min(r[k] * r[k - 2] / r[k - 1] ** 2 for k in range(n, min(n + 2, len(r)))))
     return largest

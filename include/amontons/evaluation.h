@@ -108,7 +108,7 @@ namespace Amontons
 
   private:
     const bool         of_history;
-    ErrorEstimate<dim> kept;                // of the last increment
+    ErrorEstimate<dim> kept;                   // of the last increment
     bool               has_touched    = false; // in any increment so far
     bool               has_seen_small = false; // see saw_small_contacts()
     // Of the state, what its errors count against.

@@ -92,7 +92,8 @@ namespace Amontons
     /// After mark_cells() for a target: marks what need not be as fine any more (mark_cells_to_coarsen).
     void
     coarsen(const ErrorEstimate<dim> &error, const double target);
-    /// Refines and coarsens marked cells, and takes fields along (see refine_and_transfer); move_to() has to follow.
+    /// Refines and coarsens marked cells, and takes fields along (see refine_and_transfer); move_to() has to
+    /// follow.
     void
     refine(const std::vector<LA::Vector *> &fields);
 

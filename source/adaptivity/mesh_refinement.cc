@@ -375,10 +375,11 @@ namespace Amontons
                         const double               target)
   {
     constexpr double part = 0.1; // of the square of the target
-    std::map<CellId, std::pair<double, std::vector<typename Triangulation<dim>::active_cell_iterator>>> parents;
+    std::map<CellId, std::pair<double, std::vector<typename Triangulation<dim>::active_cell_iterator>>>
+        parents;
     for (const auto &cell : geometry.triangulation.active_cell_iterators())
-      if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()) && cell->level() > 0 &&
-          !cell->refine_flag_set() && first.count(cell->id()) == 0)
+      if (cell->is_locally_owned() && discretization.is_deformable(cell->material_id()) &&
+          cell->level() > 0 && !cell->refine_flag_set() && first.count(cell->id()) == 0)
         {
           auto &[square, children] = parents[cell->parent()->id()];
           square += per_level * std::pow(double(indicators[cell->active_cell_index()]), 2);
@@ -398,7 +399,7 @@ namespace Amontons
     const double allowed = high;
     for (unsigned int i = 0; i < 60; ++i)
       {
-        const double middle                             = (low + high) / 2;
+        const double middle                         = (low + high) / 2;
         (sum_below(middle) <= allowed ? low : high) = middle;
       }
     for (const auto &[id, parent] : parents)

@@ -345,6 +345,51 @@ test_marking_for_target()
   check::is_true(!mark(0.25), "none can be afforded");
 }
 
+// Of one cell that was refined the children, which nothing marks, go again; those of the first mesh stay, and
+// so do children that err too much or have one beside them that is refined.
+void
+test_coarsening()
+{
+  const Scene  scene = block(ProblemType::plane_strain);
+  Problem<2>   problem(scene, 2, 1, false);
+  Geometry<2> &geometry = problem.geometry;
+  const auto   first    = deformable_cells(*problem.discretization);
+  check::is_close(first.size(), geometry.triangulation.n_global_active_cells(), 0, "all of the first mesh");
+  for (const auto &cell : geometry.triangulation.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->id() == CellId("0_1:0"))
+      cell->set_refine_flag();
+  geometry.triangulation.execute_coarsening_and_refinement();
+  problem.discretization->distribute_dofs();
+  const unsigned int n = geometry.triangulation.n_global_active_cells();
+  check::is_close(n, first.size() + 3, 0, "one is refined");
+
+  Vector<float> indicators(geometry.triangulation.n_active_cells());
+  const auto    n_after = [&](const double error, const bool refine_one) {
+    for (const auto &cell : geometry.triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const bool is_child                   = cell->level() == 2;
+          indicators[cell->active_cell_index()] = is_child ? error : 0;
+          if (refine_one && cell->id() == CellId("0_2:00"))
+            cell->set_refine_flag();
+        }
+    mark_cells_to_coarsen(*problem.discretization, geometry, first, indicators, 0.1);
+    unsigned int n_flags = 0;
+    for (const auto &cell : geometry.triangulation.active_cell_iterators())
+      {
+        n_flags += cell->is_locally_owned() && cell->coarsen_flag_set();
+        cell->clear_coarsen_flag();
+        cell->clear_refine_flag();
+      }
+    return Utilities::MPI::sum(n_flags, MPI_COMM_WORLD);
+  };
+  // The cell would have 16 times the sum of four squares, a tenth of 0.1^2 may be left.
+  const double just = std::sqrt(0.1 / 16 / 4) * 0.1;
+  check::is_close(n_after(0.99 * just, false), 4, 0, "children that err little go");
+  check::is_close(n_after(1.01 * just, false), 0, 0, "others stay");
+  check::is_close(n_after(0, true), 0, 0, "and those beside one that is refined");
+}
+
 // Half of the cells have small errors, `large` times as small as the others. Marks them; those marked: with
 // a history, without.
 std::array<double, 2>
@@ -682,6 +727,7 @@ main(int argc, char **argv)
   test_marking();
   test_marking_for_target();
   test_marking_in_space();
+  test_coarsening();
   test_indicators_for_target();
   test_transfer();
   test_contact_terms();

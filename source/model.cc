@@ -1,4 +1,5 @@
 #include <amontons/adaptivity/first_mesh.h>
+#include <amontons/adaptivity/mesh_coarsening.h>
 #include <amontons/base/points.h>
 #include <amontons/contact/shared_nodes.h>
 #include <amontons/finite_strain_model.h>

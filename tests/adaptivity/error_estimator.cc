@@ -4,6 +4,7 @@
 
 #include <amontons/adaptivity/first_mesh.h>
 #include <amontons/adaptivity/load_record.h>
+#include <amontons/adaptivity/mesh_coarsening.h>
 #include <amontons/adaptivity/mesh_refinement.h>
 
 #include <deal.II/base/function.h>

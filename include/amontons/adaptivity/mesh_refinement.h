@@ -5,7 +5,6 @@
 #include <amontons/base/parameters.h>
 #include <functional>
 #include <limits>
-#include <set>
 
 namespace Amontons
 {
@@ -65,6 +64,9 @@ namespace Amontons
              const Vector<float>        &indicators,
              const double                step = 0);
 
+  // A squared error falls by that where a cell is refined: second order.
+  constexpr double per_level = 16;
+
   // Cells that are marked, or that have just been refined, and how often their children are refined in turn;
   // the same on all ranks.
   using DeeperCells = std::map<CellId, unsigned int>;
@@ -91,22 +93,6 @@ namespace Amontons
   template <int dim>
   void
   mark_children(const Discretization<dim> &discretization, Geometry<dim> &geometry, DeeperCells &deeper);
-
-  // Active cells of deformable bodies, of all ranks. Collective.
-  template <int dim>
-  std::set<CellId>
-  deformable_cells(const Discretization<dim> &discretization);
-
-  // Where contact has moved on. After the cells to be refined are marked: marks the children of cells where
-  // none of them is refined, nor one of `first`, and where the squares of what the cell would have instead
-  // make little of the `target` for all of them (of indicators relative to it). Collective.
-  template <int dim>
-  void
-  mark_cells_to_coarsen(const Discretization<dim> &discretization,
-                        Geometry<dim>             &geometry,
-                        const std::set<CellId>    &first,
-                        const Vector<float>       &indicators,
-                        const double               target);
 
   // Refines and coarsens marked cells; the fields (readable at relevant DoFs) are interpolated to the new
   // mesh, those that are empty stay so. `rebuild` is called between refinement and

@@ -390,7 +390,7 @@ CHANGES = [
     ("supports that turn", "output/approach.cc", "turn<dim>(sums) > noteworthy_turn", "false", "scenes/turned_blocks$"),
     ("small strain that is no answer", "small_strain_check.cc", "(is_no_answer || recovery", "(recovery", "scenes/passing_disks_friction$"),
     ("factors of nearly incompressible bodies", "algebra/linear_solver.cc", "nearly_incompressible ? 30000u : 5000u", "5000u", "scenes/nearly_incompressible_in_space$"),
-    ("cells that contact has left", "adaptivity/mesh_coarsening.cc", "            child->set_coarsen_flag();", "            (void)child;", "^adaptivity/error_estimator$"),
+    ("cells that contact has left", "adaptivity/mesh_coarsening.cc", "child->set_coarsen_flag();", "(void)child;", "^adaptivity/error_estimator$"),
     ("cells of the first mesh", "adaptivity/mesh_coarsening.cc", "&& first.count(cell->id()) == 0)", "&& true)", "^adaptivity/error_estimator$"),
     ("meshes that follow", "model.cc", "mark_cells_to_coarsen(discretization(), mesh->geometry,", "if (false) mark_cells_to_coarsen(discretization(), mesh->geometry,", "scenes/followed_slide$"),
     ("meshes of each increment", "load_stepping.cc", "      history.meshes = {}; // of another answer", "      ; // of another answer", "scenes/followed_slide$"),

@@ -404,8 +404,7 @@ namespace Amontons
            << gap / work.largest_work
            << " of the largest external work, as far as the work of contact is from that of friction: both "
               "are sums over increments, of the mean of what acts at their ends, and these are too long for "
-              "it "
-              "(the stored energy does not suffer from that)";
+              "it: more 'Increments' mend that (the stored energy does not suffer from it)";
     if (text.str() != "")
       note("warning: " + text.str());
     if (history.transfer_residual > 0)

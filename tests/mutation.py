@@ -393,11 +393,9 @@ CHANGES = [
     ("cells that contact has left", "adaptivity/mesh_coarsening.cc", "child->set_coarsen_flag();", "(void)child;", "^adaptivity/error_estimator$"),
     ("cells of the first mesh", "adaptivity/mesh_coarsening.cc", "&& first.count(cell->id()) == 0)", "&& true)", "^adaptivity/error_estimator$"),
     ("meshes that follow", "model.cc", "mark_cells_to_coarsen(discretization(), mesh->geometry,", "if (false) mark_cells_to_coarsen(discretization(), mesh->geometry,", "scenes/followed_slide$"),
-    ("meshes of each increment", "load_stepping.cc", "      history.meshes = {}; // of another answer", "      ; // of another answer", "scenes/followed_slide$"),
     ("ends of lines", "adaptivity/unseen_contact.cc", "if (n_faces[i] == 1 &&", "if (n_faces[i] == 9 &&", "scenes/rough_leaves$"),
     ("edges at rest", "adaptivity/unseen_contact.cc", "centre += interface.slave->nodes[n].X /", "centre += interface.slave->nodes[n].x /", "scenes/rough_leaves"),
     ("gaps of rounding", "evaluation.cc", "(!was_seen && doubt > 0 && smallest", "(!was_seen && smallest", "scenes/rough_leaves_let_go$"),
-    ("work of small contacts", "load_stepping.cc", "? evaluation.saw_small_contacts()", "? true", "scenes/rough_leaves"),
 ]
 
 

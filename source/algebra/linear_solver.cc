@@ -273,6 +273,7 @@ namespace Amontons
     amg->initialize(matrix, list);
     amg_is_old = false;
     n_lost     = 0;
+    n_changed  = 0;
   }
 
   namespace
@@ -360,9 +361,12 @@ namespace Amontons
     if (rhs.l2_norm() <= tolerance)
       return report;
     // Once an old hierarchy has cost as many steps more than a new one would have as making that takes, it is
-    // made: never more than twice what the best choice costs.
-    constexpr double new_hierarchy = 20; // steps, measured in 3D: 15 to 28
-    const double     decades       = std::max(1., std::log10(rhs.l2_norm() / tolerance));
+    // made: never more than twice what the best choice costs. So it is where many nodes have changed and it
+    // would cost that at once, by what it cost for each of them when it was so last.
+    constexpr double       new_hierarchy = 20; // steps, measured in 3D: 15 to 28
+    constexpr unsigned int many          = 50;
+    amg_is_old           = amg_is_old || (n_changed >= many && n_changed * lost_per_change > new_hierarchy);
+    const double decades = std::max(1., std::log10(rhs.l2_norm() / tolerance));
     for (const bool retry : {false, true})
       {
         const bool fresh = amg_is_old || !amg || retry;
@@ -386,7 +390,12 @@ namespace Amontons
             if (fresh)
               steps_per_decade = control.last_step() / decades;
             else
-              n_lost += std::max(0., control.last_step() - decades * steps_per_decade);
+              {
+                const double lost = std::max(0., control.last_step() - decades * steps_per_decade);
+                n_lost += lost;
+                if (n_changed >= many)
+                  lost_per_change = lost / n_changed;
+              }
             amg_is_old = n_lost > new_hierarchy;
             break;
           }

@@ -133,9 +133,10 @@ namespace Amontons
     std::unique_ptr<DirectFactorisation>               direct;
     bool                                               factorisation_is_old = true;
     bool                                               all_values_are_new   = false;
-    unsigned int n_changed        = 0;     // nodes, since the matrix was factorised
+    unsigned int n_changed        = 0;     // nodes, since the matrix was factorised or its hierarchy made
     double       steps_per_decade = 0;     // of the Krylov solver with a new hierarchy
     double       n_lost           = 0;     // steps, since then, that a new one would have saved
+    double       lost_per_change  = 0;     // likewise, at once, the last time that n_changed was large
     bool         multigrid_fails  = false; // or takes longer than a factorisation
 
     LinearSolveReport

@@ -394,6 +394,7 @@ CHANGES = [
     ("cells of the first mesh", "adaptivity/mesh_coarsening.cc", "&& first.count(cell->id()) == 0)", "&& true)", "^adaptivity/error_estimator$"),
     ("meshes that follow", "model.cc", "mark_cells_to_coarsen(discretization(), mesh->geometry,", "if (false) mark_cells_to_coarsen(discretization(), mesh->geometry,", "scenes/followed_slide$"),
     ("ends of lines", "adaptivity/unseen_contact.cc", "if (n_faces[i] == 1 &&", "if (n_faces[i] == 9 &&", "scenes/rough_leaves$"),
+    ("ends on planes", "adaptivity/unseen_contact.cc", "n_faces[i] == 1 && !surface.nodes[i].is_on_plane", "n_faces[i] == 1", "^adaptivity/unseen_contact$"),
     ("edges at rest", "adaptivity/unseen_contact.cc", "centre += interface.slave->nodes[n].X /", "centre += interface.slave->nodes[n].x /", "scenes/rough_leaves"),
     ("gaps of rounding", "evaluation.cc", "(!was_seen && doubt > 0 && smallest", "(!was_seen && smallest", "scenes/rough_leaves_let_go$"),
 ]

@@ -105,7 +105,8 @@ namespace Amontons
 
   namespace
   {
-    // Where a line ends other than on a plane of symmetry or on the axis: in a corner of the body.
+    // Where a line ends other than on a plane that may be one of symmetry, or on the axis: in a corner of the
+    // body.
     std::vector<Point<2>>
     ends_of(const ContactSurface<2> &surface)
     {
@@ -115,7 +116,7 @@ namespace Amontons
           ++n_faces[i];
       std::vector<Point<2>> ends;
       for (unsigned int i = 0; i < n_faces.size(); ++i)
-        if (n_faces[i] == 1 && surface.nodes[i].symmetry_planes.empty())
+        if (n_faces[i] == 1 && !surface.nodes[i].is_on_plane)
           ends.push_back(surface.nodes[i].X);
       return ends;
     }

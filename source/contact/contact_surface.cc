@@ -344,6 +344,7 @@ namespace Amontons
     for (const auto &part : gather_on_all(discretization.geometry.communicator, found))
       for (const auto &[i, normals] : part)
         {
+          nodes[i].is_on_plane = true;
           for (const auto &normal : normals.first)
             add_direction(normal, nodes[i].symmetry_planes);
           for (const auto &normal : normals.second)

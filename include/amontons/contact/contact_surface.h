@@ -29,6 +29,7 @@ namespace Amontons
     std::vector<Tensor<1, dim>> crossed_planes;  // of those, the ones that the surface crosses without a kink
     // Unit normals of planes that displacements along an axis keep it in, where the surface leans to them.
     std::vector<Tensor<1, dim>> walls;
+    bool                        is_on_plane = false; // of either kind, or of displacements across the surface
   };
 
   template <int dim>

@@ -106,14 +106,24 @@ namespace Amontons
   namespace
   {
     // Where a line ends other than on a plane that may be one of symmetry, or on the axis: in a corner of the
-    // body.
+    // body. Of a line with few faces, all are at its ends: there are none.
     std::vector<Point<2>>
     ends_of(const ContactSurface<2> &surface)
     {
+      constexpr unsigned int    few = 8;
       std::vector<unsigned int> n_faces(surface.nodes.size(), 0);
       for (const auto &face : surface.faces)
         for (const unsigned int i : {face.nodes.front(), face.nodes.back()})
           ++n_faces[i];
+      double length = 0, largest_end = 0;
+      for (const auto &face : surface.faces)
+        {
+          length += face.size;
+          if (n_faces[face.nodes.front()] == 1 || n_faces[face.nodes.back()] == 1)
+            largest_end = std::max(largest_end, face.size);
+        }
+      if (few * largest_end > length)
+        return {};
       std::vector<Point<2>> ends;
       for (unsigned int i = 0; i < n_faces.size(); ++i)
         if (n_faces[i] == 1 && !surface.nodes[i].is_on_plane)

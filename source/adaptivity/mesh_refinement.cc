@@ -1,5 +1,8 @@
+#include <amontons/adaptivity/mesh_coarsening.h>
 #include <amontons/adaptivity/mesh_refinement.h>
 #include <amontons/adaptivity/smallest_cells.h>
+#include <amontons/adaptivity/squared_errors.h>
+#include <amontons/base/gather.h>
 #include <amontons/solver/load_program.h>
 
 #include <deal.II/distributed/solution_transfer.h>
@@ -91,69 +94,17 @@ namespace Amontons
 
   namespace
   {
-    // Squared indicators of the cells that may be refined, of this rank; questions about all ranks.
-    class SquaredErrors
+    // Of the cells that may be refined.
+    template <int dim>
+    SquaredErrors
+    squared_errors(const Discretization<dim> &discretization, const Vector<float> &indicators)
     {
-    public:
-      template <int dim>
-      SquaredErrors(const Discretization<dim> &discretization, const Vector<float> &indicators)
-          : communicator(discretization.geometry.communicator)
-      {
-        double mine = 0;
-        for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-          if (may_be_refined(discretization, cell))
-            {
-              const double eta = indicators[cell->active_cell_index()];
-              squares.push_back(eta * eta);
-              mine = std::max(mine, squares.back());
-            }
-        largest = Utilities::MPI::max(mine, communicator);
-      }
-
-      // Of a function of the squares.
-      template <typename Function>
-      double
-      sum(const Function &f) const
-      {
-        double mine = 0;
-        for (const double square : squares)
-          mine += f(square);
-        return Utilities::MPI::sum(mine, communicator);
-      }
-
-      double
-      sum_above(const double threshold) const
-      {
-        return sum([&](const double square) { return square >= threshold ? square : 0; });
-      }
-
-      double
-      count_above(const double threshold) const
-      {
-        return sum([&](const double square) { return square >= threshold ? 1 : 0; });
-      }
-
-      // Bisection between 0, where `holds` is true or nothing matters, and above the largest: the largest
-      // threshold that holds, if `holds` turns false with growing thresholds.
-      template <typename Condition>
-      double
-      largest_threshold(const Condition &holds) const
-      {
-        double low = 0, high = 2 * largest;
-        for (unsigned int i = 0; i < 60; ++i)
-          {
-            const double middle          = (low + high) / 2;
-            (holds(middle) ? low : high) = middle;
-          }
-        return low;
-      }
-
-      double largest;
-
-    private:
-      MPI_Comm            communicator;
       std::vector<double> squares;
-    };
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (may_be_refined(discretization, cell))
+          squares.push_back(std::pow(double(indicators[cell->active_cell_index()]), 2));
+      return {std::move(squares), discretization.geometry.communicator};
+    }
 
     // How many cells can be refined within max_dofs; none if the mesh would not be much finer.
     template <int dim>
@@ -240,7 +191,7 @@ namespace Amontons
              const double                step)
   {
     const double        affordable = affordable_cells(discretization, parameters.max_dofs);
-    const SquaredErrors errors(discretization, indicators);
+    const SquaredErrors errors     = squared_errors(discretization, indicators);
     Levels              once;
     once.most = 1;
     if (parameters.strategy == "uniform")
@@ -298,15 +249,6 @@ namespace Amontons
       return std::max(least,
                       (per_level * std::pow(safety * std::pow(whole, 1 / n_steps), 2) - 1) / (per_level - 1));
     }
-
-    DeeperCells
-    of_all_ranks(const DeeperCells &mine, const MPI_Comm communicator)
-    {
-      DeeperCells all;
-      for (const auto &part : Utilities::MPI::all_gather(communicator, mine))
-        all.insert(part.begin(), part.end());
-      return all;
-    }
   } // namespace
 
   template <int dim>
@@ -319,7 +261,7 @@ namespace Amontons
                         const bool                 has_history,
                         DeeperCells               &deeper)
   {
-    const SquaredErrors errors(discretization, indicators);
+    const SquaredErrors errors = squared_errors(discretization, indicators);
     if (errors.largest == 0)
       return false;
     const Levels levels = levels_for(errors,
@@ -330,7 +272,7 @@ namespace Amontons
 
     deeper.clear();
     const bool any = mark(discretization, geometry, indicators, levels, deeper);
-    deeper         = of_all_ranks(deeper, geometry.communicator);
+    deeper         = of_all_ranks(geometry.communicator, deeper);
     return any;
   }
 
@@ -347,7 +289,7 @@ namespace Amontons
             if (parent->second > 1)
               children[cell->id()] = parent->second - 1;
           }
-    deeper = of_all_ranks(children, geometry.communicator);
+    deeper = of_all_ranks(geometry.communicator, children);
   }
 
   template <int dim>
@@ -363,7 +305,7 @@ namespace Amontons
         fields.push_back(field);
 
     parallel::distributed::SolutionTransfer<dim, LA::Vector> transfer(discretization.dof_handler);
-    geometry.triangulation.prepare_coarsening_and_refinement();
+    prepare_refinement(geometry.triangulation);
     transfer.prepare_for_coarsening_and_refinement(
         std::vector<const LA::Vector *>(fields.begin(), fields.end()));
     geometry.triangulation.execute_coarsening_and_refinement();

@@ -22,4 +22,11 @@ namespace Amontons
                         const std::set<CellId>    &first,
                         const Vector<float>       &indicators,
                         const double               target);
+
+  // Before marked cells are refined and coarsened: flags of which neighbours allow no coarsening are taken
+  // back, by all neighbours, also those of other ranks, so that the mesh does not depend on these.
+  // Collective.
+  template <int dim>
+  void
+  prepare_refinement(parallel::distributed::Triangulation<dim> &triangulation);
 } // namespace Amontons

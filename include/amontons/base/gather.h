@@ -4,6 +4,9 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/set.hpp>
+
 #include <numeric>
 
 namespace Amontons
@@ -56,6 +59,17 @@ namespace Amontons
   gather_on_first(const MPI_Comm communicator, T object)
   {
     return gather(communicator, std::move(object), false);
+  }
+
+  // A set or a map with what all ranks have. Collective.
+  template <typename Container>
+  Container
+  of_all_ranks(const MPI_Comm communicator, const Container &mine)
+  {
+    Container all;
+    for (const auto &part : gather_on_all(communicator, mine))
+      all.insert(part.begin(), part.end());
+    return all;
   }
 
   // compute(0), ..., compute(n - 1) on all ranks: each computes every n_ranks-th, so that neighbours, which

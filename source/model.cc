@@ -5,6 +5,7 @@
 #include <amontons/finite_strain_model.h>
 #include <amontons/geometry/rigid_rims.h>
 #include <amontons/geometry/small_obstacles.h>
+#include <amontons/output/target_quantity.h>
 #include <amontons/small_strain_model.h>
 #include <amontons/solver/kept_system.h>
 
@@ -136,8 +137,10 @@ namespace Amontons
 
   template <int dim>
   void
-  Model<dim>::refine_where_bodies_are_close(const unsigned int times)
+  Model<dim>::refine_where_bodies_are_close(const RefinementParameters &parameters)
   {
+    const unsigned int times    = parameters.initial_refinements;
+    const bool         flat_too = !always_converges(parameters.target_quantity);
     TimerOutput::Scope scope(timer, "mesh");
     const auto         refine = [&]() {
       mesh->geometry.triangulation.execute_coarsening_and_refinement();
@@ -149,7 +152,8 @@ namespace Amontons
          times > 0 && i < most_times && mark_cells_at_small_surfaces(discretization(), interfaces) > 0;
          ++i)
       refine();
-    for (unsigned int i = 0; i < times && mark_close_cells(discretization(), interfaces, 0.1) > 0; ++i)
+    for (unsigned int i = 0; i < times && mark_close_cells(discretization(), interfaces, 0.1, flat_too) > 0;
+         ++i)
       refine();
   }
 

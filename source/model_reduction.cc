@@ -169,7 +169,7 @@ namespace Amontons
         mesh->collocated = parameters.newton.collocates();
         path             = std::make_unique<LoadPath<dim>>(
             parameters, make_model(mesh, finite_strain, program.next(), timer), timer, control);
-        path->model->refine_where_bodies_are_close(parameters.refinement.initial_refinements);
+        path->model->refine_where_bodies_are_close(parameters.refinement);
         converged = path->run(program, 0, [&]() { return part_of_shear().value_or(0) > enough_shear; });
         if (converged)
           energy = stored_energy(path->answer());

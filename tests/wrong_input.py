@@ -306,7 +306,6 @@ def scenes():
     for name, entries, words in [("negative target", "Target error = -0.5", "Target error: found -0.5.*-1 .chosen"), ("target in per cent", "Target error = 5", r"Target error: found 5;.*0.05 is 5 %"), ("dissipation without friction", "Target quantity = dissipation", "dissipation of a scene without friction"),
                                  ("unknown target quantity", "Target quantity = pressure", "approach")]:
         case(name, BASE + refinement % entries, words)
-    case("dissipation on several meshes", BASE.replace("= lower/top", "= lower/top\n  set Friction coefficient = 0.3") + refinement % "Target quantity = dissipation\n  set History = transfer", "several meshes")
 
     for name, bytes_, words in [("bytes that are no UTF-8", b"\xff\xd4", r"found '\\xff\\xd4'"), ("a very long word", b"x" * 3000, r"found 'x{80}\.\.\.'"), ("a control character", b"\x1b[2J", r"found '\\x1b\[2J'")]:
         case(name, BASE.encode().replace(b"= plane strain", b"= " + bytes_), "^scene\.prm:1: Kind: " + words)

@@ -32,6 +32,8 @@ namespace Amontons
     start_on_first_mesh(const bool finite_strain, const bool walls_are_none = true);
     bool
     lets_go_at_wall(const bool finite_strain);
+    void
+    replay(const std::string &reason);
     bool
     run_load_program();
     bool

@@ -79,9 +79,10 @@ namespace Amontons
     bool
     couple_better(const SolutionState<dim> &state);
 
-    /// Surfaces that touch in a small part of what faces each other are refined there, at most `times`.
+    /// Surfaces that touch in a small part of what faces each other are refined there, as often as
+    /// `Initial refinements` allow.
     void
-    refine_where_bodies_are_close(const unsigned int times);
+    refine_where_bodies_are_close(const RefinementParameters &parameters);
     /// step: growth of the number of cells where the stress marks few (adaptivity/mesh_refinement.h). False
     /// where no cell may be refined.
     bool

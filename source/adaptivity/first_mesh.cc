@@ -29,11 +29,15 @@ namespace Amontons
   template <int dim>
   constexpr unsigned int enough = dim == 2 ? 8 : 24;
 
+  // Of a face's size: surfaces whose gaps differ by less lie on each other, and all that they share touches.
+  constexpr double level = 1e-3;
+
   template <int dim>
   unsigned int
   mark_close_cells(const Discretization<dim>                &discretization,
                    const std::vector<ContactInterface<dim>> &interfaces,
-                   const double                              distance)
+                   const double                              distance,
+                   const bool                                flat_too)
   {
     unsigned int n_marked = 0;
     const auto   mark     = [&](const ContactSurface<dim> &surface, const unsigned int face) {
@@ -44,21 +48,25 @@ namespace Amontons
         double closest = std::numeric_limits<double>::max();
         for (const auto &point : interface.coupling.points)
           closest = std::min(closest, point.gap);
-        const auto is_close = [&](const OverlapPoint<dim> &point) {
-          return point.gap <= closest + distance * interface.slave->faces[point.slave_face].size;
+        const auto is_within = [&](const OverlapPoint<dim> &point, const double part) {
+          return point.gap <= closest + part * interface.slave->faces[point.slave_face].size;
         };
         std::set<unsigned int> close;
-        bool                   everywhere = true;
+        bool                   everywhere = true, flat = true;
         for (const auto &point : interface.coupling.points)
-          if (is_close(point))
-            close.insert(point.slave_face);
-          else
-            everywhere = false;
+          {
+            flat = flat && is_within(point, level);
+            if (is_within(point, distance))
+              close.insert(point.slave_face);
+            else
+              everywhere = false;
+          }
         // (A few large faces may all meet where a point touches.)
-        if (close.size() >= enough<dim> || (everywhere && close.size() == interface.slave->faces.size()))
+        if ((flat && !flat_too) || close.size() >= enough<dim> ||
+            (everywhere && close.size() == interface.slave->faces.size()))
           continue;
         for (const auto &point : interface.coupling.points)
-          if (is_close(point))
+          if (is_within(point, distance))
             {
               mark(*interface.slave, point.slave_face);
               if (interface.master_surface && point.master_face != numbers::invalid_unsigned_int)
@@ -93,11 +101,17 @@ namespace Amontons
   }
 
   template unsigned int
-  mark_close_cells(const Discretization<2> &, const std::vector<ContactInterface<2>> &, const double);
+  mark_close_cells(const Discretization<2> &,
+                   const std::vector<ContactInterface<2>> &,
+                   const double,
+                   const bool);
   template unsigned int
   mark_cells_at_small_surfaces(const Discretization<2> &, const std::vector<ContactInterface<2>> &);
   template unsigned int
-  mark_close_cells(const Discretization<3> &, const std::vector<ContactInterface<3>> &, const double);
+  mark_close_cells(const Discretization<3> &,
+                   const std::vector<ContactInterface<3>> &,
+                   const double,
+                   const bool);
   template unsigned int
   mark_cells_at_small_surfaces(const Discretization<3> &, const std::vector<ContactInterface<3>> &);
 } // namespace Amontons

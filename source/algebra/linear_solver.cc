@@ -25,8 +25,8 @@ namespace Amontons
         "Type",
         type,
         "direct (a sparse factorisation), cg (conjugate gradients with algebraic multigrid) or "
-        "automatic: direct for plane problems up to 150000 unknowns and 3D ones up to 5000 (30000 where a "
-        "Poisson ratio is 0.49 or more).",
+        "automatic: direct for plane problems up to 150000 unknowns and 3D ones up to 5000 (40000 with "
+        "quadratic elements, 30000 where a Poisson ratio is 0.49 or more).",
         Patterns::Selection("automatic|direct|cg"));
     prm.add_parameter(
         "Direct package",
@@ -149,13 +149,24 @@ namespace Amontons
     };
   } // namespace
 
+  namespace
+  {
+    // Unknowns up to which a factorisation takes no longer than multigrid (doc/benchmarks.md).
+    unsigned int
+    most_to_factorise(const int dim, const unsigned int degree, const bool nearly_incompressible)
+    {
+      return dim == 2 ? 150000 : degree > 1 ? 40000 : nearly_incompressible ? 30000 : 5000;
+    }
+  } // namespace
+
   LinearSolver::LinearSolver(const LinearSolverParameters &parameters,
                              const int                     dim,
+                             const unsigned int            degree,
                              const bool                    symmetric,
                              const GivesUp                &gives_up,
                              const bool                    nearly_incompressible)
-      : parameters(parameters), dim(dim), symmetric(symmetric), nearly_incompressible(nearly_incompressible),
-        gives_up(gives_up)
+      : parameters(parameters), dim(dim), symmetric(symmetric),
+        most_direct(most_to_factorise(dim, degree, nearly_incompressible)), gives_up(gives_up)
   {
   }
 
@@ -212,7 +223,7 @@ namespace Amontons
   LinearSolver::is_direct(const types::global_dof_index n_dofs) const
   {
     if (parameters.type == "automatic")
-      return n_dofs <= (dim == 2 ? 150000u : nearly_incompressible ? 30000u : 5000u);
+      return n_dofs <= most_direct;
     return parameters.type == "direct";
   }
 

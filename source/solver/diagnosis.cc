@@ -103,7 +103,8 @@ namespace Amontons
       switch (failure.kind)
         {
           case Failure::Kind::not_a_number:
-            return "the solution is not a number: a load or prescribed displacement may not be one, or the "
+            return "the solution is not a number: the increment may be too large, a load or prescribed "
+                   "displacement no number, or the "
                    "stiffness is singular";
           case Failure::Kind::linear_solver:
             return failure.n == 0

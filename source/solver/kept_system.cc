@@ -97,6 +97,7 @@ namespace Amontons
         discretization.locally_owned, discretization.relevant, communicator);
     solver = std::make_unique<LinearSolver>(problem.solver_parameters,
                                             dim,
+                                            discretization.fe.degree,
                                             !problem.contact.any_friction(),
                                             problem.gives_up,
                                             is_nearly_incompressible(discretization.scene));

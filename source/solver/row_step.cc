@@ -34,7 +34,8 @@ namespace Amontons
                problem.discretization.relevant,
                dim,
                problem.discretization.geometry.communicator),
-        solver(problem.solver_parameters, dim, false, problem.gives_up), tangent(smallest_cell)
+        solver(problem.solver_parameters, dim, problem.discretization.fe.degree, false, problem.gives_up),
+        tangent(smallest_cell)
   {
   }
 

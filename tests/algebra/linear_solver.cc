@@ -99,7 +99,7 @@ give_up(const bool symmetric, const unsigned int after)
   LA::Vector             x(complete_index_set(matrix.m()), MPI_COMM_SELF), rhs(x);
   rhs                  = 1;
   unsigned int n_asked = 0;
-  LinearSolver solver(parameters, 3, symmetric, [&]() { return n_asked++ == after; });
+  LinearSolver solver(parameters, 3, 1, symmetric, [&]() { return n_asked++ == after; });
   for (const unsigned int asked : {after + 1, after + 1})
     {
       const auto report = solver.solve(matrix, x, rhs, 1e-12 * rhs.l2_norm());
@@ -163,7 +163,7 @@ many_columns(const bool symmetric, const std::string &package)
       expected.push_back(x);
       columns.push_back(rhs);
     }
-  LinearSolver solver(parameters, 2, symmetric);
+  LinearSolver solver(parameters, 2, 1, symmetric);
   for (const bool has_factors : {false, true})
     {
       auto solutions = columns;

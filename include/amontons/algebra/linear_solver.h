@@ -53,9 +53,10 @@ namespace Amontons
   public:
     // symmetric: that all matrices are. gives_up: asked before each solve and in every eighth Krylov
     // step; once true, all further solves fail at once. nearly_incompressible: some material is, of which
-    // multigrid takes many steps.
+    // multigrid takes many steps. degree: of the elements; rows of quadratic ones in space are long.
     LinearSolver(const LinearSolverParameters &parameters,
                  const int                     dim,
+                 const unsigned int            degree,
                  const bool                    symmetric,
                  const GivesUp                &gives_up              = {},
                  const bool                    nearly_incompressible = false);
@@ -124,7 +125,8 @@ namespace Amontons
 
     const LinearSolverParameters                      &parameters;
     const int                                          dim;
-    const bool                                         symmetric, nearly_incompressible;
+    const bool                                         symmetric;
+    const unsigned int                                 most_direct; // unknowns, if automatic
     GivesUp                                            gives_up;
     bool                                               given_up = false;
     std::vector<std::vector<double>>                   modes;

@@ -195,18 +195,14 @@ namespace Amontons
     return any;
   }
 
-  // Where bodies touch nothing is coarsened: how they lie on each other stays.
   template <int dim>
   void
   Model<dim>::coarsen(const ErrorEstimate<dim> &error, const double target)
   {
     if (mesh->first_cells.empty())
       mesh->first_cells = deformable_cells(discretization());
-    Vector<float> indicators = error.indicators_for(target);
-    for (unsigned int c = 0; c < indicators.size(); ++c)
-      if (error.contact_indicators[c] > 0)
-        indicators[c] = std::numeric_limits<float>::infinity();
-    mark_cells_to_coarsen(discretization(), mesh->geometry, mesh->first_cells, indicators, target);
+    mark_cells_to_coarsen(
+        discretization(), mesh->geometry, mesh->first_cells, error.indicators_for(target), target);
   }
 
   template <int dim>

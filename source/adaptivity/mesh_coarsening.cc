@@ -43,8 +43,7 @@ namespace Amontons
         }
     std::vector<double> squares;
     for (auto parent = parents.begin(); parent != parents.end();)
-      if (parent->second.children.size() == GeometryInfo<dim>::max_children_per_cell &&
-          std::isfinite(parent->second.square))
+      if (parent->second.children.size() == GeometryInfo<dim>::max_children_per_cell)
         squares.push_back((parent++)->second.square);
       else
         parent = parents.erase(parent);

@@ -11,6 +11,32 @@ namespace Amontons
 {
   namespace
   {
+    // Solves for c in place of the right-hand side. Of slivers that are all that is left of a contact the
+    // mass may have no factors: then with a diagonal that is rounding beside it, and 0 if there is none.
+    void
+    solve(SparseMatrix<double> &matrix, Vector<double> &c)
+    {
+      double largest = 0;
+      for (unsigned int i = 0; i < c.size(); ++i)
+        largest = std::max(largest, matrix.diag_element(i));
+      const Vector<double> rhs = c;
+      for (const double shift : {0., 1e-10})
+        try
+          {
+            for (unsigned int i = 0; i < c.size(); ++i)
+              matrix.diag_element(i) += shift * largest;
+            SparseDirectUMFPACK solver;
+            solver.initialize(matrix);
+            solver.solve(c);
+            return;
+          }
+        catch (const ExceptionBase &)
+          {
+            c = rhs;
+          }
+      c = 0;
+    }
+
     // The minimum of c.Mc/2 - b.c over all c with c_i >= 0 where is_bounded[i], by its active set: entries
     // that are held at 0 with (Mc - b)_i >= 0.
     Vector<double>
@@ -33,9 +59,7 @@ namespace Amontons
           for (unsigned int i = 0; i < n; ++i)
             if (held[i])
               c[i] = 0;
-          SparseDirectUMFPACK solver;
-          solver.initialize(matrix);
-          solver.solve(c);
+          solve(matrix, c);
           mass.vmult(residual, c);
           residual -= rhs;
           bool changed = false;

@@ -81,7 +81,7 @@ solve(const unsigned int n, const bool symmetric, const int workspace, double &e
     expected(i) = std::sin(i);
   expected.compress(VectorOperation::insert);
   matrix.vmult(rhs, expected);
-  LinearSolver      solver(parameters, 3, symmetric);
+  LinearSolver      solver(parameters, 3, 1, symmetric);
   LinearSolveReport report;
   words = said([&] { report = solver.solve(matrix, x, rhs, 1e-10); });
   x -= expected;
@@ -128,9 +128,9 @@ keep_hierarchy()
     check::is_true(report.success, "multigrid solves");
     return report.iterations;
   };
-  LinearSolver       other(parameters, 3, false);
+  LinearSolver       other(parameters, 3, 1, false);
   const unsigned int fresh = steps(other, changed);
-  LinearSolver       solver(parameters, 3, false);
+  LinearSolver       solver(parameters, 3, 1, false);
   steps(solver, matrix);
   solver.matrix_changed(changed.m() / 15);
   unsigned int n = 0, lost = 0;

@@ -37,6 +37,8 @@ namespace Amontons
     bool
     run_load_program();
     bool
+    run_on_other_mesh(const unsigned int first, const bool finite_strain, const bool walls_are_none);
+    bool
     run_without_facets();
     bool
     may_be_too_coarse() const;

@@ -175,6 +175,8 @@ namespace Amontons
         Element element{t.dim, {}};
         for (unsigned int v = 0; v < t.n_corners; ++v)
           element.nodes[v] = mesh.node(numbers[1 + v], text);
+        if (t.dim == 1) // the node in the middle of a line of three stands between the ends
+          element.nodes[1] = mesh.node(numbers[t.n_nodes], text);
         if (t.kind != nullptr)
           {
             if (t.dim == dim)

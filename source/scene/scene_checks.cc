@@ -1,6 +1,7 @@
 #include <amontons/scene/scene_checks.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace Amontons
 {
@@ -174,6 +175,25 @@ namespace Amontons
                              "the same two surfaces as in " + pairs[j].where.entry,
                              "each pair of surfaces once");
     }
+    // Of a file a body takes all cells, whatever groups they are in.
+    void
+    check_mesh_files(const std::vector<BodyData> &bodies)
+    {
+      const auto place = [](const BodyData &body) {
+        return std::make_tuple(body.mesh_file,
+                               body.rotation_angle,
+                               Point<3>(body.rotation_axis),
+                               body.rotation_centre,
+                               body.shift);
+      };
+      for (std::size_t i = 0; i < bodies.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          if (bodies[i].shape == "file" && bodies[j].shape == "file" && place(bodies[i]) == place(bodies[j]))
+            throw InputError(bodies[i].where,
+                             "the same mesh file in the same place as body '" + bodies[j].name + "'",
+                             "a file for each body, as each takes all cells of its file (gmsh saves those of "
+                             "the physical groups that there are), or another place");
+    }
   } // namespace
 
   void
@@ -181,6 +201,7 @@ namespace Amontons
   {
     if (scene.bodies.empty())
       throw InputError({scene.file, 0, ""}, "the scene has no body", "at least one section 'Body NAME'");
+    check_mesh_files(scene.bodies);
     check_motion_names(scene);
     check_conditions(scene);
     for (PairData &pair : scene.pairs)

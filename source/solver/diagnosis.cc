@@ -103,9 +103,8 @@ namespace Amontons
       switch (failure.kind)
         {
           case Failure::Kind::not_a_number:
-            return "the solution is not a number: the increment may be too large, a load or prescribed "
-                   "displacement no number, or the "
-                   "stiffness is singular";
+            return "the solution is not a number: the increment may be too large, a load no number, or the "
+                   "stiffness singular";
           case Failure::Kind::linear_solver:
             return failure.n == 0
                        ? "the stiffness is singular: its matrix has no factors"

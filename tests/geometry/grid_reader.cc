@@ -214,6 +214,10 @@ void
 check_abaqus()
 {
   check_mesh<2>(write("two.inp", abaqus), 2, {{"Top", 2}, {"Bottom", 2}, {"right end", 1}});
+  const std::string quadratic = "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n5,0.5,0\n6,1,0.5\n7,0.5,1\n8,0,0.5\n"
+                                "*ELEMENT, TYPE=T3D3, ELSET=low\n1, 1, 5, 2\n"
+                                "*ELEMENT, TYPE=CPS8, ELSET=all\n2, 1, 2, 3, 4, 5, 6, 7, 8\n";
+  check_mesh<2>(write("lines.inp", quadratic), 1, {{"low", 1}});
   check_error<2>(write("id.inp", "*NODE\n1, 0, 0\n*ELEMENT, TYPE=CPS4\n1, 1, 2, 3, 4\n"),
                  {"id.inp:4", "no node 2"});
   check_error<2>(

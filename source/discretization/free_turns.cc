@@ -239,8 +239,9 @@ namespace Amontons
       if (bodies[b])
         {
           // Each against its own size: the turn of a slender body about its length is small everywhere. The
-          // normals of quadrilaterals on a sphere are a little off.
-          const double                through = dim == 2 ? 1e-5 : 0.1;
+          // normals of quadrilaterals on a sphere are a little off, and so are those of arcs through three
+          // nodes of a circle: by 0.1 alpha^3, of 16 arcs (alpha = pi/16) 0.0008.
+          const double                through = dim == 3 ? 0.1 : geometry.of_second_order[b] ? 5e-3 : 1e-5;
           Vector<double>              parts;
           std::vector<Vector<double>> found(n_rigid_motions<dim>, Vector<double>(n_rigid_motions<dim>));
           motions[b].through.compute_generalized_eigenvalues_symmetric(

@@ -225,6 +225,7 @@ namespace Amontons
         const auto box  = BoundingBox<dim>(mesh.vertices).get_boundary_points();
         geometry.body_sizes.push_back(box.first.distance(box.second));
         geometry.body_centres.push_back(box.first + 0.5 * (box.second - box.first));
+        geometry.of_second_order.push_back(!mesh.middle_nodes.of_edges.empty());
         largest = std::max(largest, geometry.body_sizes.back());
         polar.push_back(mesh.polar);
         add_body(mesh, b, geometry.boundaries, assembly);

@@ -5,6 +5,11 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
 namespace test_free_slides
 {
 using namespace Amontons;
@@ -127,8 +132,8 @@ check_block()
       const auto along_wall = motions<dim>(with);
       check::is_true(along_wall.n() == 1, "a plane of symmetry leaves one direction");
       Tensor<1, dim> normal;
-      normal[0] = std::cos(numbers::PI / 6);
-      normal[1] = std::sin(numbers::PI / 6);
+      normal[0] = std::cos(dealii::numbers::PI / 6);
+      normal[1] = std::sin(dealii::numbers::PI / 6);
       check::is_true(largest_along<dim>(along_wall, normal) < 1e-14, "along the plane of symmetry");
     }
 
@@ -205,6 +210,39 @@ check_turns()
     }
 }
 
+// A ring of 16 arcs through three nodes, that is refined: its new nodes are beside the circle, and not so of
+// an ellipse.
+void
+check_arcs()
+{
+  constexpr unsigned int n = 16;
+  for (const double ratio : {1., 0.9})
+    {
+      std::ostringstream nodes, elements;
+      for (unsigned int k = 0; k < 2 * n; ++k)
+        for (const unsigned int r : {2, 3, 4})
+          nodes << 10 * k + r << ", " << 0.5 * r * std::cos(dealii::numbers::PI / n * k) << ", "
+                << ratio * 0.5 * r * std::sin(dealii::numbers::PI / n * k) << '\n';
+      for (unsigned int k = 0; k < 2 * n; k += 2)
+        {
+          const unsigned int a = 10 * k, between = a + 10, b = 10 * ((k + 2) % (2 * n));
+          elements << k + 1 << ", " << a + 2 << ", " << a + 4 << ", " << b + 4 << ", " << b + 2 << ", "
+                   << a + 3 << ", " << between + 4 << ", " << b + 3 << ", " << between + 2 << '\n';
+        }
+      BodyData body;
+      body.name      = "ring";
+      body.shape     = "file";
+      body.mesh_file = "free_slides_ring.inp";
+      std::ofstream(body.mesh_file) << std::setprecision(16) << "*NODE\n"
+                                    << nodes.str() << "*ELEMENT, TYPE=CPS8\n"
+                                    << elements.str();
+      for (body.refinements = 0; body.refinements < 3; ++body.refinements)
+        check::is_true(n_turns<2>(body) == (ratio == 1 ? 1 : 0),
+                       "turns of a ring of arcs, " + std::to_string(ratio) + ", refined " +
+                           std::to_string(body.refinements));
+    }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -212,6 +250,7 @@ main(int argc, char **argv)
   check_block<2>();
   check_block<3>();
   check_turns();
+  check_arcs();
   return check::result();
 }
 } // namespace test_free_slides

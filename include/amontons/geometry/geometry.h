@@ -47,6 +47,7 @@ namespace Amontons
     std::vector<CarrierCell>                          carriers;
     std::vector<double>                               body_sizes;   // diameter of the bounding box, per body
     std::vector<dealii::Point<dim>>                   body_centres; // of the bounding box, per body
+    std::vector<bool> of_second_order; // by body: its surface is of arcs through three nodes
 
     // Throws InputError with a list of the body's boundaries and a suggestion.
     const Boundary &

@@ -140,7 +140,7 @@ namespace Amontons
   Model<dim>::refine_where_bodies_are_close(const RefinementParameters &parameters)
   {
     const unsigned int times    = parameters.initial_refinements;
-    const bool         flat_too = !always_converges(parameters.target_quantity);
+    const bool         flat_too = dim == 2 || !always_converges(parameters.target_quantity);
     TimerOutput::Scope scope(timer, "mesh");
     const auto         refine = [&]() {
       mesh->geometry.triangulation.execute_coarsening_and_refinement();

@@ -399,7 +399,7 @@ CHANGES = [
     ("flat contacts of numbers", "model.cc", "flat_too = dim == 2 || !always_converges(parameters.target_quantity)", "flat_too = false", "scenes/block_on_larger_slave$"),
     ("slivers without factors", "contact/pressure_projection.cc", "{0., 1e-10}", "{0.}", "^contact/surface_fields$"),
     ("arcs of a circle", "discretization/free_turns.cc", "geometry.of_second_order[b] ? 5e-3 : 1e-5", "1e-5", "^discretization/free_slides$"),
-    ("seams of a mesh", "contact_problem.cc", "for (const auto &sentence : bodies_in_parts(scene, mesh->geometry))", "for (const std::string sentence : {})", "wrong_input"),
+    ("seams of a mesh", "contact_problem.cc", "for (const auto &sentence : bodies_in_parts(scene, mesh->geometry))", "for (const std::string sentence : std::vector<std::string>())", "wrong_input"),
     ("lines of three nodes", "geometry/abaqus.cc", "        if (t.dim == 1)", "        if (false)", "^geometry/grid_reader$"),
     ("ends of lines", "adaptivity/unseen_contact.cc", "if (n_faces[i] == 1 &&", "if (n_faces[i] == 9 &&", "scenes/rough_leaves$"),
     ("ends on planes", "adaptivity/unseen_contact.cc", "n_faces[i] == 1 && !surface.nodes[i].is_on_plane", "n_faces[i] == 1", "^adaptivity/unseen_contact$"),

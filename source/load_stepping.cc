@@ -186,8 +186,8 @@ namespace Amontons
       doubts = doubts_of_sizes(name, interfaces, evaluation.fields);
     if (is_resolved && (!is_size(name) || sizes_are_seen(interfaces, evaluation.fields, enough_to_stick)))
       history.quantity.add(model->discretization().dof_handler.n_dofs(), values, noteworthy, doubts);
-    else // meshes before did not see all that touches
-      history.quantity = {};
+    else
+      history.quantity.add_unseen(values);
     evaluation.judge_quantity(name, history.quantity, name == "total force" ? corner_forces(answer()) : 0);
     if (is_size(name))
       add_ends_of_sizes(name,
@@ -410,7 +410,10 @@ namespace Amontons
     TimerOutput::Scope scope(timer, "mesh");
     // Numbers are compared between meshes: where corners are all that is refined these are hardly others.
     const double step = history.quantity.is_empty() ? 0 : 0.3;
-    if (!model->mark_cells(parameters.refinement, evaluation.error, target_of_mesh(), step))
+    const bool small_contacts = parameters.refinement.target_error > 0 &&
+                                model->mark_small_contacts(parameters.refinement, evaluation.fields);
+    if (!small_contacts &&
+        !model->mark_cells(parameters.refinement, evaluation.error, target_of_mesh(), step))
       {
         report.say("no further refinement: the limit of 'Maximum DoFs' is reached");
         return false;
@@ -436,6 +439,11 @@ namespace Amontons
     restore_contact();
     history.fallback      = history.state;
     history.fallback_mesh = model->mesh->n_refinements - 1;
+    if (small_contacts)
+      {
+        history.quantity.compare_with_unseen();
+        history.path.clear(); // what large faces touched says nothing of what touches now
+      }
     return true;
   }
 

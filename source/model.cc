@@ -196,6 +196,18 @@ namespace Amontons
   }
 
   template <int dim>
+  bool
+  Model<dim>::mark_small_contacts(const RefinementParameters            &parameters,
+                                  const std::vector<SurfaceFields<dim>> &fields)
+  {
+    deeper.clear();
+    small = small_contacts(discretization(), interfaces, fields);
+    if (parameters.strategy != "adaptive" || 2 * discretization().dof_handler.n_dofs() > parameters.max_dofs)
+      small.clear();
+    return !small.empty() && mark_cells_at(discretization(), small) > 0;
+  }
+
+  template <int dim>
   void
   Model<dim>::coarsen(const ErrorEstimate<dim> &error, const double target)
   {
@@ -209,12 +221,14 @@ namespace Amontons
   void
   Model<dim>::refine(const std::vector<LA::Vector *> &fields)
   {
-    while (!deeper.empty())
+    while (!deeper.empty() || !small.empty())
       {
         refine_and_transfer(*mesh->discretization, mesh->geometry, fields, [&]() {
           mesh->discretization->distribute_dofs();
         });
         mark_children(discretization(), mesh->geometry, deeper);
+        if (mark_cells_at(discretization(), small) == 0)
+          small.clear();
       }
     refine_and_transfer(*mesh->discretization, mesh->geometry, fields, [&]() {
       rebuild();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <amontons/adaptivity/mesh_refinement.h>
+#include <amontons/adaptivity/small_contacts.h>
 #include <amontons/elasticity/loads.h>
 #include <amontons/elasticity/mechanics.h>
 #include <amontons/solver/solution_state.h>
@@ -90,6 +91,10 @@ namespace Amontons
                const ErrorEstimate<dim>   &error,
                const double                target,
                const double                step);
+    /// Instead of mark_cells(), where contacts are far smaller than the faces that carry them: they are refined
+    /// to their size at once (adaptivity/small_contacts.h). False where there are none.
+    bool
+    mark_small_contacts(const RefinementParameters &parameters, const std::vector<SurfaceFields<dim>> &fields);
     /// After mark_cells() for a target: marks what need not be as fine any more (mark_cells_to_coarsen).
     void
     coarsen(const ErrorEstimate<dim> &error, const double target);
@@ -140,6 +145,7 @@ namespace Amontons
 
     double                                          t;       // of the supports
     DeeperCells                                     deeper;  // of the refinement that is marked
+    std::vector<SmallContact<dim>>                  small;   // likewise
     std::set<std::pair<unsigned int, unsigned int>> changed; // see prefer_overlapped(), at this time
   };
 

@@ -36,6 +36,20 @@ namespace Amontons
   }
 
   void
+  QuantitySequence::add_unseen(const std::vector<double> &values)
+  {
+    *this  = {};
+    unseen = Mesh{0, values, {}};
+  }
+
+  void
+  QuantitySequence::compare_with_unseen()
+  {
+    if (unseen)
+      meshes = {*unseen};
+  }
+
+  void
   QuantitySequence::repeat()
   {
     settle();

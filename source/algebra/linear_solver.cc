@@ -310,14 +310,17 @@ namespace Amontons
   } // namespace
 
   LinearSolveReport
-  LinearSolver::solve_directly(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs)
+  LinearSolver::solve_directly(const LA::SparseMatrix &matrix,
+                               LA::Vector             &x,
+                               const LA::Vector       &rhs,
+                               const double            tolerance)
   {
     LinearSolveReport report;
     //! [stale factorisation]
     if (direct && factorisation_is_old && !all_values_are_new && n_changed <= (symmetric ? 20 : 6))
       {
         // Beyond about 20 solves a new factorisation is cheaper (2D: one costs some 10 to 20 of them).
-        ReductionControl control(20, 0, symmetric ? 1e-13 : 1e-12);
+        ReductionControl control(20, dim == 3 ? tolerance : 0, symmetric ? 1e-13 : 1e-12);
         try
           {
             run_krylov(control, matrix, x, rhs, *direct);
@@ -368,7 +371,7 @@ namespace Amontons
     if (is_given_up())
       return abandoned(report);
     if (is_direct(matrix.m()) || multigrid_fails)
-      return solve_directly(matrix, x, rhs);
+      return solve_directly(matrix, x, rhs, tolerance);
     if (rhs.l2_norm() <= tolerance)
       return report;
     // Once an old hierarchy has cost as many steps more than a new one would have as making that takes, it is
@@ -425,7 +428,7 @@ namespace Amontons
       {
         const unsigned int n = report.iterations;
         multigrid_fails      = true;
-        report               = solve_directly(matrix, x, rhs);
+        report               = solve_directly(matrix, x, rhs, tolerance);
         report.iterations += n;
       }
     return report;

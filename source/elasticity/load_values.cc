@@ -1,5 +1,7 @@
 #include <amontons/elasticity/load_values.h>
 
+#include <boost/container/small_vector.hpp>
+
 namespace Amontons
 {
   namespace
@@ -158,23 +160,41 @@ namespace Amontons
   }
 
   template <int d>
-  GaussPolynomials<d>::GaussPolynomials(const unsigned int n)
-      : formula(QGauss<d>(n)), basis(Polynomials::generate_complete_Lagrange_basis(QGauss<1>(n).get_points()))
+  GaussPolynomials<d>::GaussPolynomials(const unsigned int n) : formula(QGauss<d>(n)), n(n), factors(n, 1.)
   {
+    const QGauss<1> line(n);
+    for (const auto &point : line.get_points())
+      nodes.push_back(point[0]);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        if (j != i)
+          factors[i] /= nodes[i] - nodes[j];
   }
 
+  // Products of L_i(x) = factor_i prod_{j != i} (x - x_j).
   template <int d>
-  std::vector<std::vector<double>>
-  GaussPolynomials<d>::values(const std::vector<Point<d>> &points) const
+  void
+  GaussPolynomials<d>::evaluate(const Point<d> &point, std::vector<double> &values) const
   {
-    std::vector<std::vector<double>> result(points.size(), std::vector<double>(basis.n()));
-    std::vector<Tensor<1, d>>        no_gradients;
-    std::vector<Tensor<2, d>>        no_second;
-    std::vector<Tensor<3, d>>        no_third;
-    std::vector<Tensor<4, d>>        no_fourth;
-    for (unsigned int i = 0; i < points.size(); ++i)
-      basis.evaluate(points[i], result[i], no_gradients, no_second, no_third, no_fourth);
-    return result;
+    values.resize(Utilities::fixed_power<d>(n));
+    values[0] = 1;
+    unsigned int m = 1; // values of the directions so far
+    boost::container::small_vector<double, 8> along(n);
+    for (unsigned int c = d; c-- > 0; m *= n)
+      {
+        std::copy(factors.begin(), factors.end(), along.begin());
+        double before = 1, behind = 1; // products
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            along[i] *= before;
+            before *= point[c] - nodes[i];
+            along[n - 1 - i] *= behind;
+            behind *= point[c] - nodes[n - 1 - i];
+          }
+        for (unsigned int k = m; k-- > 0;)
+          for (unsigned int i = n; i-- > 0;)
+            values[k * n + i] = values[k] * along[i]; // values[k] last
+      }
   }
 
   // They are orthogonal, the integral of the square of each being its weight.
@@ -182,11 +202,14 @@ namespace Amontons
   std::vector<Tensor<1, 3>>
   GaussPolynomials<d>::nearest(const Quadrature<d> &quadrature, const std::vector<Tensor<1, 3>> &load) const
   {
-    const auto                at_points = values(quadrature.get_points());
+    std::vector<double>       basis;
     std::vector<Tensor<1, 3>> result(formula.size());
     for (unsigned int i = 0; i < load.size(); ++i)
-      for (unsigned int q = 0; q < result.size(); ++q)
-        result[q] += quadrature.weight(i) * at_points[i][q] / formula.weight(q) * load[i];
+      {
+        evaluate(quadrature.point(i), basis);
+        for (unsigned int q = 0; q < result.size(); ++q)
+          result[q] += quadrature.weight(i) * basis[q] / formula.weight(q) * load[i];
+      }
     return result;
   }
 

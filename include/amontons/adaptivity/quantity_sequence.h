@@ -2,6 +2,7 @@
 /// limits.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace Amontons
@@ -19,6 +20,14 @@ namespace Amontons
         const std::vector<double> &values,
         const double               least  = 0,
         const std::vector<double> &doubts = {});
+
+    /// Of a mesh that does not see all that touches: no other is compared with it, nor with those before.
+    void
+    add_unseen(const std::vector<double> &values);
+    /// Those that follow are, whatever their DoFs: faces are so much smaller where bodies touch that they
+    /// cannot miss the same.
+    void
+    compare_with_unseen();
 
     /// What has come of the last mesh is computed anew there, with other increments. What changes by them is
     /// none of the mesh: the numbers on the meshes before change alike.
@@ -90,6 +99,7 @@ namespace Amontons
     void
                         settle();
     std::vector<Mesh>   meshes;
+    std::optional<Mesh> unseen; // the last, if it was added so
     std::vector<double> before; // on the last mesh, where that is repeated; else empty
     double              least_value = 0;
   };

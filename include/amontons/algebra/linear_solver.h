@@ -142,6 +142,9 @@ namespace Amontons
     bool         multigrid_fails  = false; // or takes longer than a factorisation
 
     LinearSolveReport
-    solve_directly(const LA::SparseMatrix &matrix, LA::Vector &x, const LA::Vector &rhs);
+    solve_directly(const LA::SparseMatrix &matrix,
+                   LA::Vector             &x,
+                   const LA::Vector       &rhs,
+                   const double            tolerance);
   };
 } // namespace Amontons

@@ -5,7 +5,6 @@
 #include <amontons/discretization/discretization.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/base/tensor_product_polynomials.h>
 #include <deal.II/fe/fe_values.h>
 
 namespace Amontons
@@ -33,16 +32,18 @@ namespace Amontons
 
     const Quadrature<d> formula;
 
-    /// By point, of all polynomials.
-    std::vector<std::vector<double>>
-    values(const std::vector<Point<d>> &points) const;
+    /// At a point, of all polynomials, in the order of the formula's points.
+    void
+    evaluate(const Point<d> &point, std::vector<double> &values) const;
     /// At the points of the formula, the polynomial that has the moments of the load, from its values at the
     /// points of `quadrature`: in the mean square the nearest one.
     std::vector<Tensor<1, 3>>
     nearest(const Quadrature<d> &quadrature, const std::vector<Tensor<1, 3>> &load) const;
 
   private:
-    TensorProductPolynomials<d> basis;
+    const unsigned int  n;       // in each direction
+    std::vector<double> nodes;   // along the unit interval
+    std::vector<double> factors; // by node, 1/prod (its distances from the others)
   };
 
   /// A load at the points of `values`.
@@ -148,8 +149,11 @@ namespace Amontons
               const std::vector<Point<d>>     &points) const
     {
       std::vector<Tensor<1, 3>> result;
-      for (const auto &basis : polynomials.values(points))
+      std::vector<double>       basis;
+      result.reserve(points.size());
+      for (const auto &point : points)
         {
+          polynomials.evaluate(point, basis);
           Point<dim> x;
           for (unsigned int q = 0; q < basis.size(); ++q)
             x += basis[q] * Tensor<1, dim>(fine->quadrature_point(q));

@@ -3,6 +3,7 @@
 #include <amontons/output/files.h>
 #include <amontons/output/history.h>
 #include <amontons/output/json.h>
+#include <amontons/output/output_folder.h>
 #include <amontons/run_report.h>
 #include <amontons/scene/text.h>
 
@@ -179,6 +180,10 @@ namespace Amontons
       }
     if (Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
+    control.try_to([&]() {
+      vtu.remove_earlier();
+      remove_later_files(folder, "contact", "csv", n_tables);
+    });
     const auto table = contact_table(answer.interfaces, answer.fields, answer.state.t);
     control.try_to([&]() { write_history(folder + "/history.csv", summary.meshes, scene.kind); });
     control.try_to([&]() { write_contact_csv(folder + "/contact.csv", table); });

@@ -454,7 +454,9 @@ def scenes():
     mesh("mesh .inp", "m.inp", INP, None)
     mesh("mesh with Windows line ends", "m.msh", MSH2.replace("\n", "\r\n").encode(), None)
     seam = MSH2.replace("$Nodes\n6", "$Nodes\n8").replace("6 2 1 0\n", "6 2 1 0\n7 1 0 0\n8 1 1 0\n").replace("2 5 6 3", "7 5 6 8")
-    mesh("mesh with a seam", "m.msh", seam, r"^scene\.prm:1: Body block: the mesh is in 2 parts that share no node, though 2 of one are where another has one, too, as at \(1 [01]\)", ranks=2)
+    mesh("mesh with a seam", "m.msh", seam, r"^scene\.prm:1: Body block: the mesh is in 2 parts that share no edge of a cell, though 2 of one are where another has one, too, as at \(1 [01]\)", ranks=2)
+    mesh("mesh with a seam between common ends", "m.msh", seam.replace("7 5 6 8", "7 5 6 3"),
+         r"^scene\.prm:1: Body block: the mesh is in 2 parts that share no edge of a cell, though 1 of one are where another has one, too, as at \(1 0\)")
     case("the same mesh twice", {"scene.prm": ONE_BODY % "  set Mesh = m.msh" + ONE_BODY.replace("Body block", "Body other").replace("condition floor", "condition other") % "  set Mesh = m.msh", "m.msh": MSH2},
          r"^scene\.prm:10: Body other: the same mesh file in the same place as body 'block'")
     case("missing mesh", ONE_BODY % "  set Mesh = m.msh", r"^scene\.prm:2: .*no file '.*m\.msh'", ranks=3)

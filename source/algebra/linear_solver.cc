@@ -153,9 +153,13 @@ namespace Amontons
   {
     // Unknowns up to which a factorisation takes no longer than multigrid (doc/benchmarks.md).
     unsigned int
-    most_to_factorise(const int dim, const unsigned int degree, const bool nearly_incompressible)
+    most_to_factorise(const int dim, const unsigned int degree, const SolverPurpose &purpose)
     {
-      return dim == 2 ? 150000 : degree > 1 ? 40000 : nearly_incompressible ? 30000 : 5000;
+      if (dim == 2)
+        return 150000;
+      if (degree > 1)
+        return purpose.has_many_columns ? 100000 : 40000;
+      return purpose.nearly_incompressible ? 30000 : purpose.has_many_columns ? 20000 : 5000;
     }
   } // namespace
 
@@ -164,9 +168,9 @@ namespace Amontons
                              const unsigned int            degree,
                              const bool                    symmetric,
                              const GivesUp                &gives_up,
-                             const bool                    nearly_incompressible)
+                             const SolverPurpose          &purpose)
       : parameters(parameters), dim(dim), symmetric(symmetric),
-        most_direct(most_to_factorise(dim, degree, nearly_incompressible)), gives_up(gives_up)
+        most_direct(most_to_factorise(dim, degree, purpose)), gives_up(gives_up)
   {
   }
 

@@ -13,62 +13,77 @@ namespace Amontons
 
   namespace
   {
-    // Coarse cells are known on all ranks.
+    // Of coarse cells, which are known on all ranks: those that share faces. (Nodes alone are hinges.)
     template <int dim>
     class Parts
     {
     public:
       Parts(const Geometry<dim> &geometry, const types::material_id body)
-          : vertices(geometry.triangulation.get_vertices()), rank(vertices.size()), parent(vertices.size()),
-            sets(rank.data(), parent.data())
+          : vertices(geometry.triangulation.get_vertices()), rank(geometry.triangulation.n_cells(0)),
+            parent(rank.size()), sets(rank.data(), parent.data())
       {
-        for (const auto &cell : geometry.triangulation.cell_iterators_on_level(0))
+        const auto cells = geometry.triangulation.cell_iterators_on_level(0);
+        for (const auto &cell : cells)
+          if (cell->material_id() == body)
+            sets.make_set(cell->index());
+        for (const auto &cell : cells)
+          if (cell->material_id() == body)
+            for (const unsigned int f : cell->face_indices())
+              if (!cell->at_boundary(f) && cell->neighbor(f)->material_id() == body)
+                sets.union_set(cell->index(), cell->neighbor(f)->index());
+        for (const auto &cell : cells)
           if (cell->material_id() == body)
             for (const unsigned int v : cell->vertex_indices())
-              if (used.insert(cell->vertex_index(v)).second)
-                sets.make_set(cell->vertex_index(v));
-        for (const auto &cell : geometry.triangulation.cell_iterators_on_level(0))
-          if (cell->material_id() == body)
-            for (const unsigned int v : cell->vertex_indices())
-              sets.union_set(cell->vertex_index(0), cell->vertex_index(v));
+              of_vertex[cell->vertex_index(v)].insert(sets.find_set(cell->index()));
       }
 
       // A vertex of each.
       std::vector<Point<dim>>
-      places()
+      places() const
       {
-        std::set<unsigned int> representatives;
-        for (const unsigned int v : used)
-          representatives.insert(sets.find_set(v));
+        std::set<unsigned int>  known;
         std::vector<Point<dim>> result;
-        for (const unsigned int v : representatives)
-          result.push_back(vertices[v]);
+        for (const auto &[vertex, parts] : of_vertex)
+          for (const unsigned int part : parts)
+            if (known.insert(part).second)
+              result.push_back(vertices[vertex]);
+        return result;
+      }
+
+      // Vertices that several parts share.
+      std::vector<Point<dim>>
+      hinges() const
+      {
+        std::vector<Point<dim>> result;
+        for (const auto &[vertex, parts] : of_vertex)
+          if (parts.size() > 1)
+            result.push_back(vertices[vertex]);
         return result;
       }
 
       // Vertices of different parts that are in the same place, but for `tolerance`.
       std::vector<Point<dim>>
-      seam(const double tolerance)
+      seam(const double tolerance) const
       {
         std::map<std::array<long long, dim>, unsigned int> known;
         std::vector<Point<dim>>                            result;
-        for (const unsigned int v : used)
+        for (const auto &[vertex, parts] : of_vertex)
           {
             std::array<long long, dim> place;
             for (unsigned int c = 0; c < dim; ++c)
-              place[c] = std::llround(vertices[v][c] / tolerance);
-            const auto [other, is_new] = known.emplace(place, v);
-            if (!is_new && sets.find_set(other->second) != sets.find_set(v))
-              result.push_back(vertices[v]);
+              place[c] = std::llround(vertices[vertex][c] / tolerance);
+            const auto [other, is_new] = known.emplace(place, vertex);
+            if (!is_new && of_vertex.at(other->second) != parts)
+              result.push_back(vertices[vertex]);
           }
         return result;
       }
 
     private:
       const std::vector<Point<dim>>                       &vertices;
-      std::vector<unsigned int>                            rank, parent;
+      std::vector<unsigned int>                            rank, parent; // by cell
       boost::disjoint_sets<unsigned int *, unsigned int *> sets;
-      std::set<unsigned int>                               used;
+      std::map<unsigned int, std::set<unsigned int>>       of_vertex;
     };
   } // namespace
 
@@ -79,12 +94,14 @@ namespace Amontons
     std::vector<std::string> sentences;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
-        Parts<dim> parts(geometry, b);
-        const auto all = parts.places();
+        const Parts<dim> parts(geometry, b);
+        const auto       all = parts.places();
         if (scene.bodies[b].rigid || all.size() < 2)
           continue;
         std::ostringstream text;
-        text << "the mesh is in " << all.size() << " parts that share no node";
+        const auto hinges = parts.hinges();
+        text << "the mesh is in " << all.size() << " parts that share no "
+             << (dim == 2 ? "edge of a cell" : "face of a cell");
         if (const auto seam = parts.seam(1e-9 * geometry.body_sizes[b]); !seam.empty())
           {
             text << ", though " << seam.size() << " of one are where another has one, too, as at (" << seam[0]
@@ -95,12 +112,14 @@ namespace Amontons
                 "parts whose common nodes are merged (gmsh: 'Coherence' or 'BooleanFragments' in "
                 "the geometry, 'Coherence Mesh'), or a body for each");
           }
-        text << ", as at";
-        for (unsigned int k = 0; k < std::min<std::size_t>(all.size(), 3); ++k)
-          text << " (" << all[k] << ")";
+        const auto &examples = hinges.empty() ? all : hinges;
+        text << (hinges.empty() ? ", as at" : ", but single nodes, which are hinges, as at");
+        for (unsigned int k = 0; k < std::min<std::size_t>(examples.size(), 3); ++k)
+          text << " (" << examples[k] << ")";
+        text << (hinges.empty() ? ": nothing holds them together" : ": nothing else holds them together");
         sentences.push_back("body '" + scene.bodies[b].name + "': " + text.str() +
-                            ": nothing holds them together; if that is not meant, merge them, or make each a "
-                            "body of its own, with a mesh file of its own");
+                            "; if that is not meant, merge them, or make each a body of its own, with a mesh "
+                            "file of its own");
       }
     return sentences;
   }

@@ -228,6 +228,25 @@ namespace Amontons
   }
 
   void
+  remove_later_files(const std::string &folder,
+                     const std::string &name,
+                     const std::string &extension,
+                     const unsigned int first)
+  {
+    const std::regex      pattern(name + "_([0-9]{4,9})(\\.[0-9]+)?\\." + extension);
+    std::vector<fs::path> files;
+    std::error_code       error;
+    for (const auto &entry : fs::directory_iterator(folder, error))
+      {
+        const std::string file = entry.path().filename().string();
+        std::smatch       parts;
+        if (std::regex_match(file, parts, pattern) && std::stoul(parts[1]) >= first)
+          files.push_back(entry.path());
+      }
+    remove_files(files);
+  }
+
+  void
   remove_new_output_folder()
   {
     OutputFolder   &one = present();

@@ -1,5 +1,6 @@
 #include <amontons/base/gather.h>
 #include <amontons/output/files.h>
+#include <amontons/output/output_folder.h>
 #include <amontons/output/summary.h>
 #include <amontons/output/vtu_output.h>
 
@@ -132,6 +133,13 @@ namespace Amontons
   {
     bodies.clear();
     contacts.clear();
+  }
+
+  void
+  VtuOutput::remove_earlier() const
+  {
+    remove_later_files(folder, "bodies", "p?vtu", bodies.size());
+    remove_later_files(folder, "contact", "vtu", contacts.size());
   }
 
   template <int dim>

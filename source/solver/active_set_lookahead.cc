@@ -17,11 +17,13 @@ namespace Amontons
     {
       if (input == NodeInput::across)
         return state == ContactStatus::open ? answer.pressure / node.c : answer.gap;
+      const auto tangent = tangent_of(node, input);
       if (state == ContactStatus::stick)
-        return answer.slip * node.tangent();
-      const auto by_pressure =
-          state == ContactStatus::slip ? law.slope * answer.pressure * law.direction : Tensor<1, dim>();
-      return (answer.shear - by_pressure) * node.tangent() / node.c;
+        return answer.slip * tangent;
+      auto beyond = answer.shear;
+      if (state == ContactStatus::slip)
+        beyond -= law.traction(answer.pressure, answer.slip) - law.constant * law.direction;
+      return beyond * tangent / node.c;
     }
 
     template <int dim>
@@ -31,16 +33,17 @@ namespace Amontons
              const SlipLaw<dim>   &law,
              const NodeInput       input)
     {
-      const bool slips = input == NodeInput::along && state == ContactStatus::slip;
-      return slips ? law.constant * (law.direction * node.tangent()) / node.c : 0.;
+      const bool slips = input != NodeInput::across && state == ContactStatus::slip;
+      return slips ? law.constant * (law.direction * tangent_of(node, input)) / node.c : 0.;
     }
 
     template <int dim>
     bool
     differ(const SlipLaw<dim> &a, const SlipLaw<dim> &b)
     {
-      return (a.direction - b.direction).norm() > 1e-8 || std::abs(a.slope - b.slope) > 1e-10 ||
-             std::abs(a.constant - b.constant) > 1e-10 * std::abs(a.constant);
+      return (a.direction - b.direction).norm() > 1e-10 || std::abs(a.slope - b.slope) > 1e-10 ||
+             std::abs(a.constant - b.constant) > 1e-10 * std::abs(a.constant) ||
+             std::abs(a.stiffness - b.stiffness) > 1e-10 * std::abs(a.stiffness);
     }
 
     // Inputs that lead from some states and laws to these.
@@ -57,8 +60,12 @@ namespace Amontons
           const bool slips_otherwise = to[k] == ContactStatus::slip && differ(to.law(k), laws[k]);
           if ((to[k] == ContactStatus::open) != (from[k] == ContactStatus::open))
             result.emplace_back(k, NodeInput::across);
-          if (base.nodes[k].frictional && base.movable[k] && (to[k] != from[k] || slips_otherwise))
-            result.emplace_back(k, NodeInput::along);
+          const auto &node = base.nodes[k];
+          if (node.frictional && (base.movable[k] || (dim == 3 && !node.planes.empty())) &&
+              (to[k] != from[k] || slips_otherwise))
+            for (const auto input : {NodeInput::along, NodeInput::beside})
+              if ((dim == 3 || input == NodeInput::along) && tangent_of(node, input).norm() > 0)
+                result.emplace_back(k, input);
         }
       return result;
     }

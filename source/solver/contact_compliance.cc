@@ -77,7 +77,7 @@ namespace Amontons
             if (input == NodeInput::across)
               own.pressure += base.nodes[node].c;
             else
-              own.shear += base.nodes[node].c * base.nodes[node].tangent();
+              own.shear += base.nodes[node].c * tangent_of(base.nodes[node], input);
           }
       }
     return result;
@@ -102,9 +102,11 @@ namespace Amontons
     const auto  state            = base.states[node];
     const bool  across           = direction == NodeInput::across;
     if (state == ContactStatus::stick || (state == ContactStatus::slip && across))
-      add_offset(node, factor * (across ? n.normal / n.normal.norm_square() : n.tangent()), load.offset);
+      add_offset(node,
+                 factor * (across ? n.normal / n.normal.norm_square() : tangent_of(n, direction)),
+                 load.offset);
     else
-      add_force(node, factor * n.c * (across ? n.normal : n.tangent()), load.force);
+      add_force(node, factor * n.c * (across ? n.normal : tangent_of(n, direction)), load.force);
   }
 
   template <int dim>
@@ -122,6 +124,7 @@ namespace Amontons
             set(load.offset, w);
             readable = w;
             elasticity.add_internal_forces(cells_at_pivots, readable, unbalanced);
+            add_shear_stiffness(readable, unbalanced);
             unbalanced *= -1;
           }
         for (const auto &[dof, value] : load.force)
@@ -153,6 +156,7 @@ namespace Amontons
     LA::Vector unbalanced = w;
     unbalanced            = 0;
     elasticity.add_internal_forces(cells_at_pivots, readable, unbalanced);
+    add_shear_stiffness(readable, unbalanced);
     const auto at = [&](const types::global_dof_index dof) {
       const auto external = load.force.find(dof);
       return discretization.locally_owned.is_element(dof)
@@ -231,6 +235,26 @@ namespace Amontons
   }
 
   template <int dim>
+  void
+  ContactCompliance<dim>::add_shear_stiffness(const LA::Vector &w, LA::Vector &unbalanced) const
+  {
+    for (unsigned int k = 0; dim == 3 && k < base.nodes.size(); ++k)
+      {
+        const auto &node = base.nodes[k];
+        const auto &law  = base.laws[k];
+        if (base.states[k] != ContactStatus::slip || !node.frictional || !(law.stiffness > 0))
+          continue;
+        const auto slip = node.tangential(node.jump(w));
+        const auto q    = law.stiffness * (slip - (slip * law.direction) * law.direction);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (const auto &[dof, weight] : node.components[c].equation.coefficients)
+            if (discretization.locally_owned.is_element(dof))
+              unbalanced(dof) += node.area * q[c] * weight;
+      }
+    unbalanced.compress(VectorOperation::add);
+  }
+
+  template <int dim>
   NodalContact<dim>
   ContactCompliance<dim>::answer(const unsigned int         k,
                                  const LA::Vector          &w,
@@ -251,7 +275,8 @@ namespace Amontons
       }
     result.pressure = mu[e] / node.area;
     if (node.frictional)
-      result.shear = base.laws[k].slope * result.pressure * base.laws[k].direction;
+      result.shear =
+          base.laws[k].traction(result.pressure, result.slip) - base.laws[k].constant * base.laws[k].direction;
     return result;
   }
 

@@ -142,12 +142,25 @@ namespace Amontons
 
   template <int dim>
   Tensor<1, dim>
-  SlaveNode<dim>::tangent() const
+  SlaveNode<dim>::tangent(const unsigned int k) const
   {
-    Tensor<1, dim> result;
     if constexpr (dim == 2)
-      result = cross_product_2d(normal) / normal.norm();
-    return result;
+      return cross_product_2d(normal) / normal.norm();
+    else
+      {
+        if (at_ridge)
+          return directions[k + 1];
+        if (!planes.empty() && (planes.size() > 1 || k == 1))
+          return Tensor<1, dim>();
+        const auto     n = normal / normal.norm();
+        Tensor<1, dim> other; // than the normal
+        if (planes.empty())
+          other[std::abs(n[0]) < 0.6 ? 0 : std::abs(n[1]) < 0.6 ? 1 : 2] = 1;
+        else
+          other = planes[0];
+        const auto first = cross_product_3d(n, other), along = first / first.norm();
+        return k == 0 ? along : cross_product_3d(n, along);
+      }
   }
 
   template <int dim>

@@ -7,16 +7,18 @@ namespace Amontons
 {
   namespace
   {
-    // A response costs a fiftieth of a factorisation, in small systems less than their assembly does, and
-    // serves as long as the factors: those that are new may cost two. All of them take memory.
+    // A response costs a fiftieth of a factorisation, in space a hundredth, in small systems less than their
+    // assembly does, and serves as long as the factors: those that are new may cost two. All of them take
+    // memory.
+    template <int dim>
     unsigned int
     most_responses(const unsigned int            n_known,
                    const std::size_t             n_nodes,
                    const types::global_dof_index n_dofs)
     {
       constexpr std::size_t bytes = 256 << 20;
-      const std::size_t     n_new = std::max<std::size_t>(128, 400000 / n_dofs);
-      return std::min(n_known + n_new, bytes / (sizeof(NodalContact<2>) * n_nodes));
+      const std::size_t     n_new = std::max<std::size_t>(dim == 2 ? 128 : 256, 400000 / n_dofs);
+      return std::min(n_known + n_new, bytes / (sizeof(NodalContact<dim>) * n_nodes));
     }
 
     template <int dim>
@@ -84,7 +86,7 @@ namespace Amontons
   bool
   EliminatedStep<dim>::is_near_base(const Iterate<dim> &now)
   {
-    constexpr unsigned int n_most_unknown = 64;
+    constexpr unsigned int n_most_unknown = dim == 2 ? 64 : 256;
     if (!looks_ahead(now) || !kept.has_states() || !kept.solver->has_factors() || !kept.has_springs(springs))
       return false;
     const auto from = base_solution(kept.states, kept.laws, now);
@@ -244,7 +246,7 @@ namespace Amontons
   bool
   EliminatedStep<dim>::looks_ahead(const Iterate<dim> &now) const
   {
-    return dim == 2 && any_friction && problem.penalty == nullptr && now.free_modes.empty() &&
+    return any_friction && problem.penalty == nullptr && now.free_modes.empty() &&
            !looked_in_vain && kept.solver->is_direct(problem.discretization.dof_handler.n_dofs());
   }
 
@@ -286,7 +288,7 @@ namespace Amontons
     return {
         from,
         respond,
-        most_responses(kept.responses.size(), from.nodes.size(), problem.discretization.dof_handler.n_dofs()),
+        most_responses<dim>(kept.responses.size(), from.nodes.size(), problem.discretization.dof_handler.n_dofs()),
         kept.responses};
   }
 
@@ -298,7 +300,7 @@ namespace Amontons
                                   const std::vector<ContactStatus> &before,
                                   const double                      rounding)
   {
-    if (!looks_ahead(now))
+    if (dim == 3 || !looks_ahead(now)) // laws follow the slip: sets alone say little
       return pivot(now, before);
     TimerOutput::Scope scope(problem.timer, "condensed contact");
     if (!by_base)

@@ -100,7 +100,9 @@ namespace Amontons
                                             discretization.fe.degree,
                                             !problem.contact.any_friction(),
                                             problem.gives_up,
-                                            is_nearly_incompressible(discretization.scene));
+                                            SolverPurpose{
+                                              is_nearly_incompressible(discretization.scene),
+                                              problem.contact.any_friction() && problem.penalty == nullptr});
     if (!solver->is_direct(discretization.dof_handler.n_dofs()))
       solver->set_near_null_space(rigid_body_modes(discretization));
 

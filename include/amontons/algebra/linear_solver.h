@@ -44,6 +44,13 @@ namespace Amontons
     unsigned int iterations = 0;     // Krylov; 1 for a direct solve
   };
 
+  // For which a factorisation is worth more.
+  struct SolverPurpose
+  {
+    bool nearly_incompressible = false; // some material is, of which multigrid takes many steps
+    bool has_many_columns      = false; // one matrix often serves many right hand sides
+  };
+
   // Symmetric positive definite systems by CG; unsymmetric ones (slip with friction) by GMRES. While the
   // contact set moves, matrices differ by a few rows: the direct solver keeps its factorisation as the
   // preconditioner of a few Krylov steps (a change of rank k costs about k of them), and multigrid keeps its
@@ -52,14 +59,14 @@ namespace Amontons
   {
   public:
     // symmetric: that all matrices are. gives_up: asked before each solve and in every eighth Krylov
-    // step; once true, all further solves fail at once. nearly_incompressible: some material is, of which
-    // multigrid takes many steps. degree: of the elements; rows of quadratic ones in space are long.
+    // step; once true, all further solves fail at once. degree: of the elements; rows of quadratic ones in
+    // space are long.
     LinearSolver(const LinearSolverParameters &parameters,
                  const int                     dim,
                  const unsigned int            degree,
                  const bool                    symmetric,
-                 const GivesUp                &gives_up              = {},
-                 const bool                    nearly_incompressible = false);
+                 const GivesUp                &gives_up = {},
+                 const SolverPurpose          &purpose  = {});
     ~LinearSolver();
 
     // Rigid-body modes (values at all owned DoFs, by mode), or empty: translations are not enough for

@@ -21,6 +21,14 @@ namespace Amontons
   void
   keep_output_folder(const bool has_ended = true);
 
+  /// What an earlier try of the load program has left: files name_NNNN.EXT and name_NNNN.RANK.EXT of number
+  /// `first` and more, extension: a regular expression. Not collective.
+  void
+  remove_later_files(const std::string &folder,
+                     const std::string &name,
+                     const std::string &extension,
+                     const unsigned int first);
+
   /// The run has failed: if it has neither history nor checkpoint, all is as it was before the last
   /// make_output_folder. Not collective.
   void

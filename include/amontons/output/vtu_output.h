@@ -40,6 +40,10 @@ namespace Amontons
     void
     restart();
 
+    // What was written before the last restart() and not overwritten since. Not collective.
+    void
+    remove_earlier() const;
+
   private:
     using Records = std::vector<std::pair<double, std::string>>; // time and file
 

@@ -22,13 +22,21 @@ namespace Amontons
   };
 
   // What the base state of a node keeps at zero: a jump of a closed node, the pressure or the shear of an
-  // open one, the shear beyond the law of one that slips; across the surface or along it. Forces are in units
-  // of node.c, so that all inputs are lengths.
+  // open one, the shear beyond the law of one that slips; across the surface, or along its tangent (in space
+  // the first one, or beside it the second). Forces are in units of node.c, so that all inputs are lengths.
   enum class NodeInput
   {
     across,
-    along
+    along,
+    beside
   };
+
+  template <int dim>
+  Tensor<1, dim>
+  tangent_of(const SlaveNode<dim> &node, const NodeInput input)
+  {
+    return node.tangent(input == NodeInput::beside ? 1 : 0);
+  }
 
   // Of a node.
   using ContactInput = std::pair<unsigned int, NodeInput>;
@@ -42,14 +50,15 @@ namespace Amontons
   //   answer = base + sum_j x_j response_j   (doc/introduction.md, (18)),
   //
   // where the response is that to a unit of an input. Nodes that keep their state have x = 0. One that
-  // changes has as many equations as inputs (tau: its tangent),
+  // changes has as many equations as inputs (tau: its tangents; s: stiffness across the slip, in space),
   //
-  //   open: p = 0, q . tau = 0    slip: g = 0, (q - phi' p d) . tau = constant d . tau    stick: g = 0, v .
-  //   tau = 0,
+  //   open: p = 0, q . tau = 0    slip: g = 0, (q - phi' p d - s (v - (v . d) d)) . tau = constant d . tau
+  //   stick: g = 0, v . tau = 0,
   //
-  // of which nodes that stay closed need the second only, and nodes that supports hold in part the first.
+  // of which nodes that stay closed need those of tau only, and nodes that supports hold in part, other than
+  // in planes of symmetry, the first. In space all that slip change, as their laws do.
   // This is a dense system as small as the set of nodes that change (Sherman, Morrison and Woodbury's
-  // formula). Plane problems only.
+  // formula).
   template <int dim>
   class ActiveSetLookahead
   {
@@ -63,7 +72,8 @@ namespace Amontons
                        Responses<dim>          &responses);
 
     // Updates the states by what the nodes answer in them, until they stay or take too many responses (or
-    // updates, or leave a rigid motion). False if that ends where it began, in the states `before`.
+    // updates, or leave a rigid motion). False if that ends where it began, in the states `before`. Plane
+    // problems only.
     bool
     lead(NodeStates<dim>                  &states,
          const std::vector<ContactStatus> &before,

@@ -64,6 +64,9 @@ namespace Amontons
     answer(const unsigned int node, const LA::Vector &w, const std::vector<double> &mu) const;
     void
     set(const Coefficients &values, LA::Vector &owned) const;
+    // Forces of the shear across the slip, of nodes that slip in the base; w readable.
+    void
+    add_shear_stiffness(const LA::Vector &w, LA::Vector &unbalanced) const;
 
     const Discretization<dim>       &discretization;
     const ElasticityOperator<dim>   &elasticity;

@@ -409,8 +409,8 @@ namespace Amontons
   {
     TimerOutput::Scope scope(timer, "mesh");
     // Numbers are compared between meshes: where corners are all that is refined these are hardly others.
-    const double step = history.quantity.is_empty() ? 0 : 0.3;
-    const bool small_contacts = parameters.refinement.target_error > 0 &&
+    const double step           = history.quantity.is_empty() ? 0 : 0.3;
+    const bool   small_contacts = parameters.refinement.target_error > 0 &&
                                 model->mark_small_contacts(parameters.refinement, evaluation.fields);
     if (!small_contacts &&
         !model->mark_cells(parameters.refinement, evaluation.error, target_of_mesh(), step))

@@ -91,10 +91,11 @@ namespace Amontons
                const ErrorEstimate<dim>   &error,
                const double                target,
                const double                step);
-    /// Instead of mark_cells(), where contacts are far smaller than the faces that carry them: they are refined
-    /// to their size at once (adaptivity/small_contacts.h). False where there are none.
+    /// Instead of mark_cells(), where contacts are far smaller than the faces that carry them: they are
+    /// refined to their size at once (adaptivity/small_contacts.h). False where there are none.
     bool
-    mark_small_contacts(const RefinementParameters &parameters, const std::vector<SurfaceFields<dim>> &fields);
+    mark_small_contacts(const RefinementParameters            &parameters,
+                        const std::vector<SurfaceFields<dim>> &fields);
     /// After mark_cells() for a target: marks what need not be as fine any more (mark_cells_to_coarsen).
     void
     coarsen(const ErrorEstimate<dim> &error, const double target);

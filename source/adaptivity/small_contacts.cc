@@ -29,10 +29,9 @@ namespace Amontons
         {
           auto &face = result[points[q].slave_face];
           face.points.push_back(q);
-          face.force += points[q].weight * value_on_face(*interface.slave,
-                                                         fields.pressure,
-                                                         points[q].slave_face,
-                                                         points[q].xi_slave);
+          face.force +=
+              points[q].weight *
+              value_on_face(*interface.slave, fields.pressure, points[q].slave_face, points[q].xi_slave);
         }
       for (auto &face : result)
         face.force *= fields.symmetry_factor;
@@ -71,9 +70,9 @@ namespace Amontons
     {
       if (points.size() < 2 * n_terms)
         return {};
-      const auto     &all = interface.coupling.points;
-      const auto      n   = all[points[0]].normal;
-      Tensor<1, 3>    t1;
+      const auto  &all = interface.coupling.points;
+      const auto   n   = all[points[0]].normal;
+      Tensor<1, 3> t1;
       t1[std::abs(n[0]) < 0.7 ? 0 : 1] = 1;
       t1 -= (t1 * n) * n;
       t1 /= t1.norm();
@@ -120,51 +119,62 @@ namespace Amontons
     return {};
   }
 
+  namespace
+  {
+    constexpr double noteworthy = 0.05; // of the largest force
+
+    struct Spot
+    {
+      double                       force;
+      std::vector<SmallContact<3>> sides;
+    };
+
+    // Of a pair; largest: force so far.
+    void
+    add_spots(const ContactInterface<3> &interface,
+              const SurfaceFields<3>    &fields,
+              const double               modulus,
+              double                    &largest,
+              std::vector<Spot>         &spots)
+    {
+      constexpr double small  = 0.5;
+      const auto      &slave  = *interface.slave;
+      const auto       loads  = loads_of_faces(interface, fields);
+      const auto       forces = forces_around(slave, loads);
+      for (unsigned int f = 0; f < loads.size(); ++f)
+        {
+          largest = std::max(largest, forces[f]);
+          if (loads[f].force <= noteworthy * forces[f])
+            continue;
+          const auto paraboloid = fit(interface, f, loads[f].points);
+          if (!paraboloid)
+            continue;
+          const double size = std::cbrt(0.75 * forces[f] * paraboloid->radius / modulus);
+          if (size > small * slave.faces[f].size)
+            continue;
+          const auto &apex = interface.coupling.points[paraboloid->apex];
+          Spot        spot{forces[f], {{slave.body, slave.reference_position(f, apex.xi_slave), size}}};
+          if (const auto *master = interface.master_surface.get();
+              master != nullptr && apex.master_face != numbers::invalid_unsigned_int)
+            spot.sides.push_back(
+                {master->body, master->reference_position(apex.master_face, apex.xi_master), size});
+          spots.push_back(std::move(spot));
+        }
+    }
+  } // namespace
+
   template <>
   std::vector<SmallContact<3>>
   small_contacts(const Discretization<3>                &discretization,
                  const std::vector<ContactInterface<3>> &interfaces,
                  const std::vector<SurfaceFields<3>>    &fields)
   {
-    constexpr double noteworthy = 0.05, small = 0.5;
-    struct Spot
-    {
-      double                       force;
-      std::vector<SmallContact<3>> sides;
-    };
     std::vector<Spot> spots;
     double            largest = 0;
     for (unsigned int i = 0; i < interfaces.size(); ++i)
-      {
-        const auto &interface = interfaces[i];
-        if (interface.pair->tied)
-          continue;
-        const auto  &slave   = *interface.slave;
-        const double modulus = combined_modulus(discretization.scene, interface);
-        const auto   loads   = loads_of_faces(interface, fields[i]);
-        const auto   forces  = forces_around(slave, loads);
-        for (unsigned int f = 0; f < loads.size(); ++f)
-          {
-            largest = std::max(largest, forces[f]);
-            if (loads[f].force <= noteworthy * forces[f])
-              continue;
-            const auto paraboloid = fit(interface, f, loads[f].points);
-            if (!paraboloid)
-              continue;
-            const double size = std::cbrt(0.75 * forces[f] * paraboloid->radius / modulus);
-            if (size > small * slave.faces[f].size)
-              continue;
-            const auto &apex = interface.coupling.points[paraboloid->apex];
-            Spot        spot{forces[f],
-                      {{slave.body, slave.reference_position(f, apex.xi_slave), size}}};
-            if (interface.master_surface && apex.master_face != numbers::invalid_unsigned_int)
-              spot.sides.push_back({interface.master_surface->body,
-                                    interface.master_surface->reference_position(apex.master_face,
-                                                                                 apex.xi_master),
-                                    size});
-            spots.push_back(std::move(spot));
-          }
-      }
+      if (!interfaces[i].pair->tied)
+        add_spots(
+            interfaces[i], fields[i], combined_modulus(discretization.scene, interfaces[i]), largest, spots);
     std::vector<SmallContact<3>> result;
     for (const auto &spot : spots)
       if (spot.force > noteworthy * largest)
@@ -174,8 +184,7 @@ namespace Amontons
 
   template <int dim>
   unsigned int
-  mark_cells_at(const Discretization<dim>            &discretization,
-                const std::vector<SmallContact<dim>> &contacts)
+  mark_cells_at(const Discretization<dim> &discretization, const std::vector<SmallContact<dim>> &contacts)
   {
     // The boundary of a cell on a round body is outside of its vertices' box.
     constexpr double bulge = 0.2, nearby = 0.5;

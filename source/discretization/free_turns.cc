@@ -59,8 +59,9 @@ namespace Amontons
       LAPACKFullMatrix<double> through{n_rigid_motions<dim>, n_rigid_motions<dim>}, all{through};
     };
 
-    // Chords of a body's surface, in space flat faces: action(centre, vector area). An arc through three nodes
-    // of a circle leaves it in between; these are on it, in the cells that are given (known on all ranks).
+    // Chords of a body's surface, in space flat faces: action(centre, vector area). An arc through three
+    // nodes of a circle leaves it in between; these are on it, in the cells that are given (known on all
+    // ranks).
     template <int dim, typename Action>
     void
     for_each_chord(const Geometry<dim> &geometry, const unsigned int body, const Action &action)

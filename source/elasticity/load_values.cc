@@ -177,8 +177,8 @@ namespace Amontons
   GaussPolynomials<d>::evaluate(const Point<d> &point, std::vector<double> &values) const
   {
     values.resize(Utilities::fixed_power<d>(n));
-    values[0] = 1;
-    unsigned int m = 1; // values of the directions so far
+    values[0]                                   = 1;
+    unsigned int                              m = 1; // values of the directions so far
     boost::container::small_vector<double, 8> along(n);
     for (unsigned int c = d; c-- > 0; m *= n)
       {

@@ -99,7 +99,7 @@ namespace Amontons
         if (scene.bodies[b].rigid || all.size() < 2)
           continue;
         std::ostringstream text;
-        const auto hinges = parts.hinges();
+        const auto         hinges = parts.hinges();
         text << "the mesh is in " << all.size() << " parts that share no "
              << (dim == 2 ? "edge of a cell" : "face of a cell");
         if (const auto seam = parts.seam(1e-9 * geometry.body_sizes[b]); !seam.empty())

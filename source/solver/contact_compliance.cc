@@ -275,8 +275,8 @@ namespace Amontons
       }
     result.pressure = mu[e] / node.area;
     if (node.frictional)
-      result.shear =
-          base.laws[k].traction(result.pressure, result.slip) - base.laws[k].constant * base.laws[k].direction;
+      result.shear = base.laws[k].traction(result.pressure, result.slip) -
+                     base.laws[k].constant * base.laws[k].direction;
     return result;
   }
 

@@ -246,8 +246,8 @@ namespace Amontons
   bool
   EliminatedStep<dim>::looks_ahead(const Iterate<dim> &now) const
   {
-    return any_friction && problem.penalty == nullptr && now.free_modes.empty() &&
-           !looked_in_vain && kept.solver->is_direct(problem.discretization.dof_handler.n_dofs());
+    return any_friction && problem.penalty == nullptr && now.free_modes.empty() && !looked_in_vain &&
+           kept.solver->is_direct(problem.discretization.dof_handler.n_dofs());
   }
 
   // Of the system as it stands, with the constraints of `at`.
@@ -285,11 +285,11 @@ namespace Amontons
         solver = std::make_shared<ContactCompliance<dim>>(compliance(*base, from));
       return solver->respond(inputs);
     };
-    return {
-        from,
-        respond,
-        most_responses<dim>(kept.responses.size(), from.nodes.size(), problem.discretization.dof_handler.n_dofs()),
-        kept.responses};
+    return {from,
+            respond,
+            most_responses<dim>(
+                kept.responses.size(), from.nodes.size(), problem.discretization.dof_handler.n_dofs()),
+            kept.responses};
   }
 
   // Where this ends where it began, rounding speaks differently here and there: systems of the bodies decide

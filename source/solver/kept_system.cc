@@ -95,14 +95,14 @@ namespace Amontons
     forget_states();
     system = std::make_unique<EliminatedSystem>(
         discretization.locally_owned, discretization.relevant, communicator);
-    solver = std::make_unique<LinearSolver>(problem.solver_parameters,
-                                            dim,
-                                            discretization.fe.degree,
-                                            !problem.contact.any_friction(),
-                                            problem.gives_up,
-                                            SolverPurpose{
-                                              is_nearly_incompressible(discretization.scene),
-                                              problem.contact.any_friction() && problem.penalty == nullptr});
+    solver = std::make_unique<LinearSolver>(
+        problem.solver_parameters,
+        dim,
+        discretization.fe.degree,
+        !problem.contact.any_friction(),
+        problem.gives_up,
+        SolverPurpose{is_nearly_incompressible(discretization.scene),
+                      problem.contact.any_friction() && problem.penalty == nullptr});
     if (!solver->is_direct(discretization.dof_handler.n_dofs()))
       solver->set_near_null_space(rigid_body_modes(discretization));
 

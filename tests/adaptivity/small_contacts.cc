@@ -14,10 +14,10 @@ Scene
 block_on_ball(const bool tied)
 {
   ObstacleData ball;
-  ball.type   = ObstacleData::Type::sphere;
-  ball.radius = radius;
-  ball.centre = {0.6, 0.4, -radius};
-  auto body   = block("block", {-2, -2, 0}, {2, 2, 2}, {{4, 4, 2}});
+  ball.type             = ObstacleData::Type::sphere;
+  ball.radius           = radius;
+  ball.centre           = {0.6, 0.4, -radius};
+  auto body             = block("block", {-2, -2, 0}, {2, 2, 2}, {{4, 4, 2}});
   body.material.young   = young;
   body.material.poisson = poisson;
   auto scene            = scene_with_obstacle(body, "bottom", ball);
@@ -32,7 +32,7 @@ pressed(const Problem<3> &problem, const double pressure)
   SurfaceFields<3> fields;
   for (const auto &node : problem.slave().nodes)
     fields.pressure.push_back(std::max(std::abs(node.X[0] - 0.5), std::abs(node.X[1] - 0.5)) < 0.6 ? pressure
-                                                                                                 : 0.);
+                                                                                                   : 0.);
   double force = 0;
   for (const auto &p : problem.coupling().points)
     force += p.weight * value_on_face(problem.slave(), fields.pressure, p.slave_face, p.xi_slave);
@@ -50,8 +50,8 @@ test_size_and_place()
     return;
   const double size = std::cbrt(0.75 * force * radius / (young / (1 - poisson * poisson)));
   // The fit sees more than the paraboloid of the sphere's apex.
-  check::is_close(contacts[0].size, size, 0.2 * size, "Hertz's radius");
-  check::is_close(contacts[0].place.distance(Point<3>(0.6, 0.4, 0)), 0, 0.2, "its place");
+  check::is_close(contacts[0].size, size, 0.2, "Hertz's radius");
+  check::is_true(contacts[0].place.distance(Point<3>(0.6, 0.4, 0)) < 0.1, "its place");
 
   unsigned int n_rounds = 0;
   for (; n_rounds < 10 && mark_cells_at(*problem.discretization, contacts) > 0; ++n_rounds)
@@ -73,7 +73,7 @@ main(int argc, char **argv)
   {
     Problem<3> problem(block_on_ball(false), 1);
     check::is_true(
-        small_contacts(*problem.discretization, problem.interfaces, {pressed(problem, 5000).first}).empty(),
+        small_contacts(*problem.discretization, problem.interfaces, {pressed(problem, 5e4).first}).empty(),
         "half of a face is not small");
     check::is_true(
         small_contacts(*problem.discretization, problem.interfaces, {pressed(problem, 0).first}).empty(),

@@ -45,8 +45,8 @@ namespace Amontons
     // Of vectors, the part of that across a direction in it.
     Tensor<2, dim>
     across(const Tensor<1, dim> &direction) const;
-    // k < dim - 1: unit vectors along the surface, square to each other, in the planes; zero where those leave
-    // none.
+    // k < dim - 1: unit vectors along the surface, square to each other, in the planes; zero where those
+    // leave none.
     Tensor<1, dim>
     tangent(const unsigned int k = 0) const;
   };

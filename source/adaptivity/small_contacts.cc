@@ -1,6 +1,7 @@
 #include <amontons/adaptivity/error_estimator.h>
 #include <amontons/adaptivity/small_contacts.h>
 #include <amontons/adaptivity/smallest_cells.h>
+#include <amontons/base/directions.h>
 #include <amontons/contact/surface_fields.h>
 
 #include <deal.II/lac/householder.h>
@@ -70,23 +71,18 @@ namespace Amontons
     {
       if (points.size() < 2 * n_terms)
         return {};
-      const auto  &all = interface.coupling.points;
-      const auto   n   = all[points[0]].normal;
-      Tensor<1, 3> t1;
-      t1[std::abs(n[0]) < 0.7 ? 0 : 1] = 1;
-      t1 -= (t1 * n) * n;
-      t1 /= t1.norm();
-      const auto          t2     = cross_product_3d(n, t1);
-      const auto         &centre = interface.slave->faces[face].centre;
-      const double        size   = interface.slave->faces[face].size;
+      const auto         &all      = interface.coupling.points;
+      const auto          tangents = directions_left<3>({all[points[0]].normal});
+      const auto         &centre   = interface.slave->faces[face].centre;
+      const double        size     = interface.slave->faces[face].size;
       FullMatrix<double>  matrix(points.size(), n_terms);
       Vector<double>      gaps(points.size()), c(n_terms);
       std::vector<double> x1, x2;
       for (unsigned int k = 0; k < points.size(); ++k)
         {
           const auto &p = all[points[k]];
-          x1.push_back((p.x_slave - centre) * t1 / size);
-          x2.push_back((p.x_slave - centre) * t2 / size);
+          x1.push_back((p.x_slave - centre) * tangents[0] / size);
+          x2.push_back((p.x_slave - centre) * tangents[1] / size);
           matrix(k, 0) = 1;
           matrix(k, 1) = x1[k];
           matrix(k, 2) = x2[k];

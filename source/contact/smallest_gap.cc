@@ -178,7 +178,9 @@ namespace Amontons
     double result = std::min(points.smallest, descend(gap, places[lowest - gaps.begin()], 1. / line.size()));
     for (const unsigned int other : points.opposite)
       for (const unsigned int node : interface.master_surface->faces[other].nodes)
-        result = std::min(result, gap.to_node(node));
+        if (interface.master_surface->nodes[node]
+                .parents.empty()) // else it is on a chord of the true surface
+          result = std::min(result, gap.to_node(node));
     return result;
   }
 

@@ -137,14 +137,28 @@ namespace Amontons
 
     // Over the overlap: at its points and at the nodes of faces that are covered whole. Nodal values beyond
     // an edge of the other body are continuations.
+    // On faces that the other side covers in part, no more than at the nodes that it covers: what a sliver
+    // bears may be anything.
     template <int dim>
     double
-    peak(const ContactInterface<dim> &interface, const std::vector<double> &pressure)
+    peak(const ContactInterface<dim> &interface,
+         const std::vector<double>   &pressure,
+         const std::vector<bool>     &is_covered)
     {
       const auto &slave   = *interface.slave;
       double      largest = 0;
       for (const auto &p : interface.coupling.points)
-        largest = std::max(largest, value_on_face(slave, pressure, p.slave_face, p.xi_slave));
+        {
+          double value = value_on_face(slave, pressure, p.slave_face, p.xi_slave);
+          if (interface.coupling.whole_faces.count(p.slave_face) == 0)
+            {
+              double most = 0;
+              for (const unsigned int node : slave.faces[p.slave_face].nodes)
+                most = std::max(most, is_covered[node] ? pressure[node] : 0);
+              value = std::min(value, most);
+            }
+          largest = std::max(largest, value);
+        }
       for (const unsigned int f : interface.coupling.whole_faces)
         for (const unsigned int node : slave.faces[f].nodes)
           largest = std::max(largest, pressure[node]);
@@ -448,7 +462,8 @@ namespace Amontons
       fields.normal_force[0] = fields.tangential_force[0] = 0;
     add_resultants(discretization, interface, fields);
     fields.pressure      = control_to_nodal(slave, project(interface, pressures, true));
-    fields.peak_pressure = peak(interface, fields.pressure);
+    fields.is_covered    = covered_nodes(interface, axisymmetric);
+    fields.peak_pressure = peak(interface, fields.pressure, fields.is_covered);
     if (interface.pair->has_friction())
       {
         const auto unused   = control_to_nodal(slave, project(interface, unused_shears));
@@ -459,7 +474,6 @@ namespace Amontons
           fields.stick_size = 0;
         fields.bound = control_to_nodal(slave, project(interface, bounds, true));
       }
-    fields.is_covered = covered_nodes(interface, axisymmetric);
     if (interface.pair->tied || interface.pair->has_friction())
       add_tractions(discretization, interface, tangential, was_open, fields);
     return fields;

@@ -48,6 +48,22 @@ namespace Amontons
       return motions;
     }
 
+    // That of the bodies, unless they are far from the reference: what a carrier's nodes say would be
+    // multiples of their differences there.
+    template <int dim>
+    double
+    size_of_carrier(const MotionData &motion, const Geometry<dim> &geometry, const double size_of_bodies)
+    {
+      constexpr double far = 100;
+      Point<dim>       reference;
+      for (unsigned int d = 0; d < dim; ++d)
+        reference[d] = motion.reference[d];
+      double distance = 0;
+      for (const auto &centre : geometry.body_centres)
+        distance = std::max(distance, reference.distance(centre));
+      return distance > far * size_of_bodies ? distance : size_of_bodies;
+    }
+
     // The coarse mesh of all bodies and carriers.
     template <int dim>
     struct Assembly
@@ -236,7 +252,7 @@ namespace Amontons
         geometry.carriers.push_back(
             {static_cast<types::material_id>(geometry.n_bodies + geometry.carriers.size()),
              motion,
-             largest > 0 ? largest : 1.});
+             size_of_carrier(motion, geometry, largest > 0 ? largest : 1.)});
         if (scene.kind == ProblemType::axisymmetric)
           geometry.carriers.back().motion.reference[0] = 0;
         add_carrier(geometry.carriers.back(), assembly);

@@ -150,16 +150,11 @@ namespace Amontons
       {
         if (at_ridge)
           return directions[k + 1];
-        if (!planes.empty() && (planes.size() > 1 || k == 1))
-          return Tensor<1, dim>();
-        const auto     n = normal / normal.norm();
-        Tensor<1, dim> other; // than the normal
-        if (planes.empty())
-          other[std::abs(n[0]) < 0.6 ? 0 : std::abs(n[1]) < 0.6 ? 1 : 2] = 1;
-        else
-          other = planes[0];
-        const auto first = cross_product_3d(n, other), along = first / first.norm();
-        return k == 0 ? along : cross_product_3d(n, along);
+        auto       held   = planes;
+        const auto across = without(normal, planes);
+        held.push_back(across / across.norm());
+        const auto left = directions_left(held);
+        return k < left.size() ? left[k] : Tensor<1, dim>();
       }
   }
 

@@ -55,6 +55,40 @@ namespace Amontons
       double     at_first = std::numeric_limits<double>::lowest(), now = at_first;
       Point<dim> where;
     };
+
+    // Whether a boundary of the body that lay in the plane is taken beyond it, as the scene says (the section
+    // in which a bolt is tightened).
+    template <int dim>
+    bool
+    is_driven_beyond(const Discretization<dim> &discretization,
+                     const unsigned int         body,
+                     const Plane<dim>          &plane,
+                     const LA::Vector          &u,
+                     const double               near,
+                     const double               far)
+    {
+      using Type     = ConditionData::Type;
+      bool is_driven = false;
+      for (const auto &condition : discretization.scene.conditions)
+        if (condition.type == Type::displacement || condition.type == Type::platen)
+          for (const auto &name : condition.boundaries)
+            if (const auto &boundary = discretization.geometry.boundary(name, discretization.scene);
+                boundary.body == body)
+              for_each_face(discretization, boundary.id, [&](const auto &cell, const unsigned int f) {
+                bool was_in_plane = true, is_beyond = true;
+                for (const unsigned int v : cell->face(f)->vertex_indices())
+                  {
+                    const double before = plane.outward * (cell->face(f)->vertex(v) - plane.at);
+                    double       moved  = 0;
+                    for (unsigned int c = 0; c < dim; ++c)
+                      moved += plane.outward[c] * u(cell->face(f)->vertex_dof_index(v, c));
+                    was_in_plane = was_in_plane && std::abs(before) <= near;
+                    is_beyond    = is_beyond && before + moved > far;
+                  }
+                is_driven = is_driven || (was_in_plane && is_beyond);
+              });
+      return Utilities::MPI::max(is_driven ? 1 : 0, discretization.geometry.communicator) == 1;
+    }
   } // namespace
 
   template <int dim>
@@ -95,7 +129,9 @@ namespace Amontons
         const double size     = discretization.geometry.body_sizes[where.first];
         const double at_first = Utilities::MPI::max(mine.at_first, communicator);
         const auto   now      = Utilities::MPI::min_max_avg(mine.now, communicator);
-        if (at_first <= 1e-6 * size && now.max > 1e-3 * size)
+        const double near = 1e-6 * size, far = 1e-3 * size;
+        if (at_first <= near && now.max > far &&
+            !is_driven_beyond(discretization, where.first, planes[where.second], u, near, far))
           result.push_back(Utilities::MPI::broadcast(communicator, mine.where, now.max_index));
       }
     return result;

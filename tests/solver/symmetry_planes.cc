@@ -54,6 +54,16 @@ check_block()
   check::is_true(beyond<dim>(scene, [](const auto &) { return 0.; }).empty(), name + "at rest");
   check::is_true(beyond<dim>(scene, [](const auto &X) { return X[0] > 2.5 ? -1.9 : 0.; }).empty(),
                  name + "the far side comes near to the plane");
+  // The section in which a bolt is tightened: it is taken beyond the plane, and its image likewise.
+  auto          with_bolt = scene;
+  ConditionData section;
+  section.type       = ConditionData::Type::displacement;
+  section.boundaries = {{"it", "left", {}}};
+  with_bolt.conditions.push_back(section);
+  check::is_true(beyond<dim>(with_bolt, [](const auto &X) { return X[0] < 1.01 ? -0.5 : 0.; }).empty(),
+                 name + "a section that is driven beyond the plane");
+  check::is_true(beyond<dim>(with_bolt, [](const auto &X) { return X[0] > 2.5 ? -2.5 : 0.; }).size() == 1,
+                 name + "the far side beyond the plane, of such a body, too");
   const auto turned = beyond<dim>(scene, [](const auto &X) { return X[0] > 2.5 && X[1] > 1.5 ? -2.5 : 0.; });
   check::is_true(turned.size() == 1, name + "a corner beyond the plane");
   if (!turned.empty())

@@ -2266,5 +2266,5 @@ add_scene_test(NAME plate_on_three_balls SCENE verification/plate_on_three_balls
 add_scene_test(NAME pin_longer_than_its_seat SCENE verification/pin_longer_than_its_seat.prm
                CHECK "status is converged" "meshes.:.pairs.0.approach <= 0.01" "pairs.0.approach ~ 0.0087 0.01" "pairs.0.peak_pressure <= 200")
 # Bodies 2,500 of their sizes away from the reference of what they touch ("nothing holds the rigid motion along y").
-add_scene_test(NAME far_from_the_origin SCENE verification/displaced_bump.prm SET "Body block/Shift=1e4, 0" "Boundary condition top/Type=traction" "Boundary condition top/Value=0|-1" "Refinement/Target error=0"
+add_scene_test(NAME far_from_its_carrier SCENE verification/displaced_bump.prm SET "Body block/Shift=1e4, 0" "Boundary condition top/Type=traction" "Boundary condition top/Value=0|-1" "Refinement/Target error=0"
                CHECK "status is converged" "pairs.0.normal_force.1 ~ 4 1e-6")

@@ -176,10 +176,10 @@ namespace Amontons
       gaps.push_back(gap(xi));
     const auto lowest = std::min_element(gaps.begin(), gaps.end());
     double result = std::min(points.smallest, descend(gap, places[lowest - gaps.begin()], 1. / line.size()));
+    // (Hanging nodes are on chords of the true surface.)
     for (const unsigned int other : points.opposite)
       for (const unsigned int node : interface.master_surface->faces[other].nodes)
-        if (interface.master_surface->nodes[node]
-                .parents.empty()) // else it is on a chord of the true surface
+        if (const auto &parents = interface.master_surface->nodes[node].parents; parents.empty())
           result = std::min(result, gap.to_node(node));
     return result;
   }

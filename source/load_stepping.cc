@@ -409,8 +409,9 @@ namespace Amontons
   {
     TimerOutput::Scope scope(timer, "mesh");
     // Numbers are compared between meshes: where corners are all that is refined these are hardly others.
-    const double step           = history.quantity.is_empty() ? 0 : 0.3;
-    const bool   small_contacts = parameters.refinement.target_error > 0 &&
+    const double step = history.quantity.is_empty() ? 0 : 0.3;
+    // (Without a history meshes on the way are cheap.)
+    const bool small_contacts = has_history() && parameters.refinement.target_error > 0 &&
                                 model->mark_small_contacts(parameters.refinement, evaluation.fields);
     if (!small_contacts &&
         !model->mark_cells(parameters.refinement, evaluation.error, target_of_mesh(), step))
@@ -441,7 +442,8 @@ namespace Amontons
     history.fallback_mesh = model->mesh->n_refinements - 1;
     if (small_contacts)
       {
-        history.quantity.compare_with_unseen();
+        if (always_converges(parameters.refinement.target_quantity)) // sizes and peaks were none
+          history.quantity.compare_with_unseen();
         history.path.clear(); // what large faces touched says nothing of what touches now
       }
     return true;

@@ -33,6 +33,8 @@ namespace Amontons
     else
       settle();
     meshes.push_back({n_dofs, values, doubts});
+    if (unseen && meshes.front().n_dofs == 0 && half_of(meshes.size() - 1) > 0)
+      meshes.erase(meshes.begin());
   }
 
   void

@@ -24,8 +24,8 @@ namespace Amontons
     /// Of a mesh that does not see all that touches: no other is compared with it, nor with those before.
     void
     add_unseen(const std::vector<double> &values);
-    /// Those that follow are, whatever their DoFs: faces are so much smaller where bodies touch that they
-    /// cannot miss the same.
+    /// Those that follow are, whatever their DoFs, until others can be: faces are so much smaller where
+    /// bodies touch that they cannot miss the same.
     void
     compare_with_unseen();
 

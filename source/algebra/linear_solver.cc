@@ -26,7 +26,8 @@ namespace Amontons
         type,
         "direct (a sparse factorisation), cg (conjugate gradients with algebraic multigrid) or "
         "automatic: direct for plane problems up to 150000 unknowns and 3D ones up to 5000 (40000 with "
-        "quadratic elements, 30000 where a Poisson ratio is 0.49 or more).",
+        "quadratic elements, 30000 where a Poisson ratio is 0.49 or more; with friction and small strain "
+        "20000, and 100000 with quadratic elements).",
         Patterns::Selection("automatic|direct|cg"));
     prm.add_parameter(
         "Direct package",

@@ -408,7 +408,7 @@ CHANGES = [
     ("the second tangent", "solver/active_set_lookahead.cc", "if ((dim == 3 || input == NodeInput::along) &&", "if (input == NodeInput::along &&", "scenes/plate_on_three_balls$"),
     ("shear across the slip", "solver/contact_compliance.cc", "unbalanced(dof) += node.area * q[c] * weight;", "(void)weight;", "scenes/plate_on_three_balls$"),
     ("nodes on chords", "contact/smallest_gap.cc", "parents; parents.empty())", "parents; parents.empty() || true)", "scenes/pin_longer_than_its_seat$"),
-    ("peaks of slivers", "contact/surface_fields.cc", "value = std::min(value, most);", "(void)most;", "scenes/pin_longer_than_its_seat$"),
+    ("peaks of slivers", "contact/surface_fields.cc", "value = most < 0 ? value : std::min(value, most);", "(void)most;", "scenes/pin_longer_than_its_seat$"),
     ("carriers far away", "geometry/geometry.cc", "constexpr double far = 100;", "constexpr double far = 1e100;", "scenes/far_from_its_carrier$"),
     ("sections that are driven", "solver/symmetry_planes.cc", "is_driven = is_driven || (was_in_plane && is_beyond);", "(void)is_beyond;", "^solver/symmetry_planes$"),
     ("ends of lines", "adaptivity/unseen_contact.cc", "if (n_faces[i] == 1 &&", "if (n_faces[i] == 9 &&", "scenes/rough_leaves$"),

@@ -137,8 +137,7 @@ namespace Amontons
 
     // Over the overlap: at its points and at the nodes of faces that are covered whole. Nodal values beyond
     // an edge of the other body are continuations.
-    // On faces that the other side covers in part, no more than at the nodes that it covers: what a sliver
-    // bears may be anything.
+    // On faces of which nodes are covered but not the whole, no more than at these: slivers bear anything.
     template <int dim>
     double
     peak(const ContactInterface<dim> &interface,
@@ -152,10 +151,10 @@ namespace Amontons
           double value = value_on_face(slave, pressure, p.slave_face, p.xi_slave);
           if (interface.coupling.whole_faces.count(p.slave_face) == 0)
             {
-              double most = 0;
+              double most = -1; // where nodes are covered
               for (const unsigned int node : slave.faces[p.slave_face].nodes)
-                most = std::max(most, is_covered[node] ? pressure[node] : 0);
-              value = std::min(value, most);
+                most = std::max(most, is_covered[node] ? pressure[node] : -1);
+              value = most < 0 ? value : std::min(value, most);
             }
           largest = std::max(largest, value);
         }

@@ -35,7 +35,7 @@ GROUPS = [
      "verification/pulled_strip verification/punch_small_and_finite verification/punch_with_flanks verification/column_with_stop verification/squeezed_rod verification/sliding_pad verification/snap_hook verification/turning_shaft verification/torque_beyond_friction"),
     ("In space", "half_space_box hertz_sphere two_spheres crossed_cylinders mindlin_sphere ironing_3d walk/pin_in_lug_3d sphere_on_block_scaling verification/three_spheres "
      "verification/oblique_drag verification/lifted_off verification/round_punch_3d verification/patch_friction_3d verification/shrink_fit_spheres_3d verification/cap_in_seat_3d"),
-    ("Surfaces of CAD, meshes of gmsh", "step_file verification/polygon_roller verification/curve_in_steps verification/patch_3d_irregular verification/patch_3d_step"),
+    ("Surfaces of CAD, meshes of gmsh", "step_file verification/shaft_and_hub verification/polygon_roller verification/curve_in_steps verification/patch_3d_irregular verification/patch_3d_step"),
     ("Benchmarks, and scenes of other programs", "nafems_roller nafems_roller_friction nafems_punch nafems_punch_friction verification/peers_cylinder verification/peers_shear "
      "verification/peers_sphere verification/peers_sphere_3d"),
     ("Patch tests and stacks", "patch_test patch_test_3d three_blocks three_blocks_3d verification/patch_pressure verification/patch_confined verification/patch_hanging_nodes "

@@ -81,6 +81,29 @@ namespace Amontons
         }
   }
 
+  // Motion that is damped loses what the loads do, and overlaps that are there from the start do work.
+  template <int dim>
+  void
+  RunReport<dim>::note_sums_of_work(const Ending &ending)
+  {
+    constexpr double much    = 0.05;
+    const auto      &work    = ending.history.work;
+    const double     gap     = std::abs(work.contact_work - work.dissipation);
+    const bool overlaps_fade = std::any_of(scene.pairs.begin(), scene.pairs.end(), [](const auto &pair) {
+      return pair.initial_gap && pair.initial_gap->value(Point<3>(), 0) < 0;
+    });
+    if (!ending.history.snaps.empty() || overlaps_fade || gap <= much * work.largest_work)
+      return;
+    std::ostringstream text;
+    text.precision(3);
+    text << (ending.refinement.target_quantity == "dissipation" ? "warning: " : "")
+         << "the external work or that of friction is off by about " << gap / work.largest_work
+         << " of the largest external work, as far as the work of contact is from that of friction: both are "
+            "sums over increments, of the mean of what acts at their ends, and these are too long for it: "
+            "more 'Increments' mend that (the stored energy does not suffer from it)";
+    note(text.str());
+  }
+
   template <int dim>
   void
   RunReport<dim>::note_rough_pressure(const Ending &ending)
@@ -308,6 +331,10 @@ namespace Amontons
   RunReport<2>::note_facets(const std::vector<ContactInterface<2>> &, const ErrorEstimate<2> &);
   template void
   RunReport<3>::note_facets(const std::vector<ContactInterface<3>> &, const ErrorEstimate<3> &);
+  template void
+  RunReport<2>::note_sums_of_work(const Ending &);
+  template void
+  RunReport<3>::note_sums_of_work(const Ending &);
   template void
   RunReport<2>::note_rough_pressure(const Ending &);
   template void

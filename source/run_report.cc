@@ -377,14 +377,15 @@ namespace Amontons
     if (summary.increments)
       summary.error_estimate.increments = summary.increments->of(ending.refinement.target_quantity);
     if (last.external_work)
-      add_energy_checks(ending.history, answer.elasticity.finite_strain());
+      add_energy_checks(ending, answer.elasticity.finite_strain());
   }
 
   // The balance of W, the stored energy and the contact work, and dissipation >= 0, relative to the work.
   template <int dim>
   void
-  RunReport<dim>::add_energy_checks(const LoadHistory<dim> &history, const bool finite_strain)
+  RunReport<dim>::add_energy_checks(const Ending &ending, const bool finite_strain)
   {
+    const auto  &history  = ending.history;
     const auto  &work     = history.work;
     const double negative = work.largest_work > 0 ? -work.smallest_dissipation / work.largest_work : 0;
     summary.checks["energy_balance"]       = work.energy_error;
@@ -396,17 +397,9 @@ namespace Amontons
     if (negative > 1e-9)
       text << (text.str().empty() ? "" : "; ") << "an increment had a negative dissipation, " << negative
            << " of the work";
-    // Motion that is damped loses what the loads do.
-    constexpr double much = 0.05;
-    const double     gap  = std::abs(work.contact_work - work.dissipation);
-    if (history.snaps.empty() && gap > much * work.largest_work)
-      text << (text.str().empty() ? "" : "; ") << "the external work or that of friction is off by about "
-           << gap / work.largest_work
-           << " of the largest external work, as far as the work of contact is from that of friction: both "
-              "are sums over increments, of the mean of what acts at their ends, and these are too long for "
-              "it: more 'Increments' mend that (the stored energy does not suffer from it)";
     if (text.str() != "")
       note("warning: " + text.str());
+    note_sums_of_work(ending);
     if (history.transfer_residual > 0)
       {
         summary.checks["transfer_residual"] = history.transfer_residual;

@@ -452,6 +452,10 @@ def scenes():
     mesh("mesh .msh 2.2", "m.msh", MSH2, None)
     mesh("mesh .msh 4.1", "m.msh", MSH4, None, ranks=2)
     mesh("mesh .inp", "m.inp", INP, None)
+    for name, text in [("m.msh", MSH2), ("m.inp", INP)]:
+        case(f"part that is not in the file, {name}", {"scene.prm": ONE_BODY % f"  set Mesh = {name}\n  set Part = alll", name: text},
+             r"^scene\.prm:1: Body block: the mesh file has no part 'alll' \(did you mean 'all'\?\); allowed: all", ranks=2 if name == "m.msh" else 1)
+    case("part of a shape", ONE_BODY % "  set Mesh = disk\n  set Radius = 1\n  set Part = all", r"^scene\.prm:4: Body block/Part: .*for Mesh = disk")
     mesh("mesh with Windows line ends", "m.msh", MSH2.replace("\n", "\r\n").encode(), None)
     seam = MSH2.replace("$Nodes\n6", "$Nodes\n8").replace("6 2 1 0\n", "6 2 1 0\n7 1 0 0\n8 1 1 0\n").replace("2 5 6 3", "7 5 6 8")
     mesh("mesh with a seam", "m.msh", seam, r"^scene\.prm:1: Body block: the mesh is in 2 parts that share no edge of a cell, though 2 of one are where another has one, too, as at \(1 [01]\)", ranks=2)

@@ -190,12 +190,14 @@ namespace Amontons
     void
     add_answer(const Answer<dim> &answer, const Ending &ending);
     void
-    add_energy_checks(const LoadHistory<dim> &history, const bool finite_strain);
+    add_energy_checks(const Ending &ending, const bool finite_strain);
     // run_notes.cc
     void
     note_untouched_pairs();
     void
     note_facets(const std::vector<ContactInterface<dim>> &interfaces, const ErrorEstimate<dim> &error);
+    void
+    note_sums_of_work(const Ending &ending);
     void
     note_rough_pressure(const Ending &ending);
     void

@@ -61,7 +61,8 @@ namespace Amontons
                     const SurfaceApproach<dim>  &approach,
                     const double                 weight_of_pair,
                     const double                 doubt,
-                    const bool                   is_unresolved) // and too light to count in full
+                    const bool                   is_unresolved, // and too light to count in full
+                    const bool                   has_geometric_gap)
       {
         const ContactSurface<dim> &slave = *interface.slave;
         std::vector<bool>          has_row(slave.nodes.size(), false);
@@ -84,7 +85,7 @@ namespace Amontons
             tractions_of_master(discretization, recovery, interface, points, face_loads),
             weight_of_pair,
             doubt * doubt - 1};
-        facets_of.push_back(facet_error(interface, fields, modulus));
+        facets_of.push_back(has_geometric_gap ? facet_error(interface, fields, modulus) : FacetError());
         facets_of.back().pressure *= weight_of_pair;
         const auto is_unseen =
             is_unresolved
@@ -468,7 +469,8 @@ namespace Amontons
                                SurfaceApproach<dim>(discretization, interfaces[i], displacement),
                                weights[i],
                                doubts.empty() ? 1. : doubts[i],
-                               is_unresolved[i] && weights[i] >= largest_pair_weight * (1 - 1e-12));
+                               is_unresolved[i] && weights[i] >= largest_pair_weight * (1 - 1e-12),
+                               finite_strain || !interfaces[i].pair->initial_gap);
     return estimation.result();
   }
 

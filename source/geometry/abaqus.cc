@@ -27,30 +27,37 @@ namespace Amontons
     class AbaqusParser
     {
     public:
-      AbaqusParser(MeshText &text, const unsigned int dim) : text(text), dim(dim) {}
+      AbaqusParser(MeshText &text, const unsigned int dim, const std::string &part)
+          : text(text), dim(dim), part(upper_case(part))
+      {
+      }
 
       FileMesh
       parse()
       {
+        find_parts();
+        if (parts.size() > 1 && parts.count(part) == 0)
+          {
+            for (const auto &[upper, name] : parts)
+              mesh.parts.insert(name);
+            return mesh;
+          }
         while (text.next_line())
           if (is_keyword())
             {
               read_keyword();
-              if (keyword == "*NODE")
-                read_nodes();
-              else if (keyword == "*ELEMENT")
-                read_elements();
-              else if (keyword == "*NSET")
-                read_set(node_sets, need("NSET"));
-              else if (keyword == "*ELSET")
-                read_set(element_sets, need("ELSET"));
-              else if (keyword == "*SURFACE" && (options.count("TYPE") == 0 || options["TYPE"] == "ELEMENT"))
-                read_surface();
-              else if (keyword == "*INSTANCE" && next_data_line())
-                text.fail("an instance that is moved", "the nodes of the part at their place");
+              if (keyword == "*PART")
+                inside = options["NAME"];
+              else if (keyword == "*ENDPART")
+                inside.clear();
+              else if (keyword == "*INSTANCE")
+                read_instance();
+              else if (!is_of_another(inside))
+                read_mesh();
             }
         if (mesh.nodes.empty())
           text.fail("the file has no nodes", "*NODE and *ELEMENT");
+        keep_cells();
         add_element_sets();
         add_node_sets();
         return mesh;
@@ -62,6 +69,97 @@ namespace Amontons
         unsigned int                dim;
         std::array<unsigned int, 8> nodes;
       };
+
+      struct OtherElement
+      {
+        long        id;
+        const char *kind;
+        int         line;
+      };
+
+      // Parts number their nodes and elements each for itself: where there are several, one of them is read.
+      void
+      find_parts()
+      {
+        std::string name;
+        while (text.next_line())
+          if (is_keyword())
+            {
+              read_keyword();
+              if (keyword == "*PART")
+                name = need("NAME");
+              else if (keyword == "*ENDPART")
+                name.clear();
+              else if (keyword == "*ELEMENT" && !name.empty())
+                parts.emplace(upper_case(name), name);
+            }
+        text.rewind();
+      }
+
+      // than the one that is read, if that is a *PART
+      bool
+      is_of_another(const std::string &name) const
+      {
+        return !name.empty() && parts.count(part) > 0 && name != part;
+      }
+
+      // "*INSTANCE, NAME=shaft-1, PART=shaft": sets of the assembly are told of instances.
+      void
+      read_instance()
+      {
+        part_of_instance[options["NAME"]] = options["PART"];
+        if (!is_of_another(options["PART"]) && next_data_line())
+          text.fail("an instance that is moved", "the nodes of the part at their place");
+      }
+
+      bool
+      is_of_another_instance(const std::string_view name) const
+      {
+        const auto entry = part_of_instance.find(upper_case(name));
+        return entry != part_of_instance.end() && is_of_another(entry->second);
+      }
+
+      void
+      read_mesh()
+      {
+        if (keyword == "*NODE")
+          read_nodes();
+        else if (keyword == "*ELEMENT")
+          read_elements();
+        else if (keyword == "*NSET")
+          read_set(node_sets, need("NSET"));
+        else if (keyword == "*ELSET")
+          read_set(element_sets, need("ELSET"));
+        else if (keyword == "*SURFACE" && (options.count("TYPE") == 0 || options["TYPE"] == "ELEMENT"))
+          read_surface();
+      }
+
+      // Cells of other kinds than hexahedra, too. Of the whole file, or *PART, or of an element set.
+      void
+      keep_cells()
+      {
+        const bool           all = part.empty() || parts.count(part) > 0;
+        std::set<long>       of_part;
+        const std::set<long> ids(cell_ids.begin(), cell_ids.end());
+        for (const AbaqusSet &s : element_sets.all)
+          if (!all)
+            {
+              const auto members = element_sets.members(s.name, text);
+              if (upper_case(s.name) == part)
+                of_part.insert(members.begin(), members.end());
+              if (std::any_of(
+                      members.begin(), members.end(), [&](const long id) { return ids.count(id) > 0; }))
+                mesh.parts.insert(s.name);
+            }
+        std::vector<FileMesh::Cell> cells;
+        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+          if (all || of_part.count(cell_ids[c]) > 0)
+            cells.push_back(mesh.cells[c]);
+        mesh.cells = cells;
+        for (const OtherElement &other : others)
+          if (all || of_part.count(other.id) > 0)
+            mesh.add_other(other.kind, other.line);
+      }
 
       bool
       is_keyword() const
@@ -180,7 +278,7 @@ namespace Amontons
         if (t.kind != nullptr)
           {
             if (t.dim == dim)
-              mesh.add_other(t.kind, text);
+              others.push_back({numbers[0], t.kind, line});
             return;
           }
         if (!elements.emplace(numbers[0], element).second)
@@ -188,6 +286,7 @@ namespace Amontons
         if (t.dim != dim)
           return;
         mesh.cells.push_back({element.nodes, line});
+        cell_ids.push_back(numbers[0]);
         std::vector<unsigned int> middle;
         for (unsigned int v = t.n_corners; v < t.n_nodes; ++v)
           middle.push_back(mesh.node(numbers[1 + v], text));
@@ -215,6 +314,8 @@ namespace Amontons
       {
         const bool generate = options.count("GENERATE") > 0;
         AbaqusSet &target   = sets.at(name);
+        if (is_of_another_instance(options["INSTANCE"]))
+          return; // a set without members here, which surfaces may name
         while (next_data_line())
           {
             const auto fields = text.fields(',');
@@ -231,7 +332,9 @@ namespace Amontons
               }
             else
               for (const auto &field : fields)
-                if (const auto entry = without_instance(field); is_number(entry))
+                if (is_of_another_instance(field.substr(0, field.rfind('.'))))
+                  continue;
+                else if (const auto entry = without_instance(field); is_number(entry))
                   target.ids.push_back(text.integer(entry));
                 else if (!entry.empty())
                   target.sets.push_back(entry);
@@ -260,12 +363,14 @@ namespace Amontons
             const auto face   = fields.size() < 2 ? std::string() : upper_case(fields[1]);
             if (face.size() != 2 || face[0] != 'S' || face[1] < '1' || face[1] > char('0' + faces.size()))
               text.fail("a surface on face '" + face + "'", "S1 to S" + std::to_string(faces.size()));
+            if (is_of_another_instance(fields[0].substr(0, fields[0].rfind('.'))))
+              continue;
             const auto entry = without_instance(fields[0]);
             for (const long id : is_number(entry) ? std::vector<long>{text.integer(entry)}
                                                   : element_sets.members(entry, text))
               {
                 const auto element = elements.find(id);
-                if (element == elements.end() && mesh.n_others > 0)
+                if (element == elements.end() && !others.empty())
                   continue; // a triangle or tetrahedron, which is reported in the end
                 if (element == elements.end() || element->second.dim != dim)
                   text.fail("there is no cell " + std::to_string(id), "surfaces of the elements above");
@@ -294,7 +399,7 @@ namespace Amontons
                   }
       }
 
-      // Faces all of whose corners are in the set; a set of all nodes is no boundary.
+      // Faces all of whose corners are in the set; a set of all nodes of cells is no boundary.
       void
       add_node_sets()
       {
@@ -304,7 +409,11 @@ namespace Amontons
             std::vector<bool> inside(mesh.nodes.size(), false);
             for (const long id : node_sets.members(s.name, text))
               inside[mesh.node(id, text)] = true;
-            if (std::find(inside.begin(), inside.end(), false) == inside.end())
+            if (std::all_of(mesh.cells.begin(), mesh.cells.end(), [&](const auto &cell) {
+                  return std::all_of(cell.nodes.begin(), cell.nodes.begin() + (1 << dim), [&](const auto v) {
+                    return inside[v];
+                  });
+                }))
               continue;
             for (const auto &cell : mesh.cells)
               for (const auto &corners : faces)
@@ -323,7 +432,13 @@ namespace Amontons
       MeshText                          &text;
       const unsigned int                 dim;
       FileMesh                           mesh;
+      const std::string                  part; // in upper case, as are the names of parts and instances
+      std::string                        inside;
+      std::map<std::string, std::string> parts; // with elements, and as they are written
+      std::map<std::string, std::string> part_of_instance;
       std::unordered_map<long, Element>  elements;
+      std::vector<long>                  cell_ids;
+      std::vector<OtherElement>          others;
       AbaqusSets                         node_sets, element_sets;
       std::string                        keyword;
       std::map<std::string, std::string> options, values;
@@ -331,8 +446,8 @@ namespace Amontons
   } // namespace
 
   FileMesh
-  parse_abaqus(MeshText &text, const unsigned int dim)
+  parse_abaqus(MeshText &text, const unsigned int dim, const std::string &part)
   {
-    return AbaqusParser(text, dim).parse();
+    return AbaqusParser(text, dim, part).parse();
   }
 } // namespace Amontons

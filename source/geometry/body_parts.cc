@@ -118,8 +118,7 @@ namespace Amontons
           text << " (" << examples[k] << ")";
         text << (hinges.empty() ? ": nothing holds them together" : ": nothing else holds them together");
         sentences.push_back("body '" + scene.bodies[b].name + "': " + text.str() +
-                            "; if that is not meant, merge them, or make each a body of its own, with a mesh "
-                            "file of its own");
+                            "; if that is not meant, merge them, or make each a body of its own ('Part')");
       }
     return sentences;
   }

@@ -91,7 +91,10 @@ namespace Amontons
     class GmshParser
     {
     public:
-      GmshParser(MeshText &text, const unsigned int dim) : text(text), dim(dim) {}
+      GmshParser(MeshText &text, const unsigned int dim, const std::string &part)
+          : text(text), dim(dim), part(part)
+      {
+      }
 
       FileMesh
       parse()
@@ -179,8 +182,8 @@ namespace Amontons
             const std::size_t first = whole.find('"'), last = whole.rfind('"');
             if (first == std::string::npos || last <= first)
               text.fail("damaged $PhysicalNames: no name in quotes", "dimension number \"name\"");
-            if (text.integer(fields[0]) == dim - 1)
-              group_names[text.integer(fields[1])] = whole.substr(first + 1, last - first - 1);
+            if (const long d = text.integer(fields[0]); d == dim - 1 || d == dim)
+              group_names[d == dim][text.integer(fields[1])] = whole.substr(first + 1, last - first - 1);
           }
         end("$PhysicalNames");
       }
@@ -198,8 +201,8 @@ namespace Amontons
               if (n < 0 || fields.size() - (at + 1) < std::size_t(n))
                 text.fail("damaged $Entities: " + std::to_string(n) + " physical groups are announced",
                           "as many as the line names");
-              if (d == dim - 1 && n > 0)
-                entity_groups[text.integer(fields[0])] = text.integer(fields[at + 1]);
+              for (long k = 1; (d == dim - 1 || d == dim) && k <= n; ++k)
+                entity_groups[d == dim][text.integer(fields[0])].push_back(text.integer(fields[at + k]));
             }
         end("$Entities");
       }
@@ -258,29 +261,52 @@ namespace Amontons
                   "quadrilaterals and hexahedra of order 1 to 3 (Mesh.ElementOrder = 1)");
       }
 
+      // Its number, if it has no name. Elements may belong to a group with the minus sign of their direction.
+      std::string
+      group_name(const bool of_cells, const long group) const
+      {
+        const auto name = group_names[of_cells].find(std::abs(group));
+        return name != group_names[of_cells].end() ? name->second : std::to_string(std::abs(group));
+      }
+
       unsigned int
       group_index(const long group)
       {
-        const auto [entry, is_new] = group_indices.emplace(group, mesh.names.size());
+        const auto [entry, is_new] = group_indices.emplace(std::abs(group), mesh.names.size());
         if (is_new)
-          {
-            const auto name = group_names.find(group);
-            mesh.names.push_back(name != group_names.end() ? name->second : std::to_string(group));
-          }
+          mesh.names.push_back(group_name(false, group));
         return entry->second;
       }
 
-      // An element whose nodes are the fields from `first` on; group 0: none.
+      bool
+      is_of_part(const std::vector<long> &groups)
+      {
+        bool is_named = part.empty();
+        for (const long group : groups)
+          {
+            const std::string name = group_name(true, group);
+            is_named               = is_named || name == part;
+            mesh.parts.insert(name);
+          }
+        return is_named;
+      }
+
+      // An element of these physical groups whose nodes are the fields from `first` on.
       void
-      add_element(const ElementType &t, const long group, const Fields &fields, const std::size_t first)
+      add_element(const ElementType       &t,
+                  const std::vector<long> &groups,
+                  const Fields            &fields,
+                  const std::size_t        first)
       {
         if (fields.size() < first + t.n_nodes)
           text.fail("damaged $Elements: an element with " + std::to_string(fields.size() - first) + " nodes",
                     std::to_string(t.n_nodes) + " nodes for this type");
         if (t.dim > dim)
           text.fail("three-dimensional elements in a two-dimensional scene", "a plane mesh (gmsh -2)");
+        if (t.dim == dim && !is_of_part(groups))
+          return;
         if (t.dim == dim && t.kind != nullptr)
-          mesh.add_other(t.kind, text);
+          mesh.add_other(t.kind, text.line_number());
         else if (t.dim == dim)
           {
             FileMesh::Cell cell{{}, text.line_number()};
@@ -289,9 +315,9 @@ namespace Amontons
             mesh.cells.push_back(cell);
             add_middle_nodes(t, cell, fields, first);
           }
-        else if (t.dim == dim - 1 && t.kind == nullptr && group != 0)
+        else if (t.dim == dim - 1 && t.kind == nullptr && !groups.empty())
           {
-            FileMesh::Face face{{}, group_index(std::abs(group))};
+            FileMesh::Face face{{}, group_index(groups[0])};
             for (unsigned int v = 0; v < t.n_corners; ++v)
               face.nodes[v] = mesh.node(text.integer(fields[first + v]), text);
             mesh.faces.push_back(face);
@@ -334,8 +360,11 @@ namespace Amontons
             const std::size_t n_tags = text.integer(fields[2]);
             if (n_tags > 100 || fields.size() < 3 + n_tags)
               text.fail("damaged $Elements: tags are missing");
-            add_element(
-                type(text.integer(fields[1])), n_tags > 0 ? text.integer(fields[3]) : 0, fields, 3 + n_tags);
+            const long group = n_tags > 0 ? text.integer(fields[3]) : 0;
+            add_element(type(text.integer(fields[1])),
+                        group != 0 ? std::vector<long>{group} : std::vector<long>(),
+                        fields,
+                        3 + n_tags);
           }
         end("$Elements");
       }
@@ -349,28 +378,34 @@ namespace Amontons
             const long         n      = block_size("$Elements");
             const Fields       head   = text.fields();
             const ElementType &t      = type(text.integer(head[2]));
-            const auto         group  = entity_groups.find(text.integer(head[1]));
-            const bool         in_one = t.dim == dim - 1 && group != entity_groups.end();
+            const long         entity = text.integer(head[1]);
+            std::vector<long>  groups;
+            if (t.dim == dim - 1 || t.dim == dim)
+              if (const auto of = entity_groups[t.dim == dim].find(entity);
+                  of != entity_groups[t.dim == dim].end())
+                groups = of->second;
             for (long i = 0; i < n; ++i)
-              add_element(t, in_one ? group->second : 0, line("$Elements", 2), 1);
+              add_element(t, groups, line("$Elements", 2), 1);
           }
         end("$Elements");
       }
 
-      MeshText                    &text;
-      const unsigned int           dim;
-      double                       version = 0;
-      FileMesh                     mesh;
-      std::map<std::string, int>   sections; // complete ones
-      std::map<long, std::string>  group_names;
-      std::map<long, long>         entity_groups; // of dimension dim-1: their first group
-      std::map<long, unsigned int> group_indices;
+      MeshText                  &text;
+      const unsigned int         dim;
+      const std::string          part;
+      double                     version = 0;
+      FileMesh                   mesh;
+      std::map<std::string, int> sections; // complete ones
+      // Of faces (dimension dim-1) and of cells.
+      std::array<std::map<long, std::string>, 2>       group_names;
+      std::array<std::map<long, std::vector<long>>, 2> entity_groups;
+      std::map<long, unsigned int>                     group_indices; // of faces
     };
   } // namespace
 
   FileMesh
-  parse_gmsh(MeshText &text, const unsigned int dim)
+  parse_gmsh(MeshText &text, const unsigned int dim, const std::string &part)
   {
-    return GmshParser(text, dim).parse();
+    return GmshParser(text, dim, part).parse();
   }
 } // namespace Amontons

@@ -1,5 +1,6 @@
 #include <amontons/geometry/grid_reader.h>
 #include <amontons/geometry/mesh_file.h>
+#include <amontons/scene/text.h>
 
 #include <deal.II/base/geometry_info.h>
 
@@ -33,6 +34,23 @@ namespace Amontons
         throw InputError({where.file, 0, where.entry},
                          "the mesh has no " + wanted,
                          how + " (gmsh saves only what is in a physical group, if there is one)");
+    }
+
+    // Where no cell was read: the part that is asked for is not in the file, or none is, of several.
+    void
+    check_part(const FileMesh &mesh, const BodyData &body)
+    {
+      const bool is_asked = !body.part.empty();
+      if (!mesh.cells.empty() || mesh.n_others > 0 || (!is_asked && mesh.parts.empty()))
+        return;
+      const std::vector<std::string> parts(mesh.parts.begin(), mesh.parts.end());
+      throw InputError(body.where,
+                       is_asked
+                           ? "the mesh file has no part '" + body.part + "'" + suggestion(body.part, parts)
+                           : "the mesh file has " + std::to_string(parts.size()) + " parts",
+                       parts.empty() ? "no 'Part', as no cells of the file are in a physical group, or an "
+                                       "element set"
+                                     : (is_asked ? "" : "'Part', one of them: ") + join(parts, ", "));
     }
 
     // From the determinants of the map at the corners: 1 if all are positive, -1 if all are negative, else 0.
@@ -232,8 +250,9 @@ namespace Amontons
                                0,
                                body.where.entry};
     MeshText             text(read_mesh_text(body, dim, communicator), where);
-    const FileMesh       file =
-        file_ending(body.mesh_file) == ".inp" ? parse_abaqus(text, dim) : parse_gmsh(text, dim);
+    const FileMesh       file = file_ending(body.mesh_file) == ".inp" ? parse_abaqus(text, dim, body.part)
+                                                                      : parse_gmsh(text, dim, body.part);
+    check_part(file, body);
     check_cell_kinds(file, dim, where);
 
     CoarseMesh<dim> mesh;

@@ -50,6 +50,13 @@ namespace Amontons
     --where.line;
   }
 
+  void
+  MeshText::rewind()
+  {
+    position = previous = 0;
+    where.line          = 0;
+  }
+
   std::vector<std::string_view>
   MeshText::fields(const char separator) const
   {
@@ -130,12 +137,12 @@ namespace Amontons
   }
 
   void
-  FileMesh::add_other(const std::string &kind, const MeshText &text)
+  FileMesh::add_other(const std::string &kind, const int line)
   {
     if (n_others++ == 0)
       {
         other_cells = kind;
-        other_line  = text.line_number();
+        other_line  = line;
       }
   }
 } // namespace Amontons

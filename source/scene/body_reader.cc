@@ -48,6 +48,7 @@ namespace Amontons
       const std::vector<std::string> &shapes = built_in_shapes(dim);
       if (is_among(mesh, shapes))
         {
+          section.refuse({"Part"}, "for Mesh = " + mesh);
           body.shape = mesh;
           return;
         }
@@ -61,6 +62,7 @@ namespace Amontons
                      join(shapes, ", ") + ", or a file ending in .msh, .geo or .inp");
       body.shape     = "file";
       body.mesh_file = existing_file(section, "Mesh", mesh, "a mesh file");
+      body.part      = section.text("Part");
     }
 
     void

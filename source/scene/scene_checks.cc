@@ -175,12 +175,13 @@ namespace Amontons
                              "the same two surfaces as in " + pairs[j].where.entry,
                              "each pair of surfaces once");
     }
-    // Of a file a body takes all cells, whatever groups they are in.
+    // Of a file a body takes all cells of its part.
     void
     check_mesh_files(const std::vector<BodyData> &bodies)
     {
       const auto place = [](const BodyData &body) {
         return std::make_tuple(body.mesh_file,
+                               body.part,
                                body.rotation_angle,
                                Point<3>(body.rotation_axis),
                                body.rotation_centre,
@@ -189,10 +190,11 @@ namespace Amontons
       for (std::size_t i = 0; i < bodies.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
           if (bodies[i].shape == "file" && bodies[j].shape == "file" && place(bodies[i]) == place(bodies[j]))
-            throw InputError(bodies[i].where,
-                             "the same mesh file in the same place as body '" + bodies[j].name + "'",
-                             "a file for each body, as each takes all cells of its file (gmsh saves those of "
-                             "the physical groups that there are), or another place");
+            throw InputError(
+                bodies[i].where,
+                "the same mesh file in the same place as body '" + bodies[j].name + "'",
+                "for each body a 'Part' of the file (a physical group, an element set) or a file "
+                "of its own, or another place");
     }
   } // namespace
 

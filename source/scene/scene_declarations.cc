@@ -71,6 +71,12 @@ namespace Amontons
       prm.declare_entry("Rotation axis", "0, 0, 1", coordinates, "... about this axis (3D) ...");
       prm.declare_entry("Rotation centre", "0, 0, 0", coordinates, "... through this point, ...");
       prm.declare_entry("Shift", "0, 0, 0", coordinates, "... then move by this vector.");
+      prm.declare_entry(
+          "Part",
+          "",
+          anything,
+          "Mesh from a file with several bodies: the physical group of this one's cells (gmsh), "
+          "or its element set or part (Abaqus); empty: all cells of the file.");
       prm.declare_entry("Curved boundaries",
                         "",
                         anything,

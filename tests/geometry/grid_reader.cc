@@ -64,11 +64,22 @@ file_body(const std::string &file)
   return body;
 }
 
+BodyData
+part_of(const std::string &file, const std::string &part)
+{
+  BodyData body = file_body(file);
+  body.part     = part;
+  return body;
+}
+
 template <int dim>
 void
-check_mesh(const std::string &file, const double volume, const std::map<std::string, double> &boundaries)
+check_mesh(const std::string                   &file,
+           const double                         volume,
+           const std::map<std::string, double> &boundaries,
+           const std::string                   &part = "")
 {
-  const auto mesh = read_grid<dim>(file_body(file), MPI_COMM_WORLD);
+  const auto mesh = read_grid<dim>(part_of(file, part), MPI_COMM_WORLD);
   double     sum  = 0;
   for (const auto &cell : mesh.cells)
     sum += GridTools::cell_measure<dim>(mesh.vertices,
@@ -89,11 +100,11 @@ check_mesh(const std::string &file, const double volume, const std::map<std::str
 
 template <int dim>
 void
-check_error(const std::string &file, const std::vector<std::string> &words)
+check_error(const std::string &file, const std::vector<std::string> &words, const std::string &part = "")
 {
   try
     {
-      read_grid<dim>(file_body(file), MPI_COMM_WORLD);
+      read_grid<dim>(part_of(file, part), MPI_COMM_WORLD);
       check::is_true(false, file + ": no error");
     }
   catch (const InputError &e)
@@ -247,6 +258,78 @@ check_abaqus()
                 {{"left_side", 1}, {"rest", 4}, {"PhysicalLine7", 1}});
 }
 
+// Bodies of one file: a strip of two squares, of which the left one has a name more, and a triangle above.
+void
+check_parts_of_gmsh()
+{
+  const std::string geo =
+      write("parts.geo",
+            "SetFactory(\"OpenCASCADE\");\n"
+            "Rectangle(1) = {0, 0, 0, 1, 1}; Rectangle(2) = {1, 0, 0, 1, 1}; Coherence;\n"
+            "Rectangle(3) = {0, 2, 0, 1, 1};\n"
+            "Transfinite Curve{:} = 3; Transfinite Surface{1, 2}; Recombine Surface{1, 2};\n"
+            "joint() = Curve In BoundingBox{0.9, -0.1, -0.1, 1.1, 1.1, 0.1};\n"
+            "low() = Curve In BoundingBox{-0.1, -0.1, -0.1, 2.1, 0.1, 0.1};\n"
+            "Physical Curve(\"joint\") = {joint()}; Physical Curve(\"low\") = {low()};\n"
+            "Physical Surface(\"left one\") = {1}; Physical Surface(\"strip\") = {1, 2};\n"
+            "Physical Surface(9) = {2}; Physical Surface(\"lid\") = {3};\n");
+  for (const std::string options : {"-2 -format msh22", "-2 -format msh41", "-2 -format msh41 -bin"})
+    {
+      const std::string file = mesh_with_gmsh(geo, "parts.msh", options);
+      check_mesh<2>(file, 1, {{"joint", 1}, {"low", 1}}, "left one");
+      check_mesh<2>(file, 1, {{"joint", 1}, {"low", 1}}, "9");
+      check_mesh<2>(file, 2, {{"low", 2}}, "strip");
+      check_error<2>(file, {"triangles"}, "lid");
+      check_error<2>(file, {"triangles"});
+      check_error<2>(file,
+                     {"scene.prm:3", "no part 'srtip' (did you mean 'strip'?)", "9, left one, lid, strip"},
+                     "srtip");
+    }
+  check_error<2>(write("no_groups.msh",
+                       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n"
+                       "3 1 1 0\n4 0 1 0\n$EndNodes\n$Elements\n1\n1 3 2 0 1 1 2 3 4\n"
+                       "$EndElements\n"),
+                 {"no part 'a'", "no cells of the file are in a physical group"},
+                 "a");
+}
+
+// Element sets; and parts that number nodes and elements each for itself.
+void
+check_parts_of_abaqus()
+{
+  const std::string flat =
+      write("flat.inp", abaqus + "*ELSET, ELSET=first\n1\n*NSET, NSET=of_first\n1,2,4,5\n");
+  check_mesh<2>(flat, 1, {{"Top", 1}, {"Bottom", 1}}, "FIRST");
+  check_mesh<2>(flat, 1, {{"Top", 1}, {"Bottom", 1}, {"right end", 1}, {"of_first", 1}}, "second");
+  check_mesh<2>(flat, 2, {{"Top", 2}, {"Bottom", 2}, {"right end", 1}, {"of_first", 1}}, "p");
+  check_error<2>(flat, {"no part 'secnd' (did you mean 'second'?)", "All, first, second"}, "secnd");
+  const std::string triangle = "*ELEMENT, TYPE=CPE3, ELSET=other\n3, 1, 2, 4\n";
+  std::string       mixed    = abaqus;
+  mixed.replace(mixed.find("*Nset"), 0, triangle);
+  check_mesh<2>(write("mixed.inp", mixed), 1, {{"Top", 1}, {"Bottom", 1}, {"right end", 1}}, "second");
+  check_error<2>(folder + "/mixed.inp", {"mixed.inp:", "1 triangles"}, "other");
+
+  const std::string parts =
+      write("assembly.inp",
+            "*PART, NAME=Shaft\n*NODE\n1,0,0\n2,2,0\n3,2,1\n4,0,1\n*ELEMENT, TYPE=CPS4\n"
+            "1,1,2,3,4\n*END PART\n"
+            "*PART, NAME=Hub\n*NODE\n1,0,1\n2,3,1\n3,3,2\n4,0,2\n*ELEMENT, TYPE=CPS4\n"
+            "1,1,2,3,4\n*END PART\n"
+            "*ASSEMBLY, NAME=A\n*INSTANCE, NAME=Shaft-1, PART=Shaft\n*END INSTANCE\n"
+            "*INSTANCE, NAME=Hub-1, PART=Hub\n0, 1, 0\n*END INSTANCE\n"
+            "*NSET, NSET=ends, INSTANCE=Shaft-1\n2,3\n"
+            "*ELSET, ELSET=_s, INSTANCE=Shaft-1\n1\n*SURFACE, NAME=below\n_s, S1\n"
+            "*NSET, NSET=left, INSTANCE=Hub-1\n1,4\n*SURFACE, NAME=above\nHub-1.1, S3\n"
+            "*NSET, NSET=right\nHub-1.2, Hub-1.3\n*END ASSEMBLY\n");
+  check_mesh<2>(parts, 2, {{"below", 2}, {"ends", 1}}, "shaft");
+  check_error<2>(parts, {"an instance that is moved"}, "Hub");
+  check_error<2>(parts, {"the mesh file has 2 parts", "'Part', one of them: Hub, Shaft"});
+  check_error<2>(parts, {"no part 'shft' (did you mean 'Shaft'?)"}, "shft");
+  std::string at_its_place = read(parts);
+  at_its_place.erase(at_its_place.find("0, 1, 0\n"), 8);
+  check_mesh<2>(write("at_its_place.inp", at_its_place), 3, {{"above", 3}, {"left", 1}, {"right", 1}}, "Hub");
+}
+
 // A quarter of a tube in unstructured hexahedra: the same from all formats, and fit for deal.II.
 void
 check_hexahedra()
@@ -355,6 +438,8 @@ main(int argc, char **argv)
   check_gmsh();
   check_damaged();
   check_abaqus();
+  check_parts_of_gmsh();
+  check_parts_of_abaqus();
   check_hexahedra();
   check_cube_orientations();
   check_curved_file();

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -31,6 +32,8 @@ namespace Amontons
     need_line(const std::string &what);
     void
     unread_line(); // once
+    void
+    rewind();
     std::string_view
     line() const
     {
@@ -89,6 +92,7 @@ namespace Amontons
     std::vector<Face>                                   faces;
     std::map<std::array<unsigned int, 2>, unsigned int> edge_nodes; // by the ends in ascending order
     std::map<std::array<unsigned int, 4>, unsigned int> face_nodes; // of hexahedra, by the corners likewise
+    std::set<std::string>                               parts;      // that have cells, whether read or not
     // Cells of another kind than quadrilaterals or hexahedra: what they are, the line of the first, and how
     // many.
     std::string  other_cells;
@@ -96,7 +100,7 @@ namespace Amontons
     unsigned int n_others   = 0;
 
     void
-    add_other(const std::string &kind, const MeshText &text);
+    add_other(const std::string &kind, const int line);
     // `middle`: the other nodes of the cell (in the order of gmsh or Abaqus), of which the first lie on the
     // given edges and the next on the given faces of corners; what is left lies inside.
     void
@@ -106,9 +110,11 @@ namespace Amontons
                      const std::vector<std::array<unsigned int, 4>> &faces);
   };
 
+  // part: the cells that are read, those of a physical group; "": all.
   FileMesh
-  parse_gmsh(MeshText &text, const unsigned int dim);
+  parse_gmsh(MeshText &text, const unsigned int dim, const std::string &part = "");
 
+  // part: an element set, or a *PART.
   FileMesh
-  parse_abaqus(MeshText &text, const unsigned int dim);
+  parse_abaqus(MeshText &text, const unsigned int dim, const std::string &part = "");
 } // namespace Amontons

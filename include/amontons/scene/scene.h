@@ -105,6 +105,7 @@ namespace Amontons
     // the cuts "plane x" (on x = 0), "plane y", "plane z".
     std::string                 shape = "block";
     std::string                 mesh_file;             // absolute
+    std::string                 part;                  // of the file: a group or set of its cells; "": all
     Point<3>                    lower, upper;          // block
     std::array<unsigned int, 3> cells   = {{1, 1, 1}}; // block: cells per direction of the coarse mesh
     std::array<double, 3>       grading = {{1, 1, 1}}; // block: ratio of last to first cell, per direction

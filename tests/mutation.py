@@ -410,7 +410,7 @@ CHANGES = [
     ("nodes on chords", "contact/smallest_gap.cc", "parents; parents.empty())", "parents; parents.empty() || true)", "scenes/pin_longer_than_its_seat$"),
     ("facets of declared gaps", "adaptivity/error_estimator.cc", "finite_strain || !interfaces[i].pair->initial_gap", "true", "scenes/shaft_and_hub$"),
     ("parts of a mesh file", "geometry/gmsh.cc", "if (t.dim == dim && !is_of_part(groups))", "if (t.dim == dim && !is_of_part(groups) && false)", "^geometry/grid_reader$"),
-    ("parts of an assembly", "geometry/abaqus.cc", "return !name.empty() && parts.count(part) > 0 && name != part;", "return !name.empty() && name != part;", "^geometry/grid_reader$"),
+    ("parts of an assembly", "geometry/abaqus_names.cc", "return instances.count(upper) > 0 && upper != instance;", "return instances.count(upper) > 0;", "^geometry/grid_reader$"),
     ("works of overlaps", "run_notes.cc", "pair.initial_gap->value(Point<3>(), 0) < 0;", "pair.initial_gap->value(Point<3>(), 0) > 1e300;", "scenes/shaft_and_hub_finite$"),
     ("peaks of slivers", "contact/surface_fields.cc", "value = most < 0 ? value : std::min(value, most);", "(void)most;", "scenes/pin_longer_than_its_seat$"),
     ("carriers far away", "geometry/geometry.cc", "constexpr double far = 100;", "constexpr double far = 1e100;", "scenes/far_from_its_carrier$"),

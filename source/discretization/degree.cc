@@ -77,7 +77,7 @@ namespace Amontons
   {
     if (degree != "automatic" || !for_pressure)
       return degree == "1" ? 1 : 2;
-    constexpr double slender = 16, nearly_incompressible = 0.45;
+    constexpr double slender = 16, nearly_incompressible = 0.49;
     const auto       slenderness = slenderness_of_bodies(geometry);
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       if (const auto &body = scene.bodies[b];

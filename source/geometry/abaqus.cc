@@ -1,5 +1,9 @@
 #include <amontons/geometry/abaqus.h>
 
+#include <deal.II/base/numbers.h>
+
+#include <deal.II/physics/transformations.h>
+
 #include <algorithm>
 #include <map>
 
@@ -36,10 +40,9 @@ namespace Amontons
       parse()
       {
         find_parts();
-        if (parts.size() > 1 && parts.count(part) == 0)
+        if (!assembly.choose(part))
           {
-            for (const auto &[upper, name] : parts)
-              mesh.parts.insert(name);
+            mesh.parts = assembly.names();
             return mesh;
           }
         while (text.next_line())
@@ -51,8 +54,8 @@ namespace Amontons
               else if (keyword == "*ENDPART")
                 inside.clear();
               else if (keyword == "*INSTANCE")
-                read_instance();
-              else if (!is_of_another(inside))
+                move_instance();
+              else if (!assembly.is_of_another_part(inside))
                 read_mesh();
             }
         if (mesh.nodes.empty())
@@ -77,7 +80,6 @@ namespace Amontons
         int         line;
       };
 
-      // Parts number their nodes and elements each for itself: where there are several, one of them is read.
       void
       find_parts()
       {
@@ -91,32 +93,52 @@ namespace Amontons
               else if (keyword == "*ENDPART")
                 name.clear();
               else if (keyword == "*ELEMENT" && !name.empty())
-                parts.emplace(upper_case(name), name);
+                assembly.parts.emplace(upper_case(name), name);
+              else if (keyword == "*INSTANCE")
+                {
+                  assembly.instances[options["NAME"]] = values["NAME"];
+                  assembly.part_of[options["NAME"]]   = options["PART"];
+                }
             }
         text.rewind();
       }
 
-      // than the one that is read, if that is a *PART
-      bool
-      is_of_another(const std::string &name) const
-      {
-        return !name.empty() && parts.count(part) > 0 && name != part;
-      }
-
-      // "*INSTANCE, NAME=shaft-1, PART=shaft": sets of the assembly are told of instances.
+      // "*INSTANCE, NAME=shaft-1, PART=shaft": first a shift, then a rotation about the axis through two
+      // points, by an angle in degrees.
       void
-      read_instance()
+      move_instance()
       {
-        part_of_instance[options["NAME"]] = options["PART"];
-        if (!is_of_another(options["PART"]) && next_data_line())
-          text.fail("an instance that is moved", "the nodes of the part at their place");
+        if (assembly.is_of_another_instance(options["NAME"]) || !next_data_line())
+          return;
+        const auto shift = numbers(2);
+        for (auto &p : mesh.nodes)
+          for (unsigned int d = 0; d < 3; ++d)
+            p[d] += shift[d];
+        if (!next_data_line())
+          return;
+        const auto             turn = numbers(7);
+        const dealii::Point<3> from(turn[0], turn[1], turn[2]), to(turn[3], turn[4], turn[5]);
+        const auto             axis = to - from;
+        if (!(axis.norm() > 0))
+          text.fail("an axis without a direction", "two points of it, and an angle");
+        const auto rotation = dealii::Physics::Transformations::Rotations::rotation_matrix_3d(
+            dealii::Point<3>(axis / axis.norm()), turn[6] * dealii::numbers::PI / 180);
+        for (auto &p : mesh.nodes)
+          p = from + rotation * (p - from);
       }
 
-      bool
-      is_of_another_instance(const std::string_view name) const
+      // Of the line; what is missing of seven is 0.
+      std::array<double, 7>
+      numbers(const unsigned int n_needed) const
       {
-        const auto entry = part_of_instance.find(upper_case(name));
-        return entry != part_of_instance.end() && is_of_another(entry->second);
+        const auto fields = text.fields(',');
+        if (fields.size() < n_needed || fields.size() > 7)
+          text.fail("an instance moved by " + std::to_string(fields.size()) + " numbers",
+                    "x, y, z; then two points and an angle");
+        std::array<double, 7> result{};
+        for (unsigned int k = 0; k < fields.size(); ++k)
+          result[k] = fields[k].empty() ? 0. : text.number(fields[k]);
+        return result;
       }
 
       void
@@ -138,7 +160,7 @@ namespace Amontons
       void
       keep_cells()
       {
-        const bool           all = part.empty() || parts.count(part) > 0;
+        const bool           all = part.empty() || part == assembly.part || part == assembly.instance;
         std::set<long>       of_part;
         const std::set<long> ids(cell_ids.begin(), cell_ids.end());
         for (const AbaqusSet &s : element_sets.all)
@@ -314,7 +336,7 @@ namespace Amontons
       {
         const bool generate = options.count("GENERATE") > 0;
         AbaqusSet &target   = sets.at(name);
-        if (is_of_another_instance(options["INSTANCE"]))
+        if (assembly.is_of_another_instance(options["INSTANCE"]))
           return; // a set without members here, which surfaces may name
         while (next_data_line())
           {
@@ -332,7 +354,7 @@ namespace Amontons
               }
             else
               for (const auto &field : fields)
-                if (is_of_another_instance(field.substr(0, field.rfind('.'))))
+                if (assembly.is_of_another_instance(field.substr(0, field.rfind('.'))))
                   continue;
                 else if (const auto entry = without_instance(field); is_number(entry))
                   target.ids.push_back(text.integer(entry));
@@ -363,7 +385,7 @@ namespace Amontons
             const auto face   = fields.size() < 2 ? std::string() : upper_case(fields[1]);
             if (face.size() != 2 || face[0] != 'S' || face[1] < '1' || face[1] > char('0' + faces.size()))
               text.fail("a surface on face '" + face + "'", "S1 to S" + std::to_string(faces.size()));
-            if (is_of_another_instance(fields[0].substr(0, fields[0].rfind('.'))))
+            if (assembly.is_of_another_instance(fields[0].substr(0, fields[0].rfind('.'))))
               continue;
             const auto entry = without_instance(fields[0]);
             for (const long id : is_number(entry) ? std::vector<long>{text.integer(entry)}
@@ -434,8 +456,7 @@ namespace Amontons
       FileMesh                           mesh;
       const std::string                  part; // in upper case, as are the names of parts and instances
       std::string                        inside;
-      std::map<std::string, std::string> parts; // with elements, and as they are written
-      std::map<std::string, std::string> part_of_instance;
+      AbaqusAssembly                     assembly;
       std::unordered_map<long, Element>  elements;
       std::vector<long>                  cell_ids;
       std::vector<OtherElement>          others;

@@ -58,6 +58,59 @@ namespace Amontons
     return dim == 2 ? quadrilateral_faces : hexahedron_faces;
   }
 
+  bool
+  AbaqusAssembly::choose(const std::string &name)
+  {
+    if (instances.count(name) > 0)
+      {
+        instance = name;
+        part     = part_of.at(name);
+        return true;
+      }
+    if (parts.size() > 1 && parts.count(name) == 0)
+      return false;
+    if (!parts.empty())
+      part = parts.size() == 1 ? parts.begin()->first : name;
+    unsigned int n_instances = 0;
+    for (const auto &[of, its_part] : part_of)
+      if (its_part == part)
+        {
+          instance = of;
+          ++n_instances;
+        }
+    return n_instances < 2;
+  }
+
+  bool
+  AbaqusAssembly::is_of_another_part(const std::string &name) const
+  {
+    return !name.empty() && !part.empty() && name != part;
+  }
+
+  bool
+  AbaqusAssembly::is_of_another_instance(const std::string_view name) const
+  {
+    const std::string upper = upper_case(name);
+    return instances.count(upper) > 0 && upper != instance;
+  }
+
+  std::set<std::string>
+  AbaqusAssembly::names() const
+  {
+    std::set<std::string> result;
+    for (const auto &[part, written] : parts)
+      {
+        std::set<std::string> of_part;
+        for (const auto &[of, its_part] : part_of)
+          if (its_part == part)
+            of_part.insert(instances.at(of));
+        if (of_part.size() < 2)
+          of_part = {written};
+        result.insert(of_part.begin(), of_part.end());
+      }
+    return result;
+  }
+
   AbaqusSet &
   AbaqusSets::at(const std::string &name, const bool of_element)
   {

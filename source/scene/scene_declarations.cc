@@ -76,7 +76,7 @@ namespace Amontons
           "",
           anything,
           "Mesh from a file with several bodies: the physical group of this one's cells (gmsh), "
-          "or its element set or part (Abaqus); empty: all cells of the file.");
+          "or its element set, part or instance (Abaqus); empty: all cells of the file.");
       prm.declare_entry("Curved boundaries",
                         "",
                         anything,

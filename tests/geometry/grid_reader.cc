@@ -322,12 +322,28 @@ check_parts_of_abaqus()
             "*NSET, NSET=left, INSTANCE=Hub-1\n1,4\n*SURFACE, NAME=above\nHub-1.1, S3\n"
             "*NSET, NSET=right\nHub-1.2, Hub-1.3\n*END ASSEMBLY\n");
   check_mesh<2>(parts, 2, {{"below", 2}, {"ends", 1}}, "shaft");
-  check_error<2>(parts, {"an instance that is moved"}, "Hub");
+  check_mesh<2>(parts, 3, {{"above", 3}, {"left", 1}, {"right", 1}}, "Hub");
+  check_mesh<2>(parts, 3, {{"above", 3}, {"left", 1}, {"right", 1}}, "hub-1");
+  const auto corner_of = [](const BodyData &body) {
+    const auto mesh = read_grid<2>(body, MPI_COMM_WORLD);
+    Point<2>   corner(0, 1e9);
+    for (const auto &p : mesh.vertices)
+      corner = p[1] < corner[1] - 1e-9 || (p[1] < corner[1] + 1e-9 && p[0] < corner[0]) ? p : corner;
+    return corner;
+  };
+  check::is_true(corner_of(part_of(parts, "Hub")).distance({0, 2}) < 1e-12, "an instance that is shifted");
   check_error<2>(parts, {"the mesh file has 2 parts", "'Part', one of them: Hub, Shaft"});
   check_error<2>(parts, {"no part 'shft' (did you mean 'Shaft'?)"}, "shft");
-  std::string at_its_place = read(parts);
-  at_its_place.erase(at_its_place.find("0, 1, 0\n"), 8);
-  check_mesh<2>(write("at_its_place.inp", at_its_place), 3, {{"above", 3}, {"left", 1}, {"right", 1}}, "Hub");
+  std::string twice = read(parts); // (3, 3) goes to (0, 6), and is the lowest on the left
+  twice.insert(twice.find("*NSET, NSET=ends"),
+               "*INSTANCE, NAME=Hub-2, PART=Hub\n0, 2\n3, 3, 0, 3, 3, 1, -90\n*END INSTANCE\n");
+  const std::string file = write("twice.inp", twice);
+  check::is_true(corner_of(part_of(file, "HUB-2")).distance({3, 3}) < 1e-12, "an instance that is turned");
+  check_mesh<2>(file, 3, {}, "HUB-2");
+  check_mesh<2>(file, 3, {{"above", 3}, {"left", 1}, {"right", 1}}, "HUB-1");
+  check_error<2>(file, {"no part 'Hub' (did you mean 'Hub-1'?)", "Hub-1, Hub-2, Shaft"}, "Hub");
+  twice.replace(twice.find("3, 3, 1, -90"), 12, "3, 3, 0, -90");
+  check_error<2>(write("no_axis.inp", twice), {"no_axis.inp:27", "an axis without a direction"}, "Hub-2");
 }
 
 // A quarter of a tube in unstructured hexahedra: the same from all formats, and fit for deal.II.

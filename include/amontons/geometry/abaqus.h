@@ -22,6 +22,28 @@ namespace Amontons
   const std::vector<std::vector<unsigned int>> &
   abaqus_faces(const unsigned int dim);
 
+  // Parts number their nodes and elements each for itself; instances put them into places of an assembly. Of
+  // several one is read. All names that are asked for are in upper case.
+  struct AbaqusAssembly
+  {
+    // The part or the instance of this name, or what there is only one of; false: that is left open.
+    bool
+    choose(const std::string &name);
+    // than the one that is read
+    bool
+    is_of_another_part(const std::string &name) const;
+    bool
+    is_of_another_instance(const std::string_view name) const;
+    // What may be chosen, as it is written.
+    std::set<std::string>
+    names() const;
+
+    std::map<std::string, std::string> parts; // with elements, as they are written
+    std::map<std::string, std::string> instances;
+    std::map<std::string, std::string> part_of; // instances
+    std::string                        part, instance;
+  };
+
   struct AbaqusSet
   {
     std::string                   name; // as first written

@@ -114,7 +114,7 @@ namespace Amontons
   FileMesh
   parse_gmsh(MeshText &text, const unsigned int dim, const std::string &part = "");
 
-  // part: an element set, or a *PART.
+  // part: an element set, a *PART or an *INSTANCE.
   FileMesh
   parse_abaqus(MeshText &text, const unsigned int dim, const std::string &part = "");
 } // namespace Amontons

@@ -39,6 +39,23 @@ namespace Amontons
     }
 
     void
+    declare_mesh_file(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+          "Part",
+          "",
+          anything,
+          "Mesh from a file with several bodies: the physical group of this one's cells (gmsh), "
+          "or its element set, part or instance (Abaqus); empty: all cells of the file.");
+      prm.declare_entry("Curved boundaries",
+                        "",
+                        anything,
+                        "Mesh from a file: 'outer = circle(x, y[, z]); side = cylinder(x, y, z, ax, ay, "
+                        "az); top = cad(FILE.step[, scale])': the true shape of boundaries, by centre (and "
+                        "axis), or a STEP or IGES file beside the scene; in 3D, circle means sphere.");
+    }
+
+    void
     declare_mesh(ParameterHandler &prm)
     {
       prm.declare_entry(
@@ -71,24 +88,13 @@ namespace Amontons
       prm.declare_entry("Rotation axis", "0, 0, 1", coordinates, "... about this axis (3D) ...");
       prm.declare_entry("Rotation centre", "0, 0, 0", coordinates, "... through this point, ...");
       prm.declare_entry("Shift", "0, 0, 0", coordinates, "... then move by this vector.");
-      prm.declare_entry(
-          "Part",
-          "",
-          anything,
-          "Mesh from a file with several bodies: the physical group of this one's cells (gmsh), "
-          "or its element set, part or instance (Abaqus); empty: all cells of the file.");
-      prm.declare_entry("Curved boundaries",
-                        "",
-                        anything,
-                        "Mesh from a file: 'outer = circle(x, y[, z]); side = cylinder(x, y, z, ax, ay, "
-                        "az); top = cad(FILE.step[, scale])': the true shape of boundaries, by centre (and "
-                        "axis), or a STEP or IGES file beside the scene; in 3D, circle means sphere.");
     }
 
     void
     declare_body(ParameterHandler &prm)
     {
       declare_mesh(prm);
+      declare_mesh_file(prm);
       prm.declare_entry(
           "Young modulus", "", anything, "Young's modulus, positive; no default. Rigid bodies need none.");
       prm.declare_entry("Poisson ratio",

@@ -461,6 +461,9 @@ def scenes():
     mesh("mesh with a seam", "m.msh", seam, r"^scene\.prm:1: Body block: the mesh is in 2 parts that share no edge of a cell, though 2 of one are where another has one, too, as at \(1 [01]\)", ranks=2)
     mesh("mesh with a seam between common ends", "m.msh", seam.replace("7 5 6 8", "7 5 6 3"),
          r"^scene\.prm:1: Body block: the mesh is in 2 parts that share no edge of a cell, though 1 of one are where another has one, too, as at \(1 0\)")
+    case("a mesh, and a part of it", {"scene.prm": ONE_BODY % "  set Mesh = m.msh" + ONE_BODY.replace("Body block", "Body other").replace("condition floor", "condition other")
+                                      % "  set Mesh = m.msh\n  set Part = all", "m.msh": MSH2},
+         r"^scene\.prm:10: Body other: the same mesh file in the same place as body 'block'; allowed: for each body a 'Part' of the file")
     case("the same mesh twice", {"scene.prm": ONE_BODY % "  set Mesh = m.msh" + ONE_BODY.replace("Body block", "Body other").replace("condition floor", "condition other") % "  set Mesh = m.msh", "m.msh": MSH2},
          r"^scene\.prm:10: Body other: the same mesh file in the same place as body 'block'")
     case("missing mesh", ONE_BODY % "  set Mesh = m.msh", r"^scene\.prm:2: .*no file '.*m\.msh'", ranks=3)

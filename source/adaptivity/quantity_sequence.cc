@@ -185,9 +185,22 @@ namespace Amontons
                        quarter = half < last ? half_of(half) : meshes.size();
     if (quarter > last)
       return std::numeric_limits<double>::infinity();
-    double worst = 0;
+    return change_since(quarter);
+  }
+
+  double
+  QuantitySequence::change() const
+  {
+    return meshes.empty() ? 0 : change_since(0);
+  }
+
+  double
+  QuantitySequence::change_since(const unsigned int first) const
+  {
+    const unsigned int last  = meshes.size() - 1;
+    double             worst = 0;
     for (unsigned int i = 0; i < meshes[last].values.size(); ++i)
-      for (unsigned int k = quarter; k < last; ++k)
+      for (unsigned int k = first; k < last; ++k)
         worst = std::max(worst, std::abs(value(last, i) - value(k, i)) / norm(last, i));
     return worst;
   }

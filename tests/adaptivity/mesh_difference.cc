@@ -131,6 +131,7 @@ main(int, char **)
 
       QuantitySequence few;
       few.add(1000, {1.});
+      check::is_true(few.change() == 0, "no change of a single mesh");
       few.add(3900, {1.});
       check::is_true(std::isinf(few.spread()), "no mesh of a quarter of the unknowns");
       few.add(7900, {1.1});
@@ -138,6 +139,7 @@ main(int, char **)
       few.add(16000, {1.09});
       few.add(32000, {1.09});
       check::is_close(few.spread(), 0.01 / 1.09, 1e-12, "not of earlier ones");
+      check::is_close(few.change(), 0.09 / 1.09, 1e-12, "of all of them");
 
       QuantitySequence repeated;
       double           last = 0;

@@ -71,6 +71,10 @@ namespace Amontons
     double
     spread() const;
 
+    /// Likewise from any mesh before; 0 of a single mesh.
+    double
+    change() const;
+
     /// One of the numbers has changed in one direction and hardly by less on the last meshes: it may have no
     /// limit.
     bool
@@ -84,6 +88,8 @@ namespace Amontons
     };
     double
     error_on(const unsigned int last, const bool is_smooth) const;
+    double
+    change_since(const unsigned int first) const;
     double
     doubt_on(const unsigned int last) const;
     // What the errors of a mesh's i-th value count against.

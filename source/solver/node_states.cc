@@ -11,7 +11,7 @@ namespace Amontons
       : nodes(nodes), interfaces(interfaces), floating(floating), t(t),
         any_friction(
             std::any_of(nodes.begin(), nodes.end(), [](const auto &node) { return node.frictional; })),
-        states(nodes.size(), ContactStatus::open), laws(nodes.size()), n_rests(nodes.size(), 0)
+        states(nodes.size(), ContactStatus::open), laws(nodes.size())
   {
   }
 
@@ -201,11 +201,8 @@ namespace Amontons
                                     ? std::min(no_force[nodes[k].interface] / nodes[k].area,
                                                1e-4 * largest[nodes[k].interface])
                                     : 0;
-            // (Where the bodies leave that traction open, this would come back for ever.)
-            constexpr unsigned int often = 4;
-            const bool             stays = slid && !moves && excess > -tolerance && ++n_rests[k] > often;
-            const bool             slips =
-                (is_frozen && limit.value <= 0) || stays ||
+            const bool   slips =
+                (is_frozen && limit.value <= 0) ||
                 (!turned && q.norm() > 0 && excess > (moves ? -tolerance : std::max(tolerance, more)));
             states[k] = slips ? ContactStatus::slip : ContactStatus::stick;
             if (slips)

@@ -88,7 +88,6 @@ namespace Amontons
       active_set = ActiveSetUpdate();
       is_frozen = single = is_exhausted = false;
       met.clear();
-      n_rests.assign(n_rests.size(), 0);
     }
 
     // Changes states and laws; returns the number of nodes whose state changed. rounding: see
@@ -218,7 +217,6 @@ namespace Amontons
     ActiveSetUpdate                           active_set;
     std::vector<ContactStatus>                states;
     std::vector<SlipLaw<dim>>                 laws;
-    std::vector<unsigned int>                 n_rests; // how often what slid came to rest, by node
     std::vector<double>                       frozen_bounds, given_bounds;
     bool                                      first        = true; // no update yet: directions are guesses
     bool                                      is_frozen    = false;
